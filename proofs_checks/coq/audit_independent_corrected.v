@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra Lia List Relations Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles tanner_energy tanner_flock.
-From Flockproof Require paley_fourier paley_patterns tanner_graph.
+From Flockproof Require paley_fourier paley_patterns paley_fish tanner_graph tanner_components tanner2_facts veerman_numbers veerman_rest.
 From Flockproof Require audit_independent_paley audit_independent_tanner1 audit_independent_tanner2 audit_independent_veerman.
 Module P := audit_independent_paley.
 Module T1 := audit_independent_tanner1.
@@ -167,20 +167,6 @@ Definition proof_cases_1 : Prop := forall n adj V V' r v th thbar t, T1.loop n a
 Definition proof_ratio_2 : Prop := forall n adj V V' r v th thbar t, T1.loop n adj V V' r v (dth th) t -> one_heading n v th thbar t ->
   forall i ai, (i < n)%nat -> is_velocity (v i) t ai -> let g := gradV n adj V' (fun j => r j t) i in let k := snd (v i t) / fst (v i t) in
   fst (v i t) <> 0 -> (fst ai <> 0 -> k = snd ai / fst ai) /\ (fst g <> 0 -> k = snd g / fst g).
-(* beyond.tanner1.proof_cases clause 2: s the squared distance (Figure 2); the distance has a period, is 2 and below 1 in each, has no limit,
-   and the work on the agent that started at (0, 0) has both signs in each *)
-Definition pair_motion (adj : graph) (r v : nat -> R -> C) (th : nat -> R -> R) := undirected adj /\ no_loops adj /\ adj 0%nat 1%nat = true /\
-  r 0%nat 0 = (0, 0) /\ r 1%nat 0 = (2, 0) /\ v 0%nat 0 = (2, 0) /\ v 1%nat 0 = (2, 0) /\
-  forall t, 0 <= t -> T1.loop 2 adj T1.fig2 T1.fig2' r v (dth th) t /\
-    forall i, (i < 2)%nat -> - PI < th i t <= PI /\ v i t = (RtoC (Cmod (v i t)) * expi (th i t))%C.
-Definition swings (adj : graph) (r v : nat -> R -> C) := let d t := Cmod (r 0%nat t - r 1%nat t)%C in
-  let p t := - inner (gradV 2 adj T1.fig2' (fun j => r j t) 0) (v 0%nat t) in
-  (forall l, ~ is_lim d p_infty l) /\
-  exists T, 0 < T /\ (forall t, 0 <= t -> d (t + T) = d t) /\ forall t0, 0 <= t0 ->
-    (exists t, t0 <= t <= t0 + T /\ d t = 2) /\ (exists t, t0 <= t <= t0 + T /\ d t < 1) /\
-    (exists t, t0 <= t <= t0 + T /\ 0 < p t) /\ exists t, t0 <= t <= t0 + T /\ p t < 0.
-Definition proof_cases_2 : Prop := exists adj r v th, pair_motion adj r v th /\ swings adj r v.
-Definition proof_cases_2_every : Prop := forall adj r v th, pair_motion adj r v th -> swings adj r v.
 (* tanner1.Omega.bounded clauses 1, 2; for the velocities the graph need not be connected *)
 Definition apart_now n (adj : graph) (r : nat -> C) := forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j.
 Definition Omega_1 : Prop := forall n adj c, undirected adj -> no_loops adj -> strongly_connected n adj -> exists B, forall r v th,
@@ -838,4 +824,286 @@ Proof.
     rewrite (Sum_ext n (fun k => Sum n (fun j => if adj k j then 1 else 0)) (fun _ => INR m)) by (intros k Hk; now apply (H k Hk)).
     rewrite Sum_const. assert (0 < INR n) by (apply lt_0_INR; lia). assert (0 < INR m) by (apply lt_0_INR; lia). field. lra. }
   rewrite (A 1%nat one ltac:(lia) H1), (A (n - 1)%nat all ltac:(lia) HN). cbn [INR]. lra.
+Qed.
+(* ---- multiplicities ---- *)
+Lemma finite_choice (A : Type) (d : A) (P : nat -> A -> Prop) n : (forall i, (i < n)%nat -> exists a, P i a) -> exists f, forall i, (i < n)%nat -> P i (f i).
+Proof.
+  induction n as [|n IH]; intros H; [exists (fun _ => d); intros; lia|]. destruct IH as [f F]; [intros; apply H; lia|]. destruct (H n ltac:(lia)) as [a Ha].
+  exists (fun i => if Nat.eqb i n then a else f i). intros i Hi. destruct (Nat.eqb_spec i n) as [->|]; [exact Ha|apply F; lia].
+Qed.
+Lemma components_of n adj : undirected adj -> exists c, components n adj c.
+Proof.
+  intros S. destruct (tanner_components.components_exist n adj S) as (l & ND & B & U & C).
+  destruct (finite_choice nat 0%nat (fun i p => (p < length l)%nat /\ tanner_components.joined n adj (nth p l 0%nat) i) n) as [comp Q].
+  { intros i Hi. destruct (C i Hi) as (a & Ia & J). apply (In_nth l a 0%nat) in Ia as (p & Hp & E). exists p. rewrite E. now split. }
+  exists (length l), comp. split; [intros; now apply Q|]. split.
+  - intros p Hp. assert (I : In (nth p l 0%nat) l) by now apply nth_In. exists (nth p l 0%nat). split; [now apply B|].
+    destruct (Q (nth p l 0%nat) (B _ I)) as [Hq J]. apply (proj1 (NoDup_nth l 0%nat) ND); [exact Hq|exact Hp|]. apply U; [now apply nth_In|exact I|exact J].
+  - intros i j Hi Hj. destruct (Q i Hi) as [Pi Ji], (Q j Hj) as [Pj Jj]. split; intros E.
+    + rewrite E in Ji. apply rt_trans with (nth (comp j) l 0%nat); [now apply tanner_components.joined_sym|exact Jj].
+    + apply (proj1 (NoDup_nth l 0%nat) ND); [exact Pi|exact Pj|]. apply U; [now apply nth_In..|]. apply rt_trans with i; [exact Ji|].
+      apply rt_trans with j; [exact E|now apply tanner_components.joined_sym].
+Qed.
+Lemma times_ext n L x y i : (forall j, (j < n)%nat -> x j = y j) -> times n L x i = times n L y i.
+Proof. intros H. apply Sum_ext. intros j Hj. now rewrite (H j Hj). Qed.
+Lemma iter_first (A : Type) (f : A -> A) q x : Nat.iter q f (f x) = Nat.iter (Datatypes.S q) f x.
+Proof. induction q as [|q IH]; [reflexivity|]. change (f (Nat.iter q f (f x)) = f (Nat.iter (Datatypes.S q) f x)). now rewrite IH. Qed.
+Lemma Lw_4_holds : Lw_4.
+Proof.
+  intros n adj wt S NL P. split; [now apply components_of|]. intros c (comp & C1 & C2 & C3) m Hm.
+  set (W := fun i j => if (Nat.ltb i n && Nat.ltb j n && adj i j)%bool then wt i j else 1).
+  assert (Wr : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> W i j = wt i j).
+  { intros i j Hi Hj A. unfold W. apply Nat.ltb_lt in Hi as ->. apply Nat.ltb_lt in Hj as ->. now rewrite A. }
+  assert (WC : forall i j, W i j = 1 \/ (i < n)%nat /\ (j < n)%nat /\ adj i j = true).
+  { intros i j. unfold W. destruct (Nat.ltb_spec i n), (Nat.ltb_spec j n), (adj i j) eqn:A; cbn; auto. }
+  assert (WS : forall i j, W i j = W j i).
+  { intros i j. unfold W. rewrite (S j i), (Bool.andb_comm (Nat.ltb j n)). destruct (Nat.ltb i n && Nat.ltb j n && adj i j)%bool eqn:E; [|reflexivity].
+    apply andb_prop in E as [E A]. apply andb_prop in E as [E1 E2]. apply Nat.ltb_lt in E1, E2. now apply P. }
+  assert (WP : forall i j, 0 < W i j). { intros i j. destruct (WC i j) as [->|(Hi & Hj & A)]; [lra|]. rewrite (Wr i j Hi Hj A). now apply P. }
+  destruct (finite_choice nat 0%nat (fun l i => (i < n)%nat /\ comp i = l) c C2) as [rep Rp].
+  set (l := map rep (seq 0 c)).
+  assert (Il : forall a, In a l <-> exists p, (p < c)%nat /\ a = rep p).
+  { intros a. unfold l. rewrite in_map_iff. split; intros (p & H1 & H2); exists p; rewrite ?in_seq in *; split; (lia || now symmetry). }
+  assert (O : tanner_components.one_of_each n adj l).
+  { split; [|split; [|split]].
+    - apply (NoDup_map_inv comp). unfold l. rewrite map_map. rewrite (map_ext_in (fun x => comp (rep x)) (fun x => x)); [rewrite map_id; apply seq_NoDup|].
+      intros p I. apply in_seq in I. apply Rp. lia.
+    - intros a I. apply Il in I as (p & Hp & ->). now apply Rp.
+    - intros a b Ia Ib J. apply Il in Ia as (p & Hp & ->). apply Il in Ib as (q & Hq & ->). destruct (Rp p Hp) as [R1 R2], (Rp q Hq) as [R3 R4].
+      apply (C3 _ _ R1 R3) in J. congruence.
+    - intros k Hk. exists (rep (comp k)). pose proof (C1 k Hk) as Hc. destruct (Rp _ Hc) as [R1 R2]. split; [apply Il; now exists (comp k)|]. now apply C3. }
+  destruct (tanner_components.zero_multiplicity n adj W l S WS WP O) as (Z1 & Z2 & Z3). cbv zeta in Z1, Z2, Z3.
+  set (L := tanner_graph.lapw n (fun i j => w adj i j * W i j)) in *.
+  assert (LL : forall x k, (k < n)%nat -> times n (lapw n adj wt) x k = Sum n (fun j => L k j * x j)).
+  { intros x k Hk. assert (E : forall j, (j < n)%nat -> (if adj k j then wt k j else 0) = w adj k j * W k j).
+    { intros j Hj. unfold w. destruct (adj k j) eqn:A; [rewrite (Wr k j Hk Hj A)|]; ring. }
+    apply Sum_ext. intros j Hj. f_equal. unfold lapw, L, tanner_graph.lapw. rewrite (E j Hj). f_equal. f_equal. now apply Sum_ext. }
+  set (null := fun x => forall k, (k < n)%nat -> Sum n (fun j => L k j * x j) = 0).
+  assert (Up : forall x q, null x -> (1 <= q)%nat -> forall k, (k < n)%nat -> Nat.iter q (times n (lapw n adj wt)) x k = 0).
+  { intros x q N Hq. induction q as [|[|q] IH]; [lia|intros k Hk; cbn; rewrite LL by exact Hk; now apply N|]. intros k Hk.
+    change (times n (lapw n adj wt) (Nat.iter (Datatypes.S q) (times n (lapw n adj wt)) x) k = 0).
+    rewrite (times_ext n _ _ (fun _ => 0)) by (intros j Hj; apply IH; [lia|exact Hj]). apply Sum_zero. intros; ring. }
+  assert (Down : forall q x, (forall k, (k < n)%nat -> Nat.iter (Datatypes.S q) (times n (lapw n adj wt)) x k = 0) -> null x).
+  { induction q as [|q IH]; intros x N; [intros k Hk; rewrite <- LL by exact Hk; now apply N|]. unfold null. apply (Z3 x).
+    assert (E : null (times n (lapw n adj wt) x)) by (apply IH; intros k Hk; rewrite iter_first; now apply N).
+    intros k Hk. rewrite <- (E k Hk). apply Sum_ext. intros j Hj. now rewrite <- LL by exact Hj. }
+  destruct (finite_choice (nat -> R) (fun _ => 0) (fun p x => null x /\ forall a, In a l -> x a = delta (comp a) p) c) as [b B].
+  { intros p _. destruct (Z1 (fun a => delta (comp a) p)) as (x & N & E). now exists x. }
+  assert (Br : forall p q, (p < c)%nat -> (q < c)%nat -> b p (rep q) = delta q p).
+  { intros p q Hp Hq. destruct (B p Hp) as [_ E]. rewrite E by (apply Il; now exists q). now rewrite (proj2 (Rp q Hq)). }
+  exists b. split; [intros p Hp; apply Up; [now apply B|exact Hm]|]. split.
+  - intros a E p Hp. destruct (Rp p Hp) as [R1 _]. rewrite <- (E _ R1). rewrite (Sum_ext c _ (fun q => delta p q * a q)).
+    + now rewrite Sum_delta_l.
+    + intros q Hq. rewrite (Br q p Hq Hp). ring.
+  - intros x N. destruct m as [|m]; [lia|]. apply Down in N. exists (fun p => x (rep p)). apply Z2; [exact N| |].
+    + intros k Hk. rewrite (Sum_ext n _ (fun j => Sum c (fun p => x (rep p) * (L k j * b p j)))) by (intros; rewrite <- Sum_scal; apply Sum_ext; intros; ring).
+      rewrite Sum_swap. apply Sum_zero. intros p Hp. rewrite Sum_scal, (proj1 (B p Hp) k Hk). ring.
+    + intros a I. apply Il in I as (q & Hq & ->). rewrite (Sum_ext c _ (fun p => delta q p * x (rep p))).
+      * now rewrite (Sum_delta_l c q (fun p => x (rep p))).
+      * intros p Hp. rewrite (Br p q Hp Hq). ring.
+Qed.
+Lemma L_4_holds : L_4.
+Proof.
+  intros n adj S NL. destruct (Lw_4_holds n adj (fun _ _ => 1) S NL ltac:(intros; lra)) as [A B]. split; [exact A|]. intros c H m Hm.
+  assert (E : forall x i, times n (lap n adj) x i = times n (lapw n adj (fun _ _ => 1)) x i) by reflexivity.
+  exact (B c H m Hm).
+Qed.
+Lemma rangeB_2_holds : rangeB_2.
+Proof.
+  intros n adj O Hn S T HO. pose proof (tanner_components.tree_edges n adj O Hn (proj1 S) (T2.tree_is n adj S T) HO). lia.
+Qed.
+(* ---- (13) ---- *)
+Lemma dissipation_is n adj v : dissipation n adj v = - qform (2 * n) (kron2 (lap n adj)) (stack v).
+Proof. rewrite kron_split. unfold dissipation, qform, times. ring. Qed.
+Lemma dissipation_ext n (g h : graph) v : (forall i j, (i < n)%nat -> (j < n)%nat -> g i j = h i j) -> dissipation n g v = dissipation n h v.
+Proof.
+  intros E. assert (L : forall i j, (i < n)%nat -> (j < n)%nat -> lap n g i j = lap n h i j).
+  { intros i j Hi Hj. unfold lap, deg, w. rewrite (E i j Hi Hj). do 2 f_equal. apply Sum_ext. intros m Hm. now rewrite (E i m Hi Hm). }
+  unfold dissipation, times. f_equal; [f_equal|]; apply Sum_ext; intros i Hi; f_equal; apply Sum_ext; intros j Hj; now rewrite (L i j Hi Hj).
+Qed.
+Lemma gap n (r : nat -> C) R0 : exists d, 0 < d /\ forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (r i - r j)%C <> R0 -> d <= Rabs (Cmod (r i - r j)%C - R0).
+Proof.
+  assert (F : forall m (a : nat -> R), exists d, 0 < d /\ forall i, (i < m)%nat -> a i <> 0 -> d <= Rabs (a i)).
+  { induction m as [|m IH]; intros a; [exists 1; split; [lra|intros; lia]|]. destruct (IH a) as (d & Hd & H). destruct (Req_dec (a m) 0) as [Z|Z].
+    - exists d. split; [exact Hd|]. intros i Hi N. destruct (Nat.eq_dec i m) as [->|]; [contradiction|apply H; [lia|exact N]].
+    - exists (Rmin d (Rabs (a m))). split; [apply Rmin_pos; [exact Hd|now apply Rabs_pos_lt]|]. intros i Hi N.
+      destruct (Nat.eq_dec i m) as [->|]; [apply Rmin_r|]. eapply Rle_trans; [apply Rmin_l|]. apply H; [lia|exact N]. }
+  destruct (F (n * n)%nat (fun p => Cmod (r (p / n)%nat - r (p mod n)%nat)%C - R0)) as (d & Hd & H). exists d. split; [exact Hd|]. intros i j Hi Hj N.
+  specialize (H (n * i + j)%nat ltac:(nia)). replace ((n * i + j) / n)%nat with i in H by (apply (Nat.div_unique _ n i j); lia).
+  replace ((n * i + j) mod n)%nat with j in H by (apply (Nat.mod_unique _ n i j); lia). apply H. lra.
+Qed.
+Lemma bounded n (r : nat -> C) : exists M, 0 < M /\ forall i, (i < n)%nat -> Cmod (r i) <= M.
+Proof.
+  exists (1 + Sum n (fun i => Cmod (r i))). assert (P : 0 <= Sum n (fun i => Cmod (r i))) by (apply Sum_ge0; intros; apply Cmod_ge_0).
+  split; [lra|]. intros i Hi. pose proof (Sum_term_le n (fun i => Cmod (r i)) i ltac:(intros; apply Cmod_ge_0) Hi). cbv beta in H. lra.
+Qed.
+(* all lengths 1 + h times as large, h small *)
+Lemma scaled n (r v : nat -> C) R0 e (up : bool) : 0 < R0 -> 0 < e -> exists r', (forall i, (i < n)%nat -> Cmod (r' i - r i)%C < e) /\ no_ties n r' R0 /\
+  dissipation n (T2.by_distance r' R0) v = dissipation n (if up then tanner2_facts.linked_below r R0 else tanner2_facts.linked_upto r R0) v.
+Proof.
+  intros HR He. destruct (gap n r R0) as (d & Hd & G). destruct (bounded n r) as (M & HM & B).
+  set (q := Rmin (/ 2) (Rmin (e / (2 * M)) (d / (4 * M)))).
+  assert (Q0 : 0 < q) by (unfold q; repeat apply Rmin_pos; try lra; apply Rdiv_lt_0_compat; lra).
+  assert (Q1 : q <= / 2) by apply Rmin_l. assert (Q2 : q <= e / (2 * M)) by (eapply Rle_trans; [apply Rmin_r|apply Rmin_l]).
+  assert (Q3 : q <= d / (4 * M)) by (eapply Rle_trans; [apply Rmin_r|apply Rmin_r]).
+  assert (Q2' : q * M <= e / 2). { apply (Rmult_le_compat_r M) in Q2; [|lra]. replace (e / (2 * M) * M) with (e / 2) in Q2 by (field; lra). exact Q2. }
+  assert (Q3' : q * (2 * M) <= d / 2). { apply (Rmult_le_compat_r (2 * M)) in Q3; [|lra]. replace (d / (4 * M) * (2 * M)) with (d / 2) in Q3 by (field; lra). exact Q3. }
+  set (h := if up then q else - q). assert (Ha : Rabs h = q) by (unfold h; destruct up; [apply Rabs_right|rewrite Rabs_Ropp; apply Rabs_right]; lra).
+  assert (Hb : - q <= h <= q) by (unfold h; destruct up; lra).
+  exists (fun i => (RtoC (1 + h) * r i)%C).
+  assert (D : forall i j, Cmod (RtoC (1 + h) * r i - RtoC (1 + h) * r j)%C = Cmod (r i - r j)%C + h * Cmod (r i - r j)%C).
+  { intros i j. replace (RtoC (1 + h) * r i - RtoC (1 + h) * r j)%C with (RtoC (1 + h) * (r i - r j))%C by ring. rewrite Cmod_mult, Cmod_R, Rabs_right by lra. ring. }
+  assert (Dm : forall i j, (i < n)%nat -> (j < n)%nat -> - (d / 2) <= h * Cmod (r i - r j)%C <= d / 2).
+  { intros i j Hi Hj. apply Rabs_le_between. rewrite Rabs_mult, Ha. rewrite (Rabs_right (Cmod _)) by (apply Rle_ge, Cmod_ge_0).
+    eapply Rle_trans; [|exact Q3']. apply Rmult_le_compat_l; [lra|]. unfold Cminus. eapply Rle_trans; [apply Cmod_triangle|]. rewrite Cmod_opp.
+    pose proof (B i Hi). pose proof (B j Hj). lra. }
+  assert (T : forall i j, (i < n)%nat -> (j < n)%nat -> let c := Cmod (r i - r j)%C in
+    c < R0 /\ c + h * c < R0 \/ R0 < c /\ R0 < c + h * c \/ c = R0 /\ (if up then R0 < c + h * c else c + h * c < R0)).
+  { intros i j Hi Hj c. pose proof (Dm i j Hi Hj) as E. fold c in E. specialize (G i j Hi Hj). fold c in G. destruct (Rtotal_order c R0) as [L|[L|L]].
+    - left. specialize (G ltac:(lra)). rewrite Rabs_left in G by lra. lra.
+    - right; right. split; [exact L|]. rewrite L. unfold h. assert (0 < q * R0) by now apply Rmult_lt_0_compat. destruct up; lra.
+    - right; left. specialize (G ltac:(lra)). rewrite Rabs_right in G by lra. lra. }
+  split; [|split].
+  - intros i Hi. replace (RtoC (1 + h) * r i - r i)%C with (RtoC h * r i)%C by (rewrite RtoC_plus; ring). rewrite Cmod_mult, Cmod_R, Ha.
+    eapply Rle_lt_trans; [apply Rmult_le_compat_l; [lra|now apply B]|]. lra.
+  - intros i j Hi Hj. rewrite D. destruct (T i j Hi Hj) as [X|[X|X]]; destruct up; lra.
+  - apply dissipation_ext. intros i j Hi Hj. unfold T2.by_distance. rewrite D. pose proof (T i j Hi Hj) as X. cbv zeta in X.
+    destruct up; unfold tanner2_facts.linked_below, tanner2_facts.linked_upto, norm; f_equal.
+    + destruct (Rlt_dec _ R0), (Rlt_dec _ R0); try reflexivity; exfalso; lra.
+    + destruct (Rlt_dec _ R0), (Rle_dec _ R0); try reflexivity; exfalso; lra.
+Qed.
+Lemma Cmod_gap (a b : C) : Cmod a <= Cmod b + Cmod (a - b)%C.
+Proof. replace a with (b + (a - b))%C at 1 by ring. apply Cmod_triangle. Qed.
+Lemma right_of_13_is n R0 r v q : 0 < R0 -> (right_of_13 n R0 r v q <-> tanner2_facts.rhs13 n r v R0 q).
+Proof.
+  intros HR. set (lo := dissipation n (tanner2_facts.linked_upto r R0) v). set (hi := dissipation n (tanner2_facts.linked_below r R0) v).
+  assert (Bd : forall adj, tanner2_facts.allowed n r R0 adj -> lo <= dissipation n adj v <= hi).
+  { intros adj A. pose proof (tanner2_facts.allowed_between n r v R0 adj A) as K. unfold lo, hi. rewrite !dissipation_is. lra. }
+  assert (Near : near_value n R0 r v lo /\ near_value n R0 r v hi).
+  { split; intros e He.
+    - destruct (scaled n r v R0 e false HR He) as (r' & A & B & E). exists r'. split; [exact A|]. split; [exact B|now symmetry].
+    - destruct (scaled n r v R0 e true HR He) as (r' & A & B & E). exists r'. split; [exact A|]. split; [exact B|now symmetry]. }
+  split.
+  - intros H. assert (K : lo <= q <= hi).
+    { apply H. intros s N. destruct (gap n r R0) as (d & Hd & G). destruct (N (d / 4) ltac:(lra)) as (r' & A & _ & ->). apply Bd.
+      split; [|split].
+      - intros i j. unfold T2.by_distance. rewrite (Nat.eqb_sym i j), (Cmod_swap (r' i)). reflexivity.
+      - intros i. unfold T2.by_distance. now rewrite Nat.eqb_refl.
+      - intros i j Hi Hj Nij. unfold T2.by_distance. apply Nat.eqb_neq in Nij. rewrite Nij. unfold norm. specialize (G i j Hi Hj).
+        assert (X : Rabs (Cmod (r' i - r' j)%C - Cmod (r i - r j)%C) <= d / 2).
+        { apply Rabs_le. pose proof (A i Hi) as Ai. pose proof (A j Hj) as Aj.
+          pose proof (Cmod_gap (r' i - r' j)%C (r i - r j)%C) as G1. pose proof (Cmod_gap (r i - r j)%C (r' i - r' j)%C) as G2.
+          rewrite (Cmod_swap (r i - r j)%C) in G2.
+          assert (G3 : Cmod (r' i - r' j - (r i - r j))%C <= Cmod (r' i - r i)%C + Cmod (r' j - r j)%C).
+          { replace (r' i - r' j - (r i - r j))%C with ((r' i - r i) + - (r' j - r j))%C by ring.
+            eapply Rle_trans; [apply Cmod_triangle|]. rewrite Cmod_opp. lra. }
+          lra. }
+        apply Rabs_le_between in X. cbn [negb andb]. split; intros L; destruct (Rlt_dec _ R0) as [Q|Q]; try reflexivity; exfalso.
+        + apply Q. specialize (G ltac:(lra)). rewrite Rabs_left in G by lra. lra.
+        + specialize (G ltac:(lra)). rewrite Rabs_right in G by lra. lra. }
+    exists (tanner2_facts.linked_upto r R0), (tanner2_facts.linked_below r R0). split; [apply tanner2_facts.upto_allowed|]. split; [apply tanner2_facts.below_allowed|].
+    rewrite <- !dissipation_is. exact K.
+  - intros (a & b & Aa & Ab & K) x y H. rewrite <- !dissipation_is in K. pose proof (Bd a Aa). pose proof (Bd b Ab). pose proof (H lo (proj1 Near)). pose proof (H hi (proj2 Near)). lra.
+Qed.
+Lemma eq13_1_holds : eq13_1.
+Proof.
+  intros n R0 r v HR. destruct (tanner2_facts.eq13_interval n r v R0) as (e & f & H & Q). exists e, f. split; [exact H|]. intros q.
+  rewrite (right_of_13_is n R0 r v q HR). apply Q.
+Qed.
+Lemma eq13_2_holds : eq13_2.
+Proof.
+  intros n R0 r v HR NT q. rewrite (right_of_13_is n R0 r v q HR), dissipation_is.
+  apply tanner2_facts.eq13_no_tie; [intros i j Hi Hj _; now apply NT|]. exact (tanner2_facts.below_allowed n r R0).
+Qed.
+(* ---- Veerman: the n-th neighbours ---- *)
+Lemma joined_same N n k : (2 <= n)%nat -> (k <= S N)%nat -> (joined N n 0%nat k <-> veerman_numbers.joined n N 0 k).
+Proof.
+  intros Hn Hk. split.
+  - intros H. apply (joined_is N n k Hn Hk) in H. apply Nat.mod_divides in H as [q ->]; [|lia]. induction q as [|q IH].
+    + rewrite Nat.mul_0_r. constructor.
+    + apply (veerman_rest.joined_end n N 0 (n * q)%nat); [apply IH; lia|]. repeat split; lia.
+  - assert (G : forall i j, veerman_numbers.joined n N i j -> joined N n i j); [|apply G]. intros i j H.
+    induction H as [i|i j m (A & B & T) _ IH]; [apply rst_refl|]. apply rst_trans with j; [|exact IH].
+    destruct T as [E|E]; [apply rst_sym|]; apply rst_step; repeat split; lia.
+Qed.
+Definition weight (N n k j : nat) : R := if Nat.leb k (S N) then
+  (if Nat.leb n k then if Nat.leb (k + n) (S N) then / 2 * delta j (k - n) + / 2 * delta j (k + n) else delta j (k - n)
+   else if Nat.leb (k + n) (S N) then delta j (k + n) else 0) else 0.
+Lemma weight_sum N n k (y : nat -> R) : (k <= S N)%nat ->
+  Sum (S (S N)) (fun j => weight N n k j * (y k - y j)) = listens N n y k.
+Proof.
+  intros Hk. assert (D : forall a, (a < S (S N))%nat -> Sum (S (S N)) (fun j => delta j a * (y k - y j)) = y k - y a) by (intros a Ha; now rewrite (Sum_delta _ a (fun j => y k - y j))).
+  unfold weight, listens. apply Nat.leb_le in Hk as E. rewrite E. destruct (Nat.leb_spec n k) as [A|A], (Nat.leb_spec (k + n) (S N)) as [B|B].
+  - rewrite (Sum_ext _ _ (fun j => / 2 * (delta j (k - n) * (y k - y j)) + / 2 * (delta j (k + n) * (y k - y j)))) by (intros; ring).
+    rewrite Sum_plus, !Sum_scal, !D by lia. field.
+  - apply D. lia.
+  - apply D. lia.
+  - rewrite (Sum_ext _ _ (fun _ => 0)) by (intros; ring). apply Sum_0.
+Qed.
+Lemma nth_2_holds : nth_2.
+Proof.
+  intros N n f g h x u Hn M Z. split; [intros H; apply (joined_same N n 1 Hn ltac:(lia)) in H; exact (veerman_numbers.nth_neighbour n N Hn H)|].
+  assert (F : veerman_rest.follows n N f g (weight N n) (fun k t => x k t - h k) u).
+  { split.
+    - intros k j NZ. unfold weight in NZ. destruct (Nat.leb_spec k (S N)) as [Hk|Hk]; [|now destruct NZ].
+      assert (Dz : forall a b, delta a b <> 0 -> a = b) by (intros a b H; destruct (Nat.eq_dec a b) as [E|E]; [exact E|exfalso; apply H; now apply delta_neq]).
+      destruct (Nat.leb_spec n k) as [A|A], (Nat.leb_spec (k + n) (S N)) as [B|B]; [| | |now destruct NZ].
+      + destruct (Nat.eq_dec j (k - n)) as [E|E]; [repeat split; lia|]. destruct (Nat.eq_dec j (k + n)) as [E'|E']; [repeat split; lia|].
+        exfalso. apply NZ. rewrite !delta_neq by assumption. ring.
+      + apply Dz in NZ. repeat split; lia.
+      + apply Dz in NZ. repeat split; lia.
+    - intros k t Hk Ht. destruct (M t Ht k Hk) as [D1 D2]. split.
+      + eapply D_eq; [apply D_minus; [exact D1|apply D_const]|]. ring.
+      + eapply D_eq; [exact D2|]. rewrite <- (weight_sum N n k (fun j => x j t - h j)), <- (weight_sum N n k (fun j => u j t)) by lia.
+        rewrite <- !Sum_scal, <- Sum_plus. apply Sum_ext. intros; ring. }
+  intros k Hk NJ.
+  assert (Q : forall t, 0 <= t -> x k t = h k).
+  { intros t Ht. assert (E : x k t - h k = 0); [|lra].
+    refine (proj1 (veerman_rest.unjoined_rest n N f g (weight N n) _ u F _ k t Hk _ Ht)).
+    - intros i Hi J. destruct (Z i Hi) as [Z1 Z2]; [intros J'; apply J, (joined_same N n i Hn ltac:(lia)), J'|]. cbv beta. split; [lra|exact Z2].
+    - intros J. apply NJ, (joined_same N n k Hn ltac:(lia)), J. }
+  split; [exact Q|]. intros L b. destruct (L (b + h k)) as [T HT]. exists (Rmax 0 T). intros t Ht. pose proof (Rmax_l 0 T). pose proof (Rmax_r 0 T).
+  rewrite Q by lra. specialize (HT t ltac:(lra)). lra.
+Qed.
+(* ---- columns of the Fourier matrix ---- *)
+Lemma ring_cyclic n : (3 <= n)%nat -> cyclic n (paley_fourier.ring_graph n).
+Proof.
+  intros Hn k j Hk Hj. unfold paley_fourier.ring_graph, paley_fourier.ring_offset. rewrite Bool.orb_true_iff, !Nat.eqb_eq.
+  assert (A : ((k + 1) mod n = if Nat.eqb (k + 1) n then 0 else k + 1)%nat) by (destruct (Nat.eqb_spec (k + 1) n) as [E|E]; [rewrite E; apply Nat.mod_same|apply Nat.mod_small]; lia).
+  assert (B : ((j + 1) mod n = if Nat.eqb (j + 1) n then 0 else j + 1)%nat) by (destruct (Nat.eqb_spec (j + 1) n) as [E|E]; [rewrite E; apply Nat.mod_same|apply Nat.mod_small]; lia).
+  assert (D : ((j + n - k) mod n = if Nat.leb k j then j - k else j + n - k)%nat).
+  { destruct (Nat.leb_spec k j); [replace (j + n - k)%nat with (j - k + 1 * n)%nat by lia; rewrite Nat.mod_add by lia|]; apply Nat.mod_small; lia. }
+  rewrite A, B, D. destruct (Nat.eqb_spec (k + 1) n), (Nat.eqb_spec (j + 1) n), (Nat.leb_spec k j); lia.
+Qed.
+Lemma column_is n m k : (1 <= n)%nat -> (1 <= m)%nat -> column n m k = (RtoC (/ sqrt (INR n)) * expi (paley_fourier.wave n (m - 1) k))%C.
+Proof. intros Hn Hm. unfold column, paley_fourier.wave. do 2 f_equal. field. apply not_0_INR. lia. Qed.
+Lemma column_pattern n m th : (1 <= n)%nat -> (1 <= m)%nat -> in_phase n (column n m) th -> paley_patterns.pattern (n / Nat.gcd n (m - 1)) n th.
+Proof.
+  intros Hn Hm (c & Hc & E). assert (P : 0 < / sqrt (INR n)) by (apply Rinv_0_lt_compat, sqrt_lt_R0, lt_0_INR; lia).
+  destruct (paley_fish.wave_pattern n (m - 1) Hn) as [H1 (th0 & cl & Q & R)]. split; [exact H1|]. exists th0, cl. split; [|exact R].
+  intros k Hk. destruct (Q k Hk) as [Q1 Q2]. split; [exact Q1|]. rewrite <- Q2. specialize (E k Hk). rewrite (column_is n m k Hn Hm) in E.
+  assert (Ec : / sqrt (INR n) = c).
+  { apply (f_equal Cmod) in E. rewrite !Cmod_mult, !Cmod_expi, !Cmod_R, !Rabs_right in E by lra. lra. }
+  rewrite <- Ec in E. assert (E1 := f_equal fst E). assert (E2 := f_equal snd E). cbn in E1, E2. symmetry. unfold expi.
+  f_equal; apply (Rmult_eq_reg_l (/ sqrt (INR n))); lra.
+Qed.
+Lemma cyclic_2_holds : cyclic_2.
+Proof.
+  intros n adj m Hn Cy Hm. split; [|intros th; apply column_pattern; lia].
+  destruct (paley_fish.fourier_column n (m - 1) Hn) as [E _]. exists (RtoC (2 - 2 * cos (2 * PI * INR (m - 1) / INR n))). split.
+  - exists 0%nat. split; [lia|]. rewrite column_is by lia. intros Z. apply (f_equal Cmod) in Z. rewrite Cmod_mult, Cmod_expi, Cmod_R, Cmod_0 in Z.
+    assert (0 < / sqrt (INR n)) by (apply Rinv_0_lt_compat, sqrt_lt_R0, lt_0_INR; lia). rewrite Rabs_right in Z; lra.
+  - intros k Hk. specialize (E k Hk). pose proof (cycle_row n _ (phasors (paley_fourier.wave n (m - 1))) k Hn (ring_cyclic n Hn) Hk) as R.
+    change (Csum n _) with (row n (lap n (paley_fourier.ring_graph n)) k (phasors (paley_fourier.wave n (m - 1)))) in R. rewrite E in R.
+    rewrite (cycle_row n adj _ k Hn Cy Hk), !column_is by lia.
+    transitivity (RtoC (/ sqrt (INR n)) * (2 * phasors (paley_fourier.wave n (m - 1)) k - phasors (paley_fourier.wave n (m - 1)) ((k + 1) mod n)%nat
+      - phasors (paley_fourier.wave n (m - 1)) ((k + (n - 1)) mod n)%nat))%C; [unfold phasors|rewrite <- R; unfold phasors; ring].
+    set (c := / sqrt (INR n)). generalize (expi (paley_fourier.wave n (m - 1) k)) (expi (paley_fourier.wave n (m - 1) ((k + 1) mod n)))
+      (expi (paley_fourier.wave n (m - 1) ((k + (n - 1)) mod n))). intros. apply injective_projections; cbn; ring.
+Qed.
+Lemma fig2_3_holds : fig2_3.
+Proof.
+  intros m th Hm H. exists (12 / Nat.gcd 12 (m - 1))%nat. split; [|apply column_pattern; lia || exact H].
+  destruct (Nat.gcd_divide_l 12 (m - 1)) as [q Hq]. exists (Nat.gcd 12 (m - 1)). set (g := Nat.gcd 12 (m - 1)) in *.
+  assert (g <> 0)%nat by (intros Z; rewrite Z in Hq; lia). replace (12 / g)%nat with q; [lia|]. rewrite Hq. now rewrite Nat.div_mul.
 Qed.
