@@ -3,7 +3,8 @@
 From Coq Require Import Reals Lra Lia List Relations Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles tanner_energy tanner_flock.
-From Flockproof Require paley_fourier paley_patterns paley_fish tanner_graph tanner_components tanner2_facts veerman_numbers veerman_rest.
+From Flockproof Require paley_fourier paley_patterns paley_behaviours paley_fish tanner1_heading tanner1_motion tanner_graph tanner_rates tanner_components.
+From Flockproof Require tanner2_facts veerman_stability veerman_lemma1 veerman_numbers veerman_rest.
 From Flockproof Require audit_independent_paley audit_independent_tanner1 audit_independent_tanner2 audit_independent_veerman.
 Module P := audit_independent_paley.
 Module T1 := audit_independent_tanner1.
@@ -270,7 +271,6 @@ Proof.
   { apply D_plus; apply (D_sqr (fun s => _ (r1 s) - _ (r2 s))); now apply D_minus. }
   eapply D_eq; [apply (is_derive_sqrt q); [exact Dq|exact Q0]|]. rewrite E, inner_C. rewrite E in P. cbn. field. lra.
 Qed.
-Definition both (V' : nat -> nat -> R -> R) (i j : nat) : R -> R := if Nat.leb i j then V' i j else V' j i.
 Lemma Csum_inner n f z : inner (Csum n f) z = Sum n (fun j => inner (f j) z).
 Proof.
   rewrite inner_C. unfold Csum. cbn [fst snd]. rewrite <- !Sum_scal_r, <- Sum_plus. apply Sum_ext. intros. now rewrite inner_C.
@@ -321,44 +321,11 @@ Proof.
       apply D_plus; (apply (D_sqr (fun s => _ (v i s))); eassumption)|].
     cbn beta. rewrite <- Sum_scal. apply Sum_ext. intros i _. rewrite inner_C. field.
 Qed.
-Ltac Rfield := match goal with |- @eq _ ?a ?b => change (@eq R a b); field end.
 Lemma energy_split n adj V r v : T1.kinetic_plus_V n adj V r v =
   / 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i - r j)%C) else 0)) + / 2 * Sum n (fun i => Cmod (v i) ^ 2).
 Proof. unfold T1.kinetic_plus_V. rewrite Sum_plus. ring. Qed.
 Lemma law_work n adj V' a r v i : inner (v i) (T1.law n adj V' a r v i) = - inner (gradV n adj V' r i) (v i).
 Proof. unfold T1.law, gradV. rewrite !inner_C. cbn. ring. Qed.
-Lemma law_turn n adj V' th r v i : cross (v i) (T1.law n adj V' (fun i j => th i - th j) r v i) =
-  - cross (v i) (gradV n adj V' r i) - pulls n adj r th i * Cmod (v i) ^ 2.
-Proof.
-  rewrite Cmod_sq. unfold T1.law, pulls. fold (gradV n adj V' r i). unfold cross. cbn. ring.
-Qed.
-Lemma chain_1_holds : chain_1.
-Proof.
-  intros n adj V V' r v acc th t S VS L H. exists (fun i => cross (v i t) (acc i) / Cmod (v i t) ^ 2).
-  assert (O : forall i, (i < n)%nat -> is_derive (th i) t (cross (v i t) (acc i) / Cmod (v i t) ^ 2)).
-  { intros i Hi. apply heading_rate; [now apply L|now apply H]. }
-  split; [exact O|].
-  apply (is_derive_ext (fun s => (/ 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0)) + / 2 * Sum n (fun i => Cmod (v i s) ^ 2))
-     + / 2 * Sum n (fun i => th i s ^ 2))).
-  - intros s. unfold Vt. now rewrite energy_split.
-  - apply D_plus; [apply D_plus|].
-    + apply half_V_rate; [exact S|exact VS|intros i Hi; now apply L|intros i j Hi Hj A; now apply (L i Hi)].
-    + apply kinetic_rate. intros i Hi. now apply L.
-    + eapply D_eq; [apply D_scal; apply (D_Sum n (fun i s => th i s ^ 2)); intros i Hi; apply (D_sqr (th i)); exact (O i Hi)|].
-      cbn beta. rewrite <- Sum_scal. apply Sum_ext. intros i _. lra.
-Qed.
-Lemma loop_rates n adj V V' r v th t : T1.loop n adj V V' r v (dth th) t -> (forall i, (i < n)%nat -> heading v th i t) -> forall i, (i < n)%nat ->
-  is_derive (th i) t (- pulls n adj (fun j => r j t) (fun j => th j t) i - cross (v i t) (gradV n adj V' (fun j => r j t) i) / Cmod (v i t) ^ 2).
-Proof.
-  intros L H i Hi. destruct (L i Hi) as (_ & A & _). pose proof (heading_rate v th i t _ A (H i Hi)) as D.
-  eapply D_eq; [exact D|]. unfold dth. rewrite (law_turn n adj V' (fun i => th i t) (fun i => r i t) (fun i => v i t) i). field.
-  destruct (H i Hi) as [N _]. intros Z. apply Cmod_eq_0 in Z. contradiction.
-Qed.
-Lemma eq6b_holds : eq6b.
-Proof.
-  intros n adj V V' r v th t L H. eexists. split; [exact (loop_rates n adj V V' r v th t L H)|].
-  apply Sum_zero. intros i Hi. cbv beta. ring.
-Qed.
 Lemma lapw_pulls n adj r th i : (i < n)%nat -> times n (lapw n adj (fun i j => / Cmod (r i - r j)%C ^ 2)) th i = pulls n adj r th i.
 Proof.
   intros Hi. unfold times, lapw, pulls. set (c := fun j => if adj i j then / Cmod (r i - r j)%C ^ 2 else 0).
@@ -366,80 +333,12 @@ Proof.
   rewrite Sum_minus, (Sum_delta_l n i (fun j => Sum n c * th j) Hi), <- Sum_scal_r, <- Sum_minus. apply Sum_ext. intros j _. unfold c, Rdiv.
   destruct (adj i j); ring.
 Qed.
-Lemma eq9_1_holds : eq9_1.
-Proof.
-  intros n adj V V' r v th t S VS L H.
-  destruct (chain_1_holds n adj V V' r v (T1.law n adj V' (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t)) th t S VS L H) as (om & O & D).
-  eapply D_eq; [exact D|].
-  rewrite (Sum_ext n (fun i => inner (v i t) _) (fun i => - inner (gradV n adj V' (fun j => r j t) i) (v i t)))
-    by (intros i _; exact (law_work n adj V' (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t) i)).
-  rewrite Sum_opp.
-  rewrite (Sum_ext n (fun i => th i t * om i) (fun i => - (th i t * pulls n adj (fun j => r j t) (fun j => th j t) i)
-    - th i t * (cross (v i t) (gradV n adj V' (fun j => r j t) i) / Cmod (v i t) ^ 2))).
-  - rewrite Sum_minus, Sum_opp. rewrite (Sum_ext n (fun i => th i t * times n _ _ i) (fun i => th i t * pulls n adj (fun j => r j t) (fun j => th j t) i)); [ring|].
-    intros i Hi. now rewrite lapw_pulls.
-  - intros i Hi. pose proof (is_derive_unique _ _ _ (O i Hi)) as E. rewrite (is_derive_unique _ _ _ (loop_rates n adj V V' r v th t L H i Hi)) in E. rewrite <- E. ring.
-Qed.
-Lemma eq8_1_holds : eq8_1.
-Proof.
-  intros n adj V V' r v t [S NL] VS DV A L. eexists. split.
-  - intros i Hi. apply (V_i_rate n adj V V' r v t i Hi); [intros j Hj; now apply L|]. intros j Hj E. split; [now apply A|]. apply DV; try assumption.
-    apply Cmod_gt_0. intros Z. apply (A i j Hi Hj E). replace (r i t) with ((r i t - r j t) + r j t)%C by ring. rewrite Z. ring.
-  - cbv beta.
-    assert (K : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t /\ is_derive (V i j) (Cmod (r i t - r j t)%C) (V' i j (Cmod (r i t - r j t)%C))).
-    { intros i j Hi Hj E. split; [now apply A|]. apply DV; try assumption.
-      apply Cmod_gt_0. intros Z. apply (A i j Hi Hj E). replace (r i t) with ((r i t - r j t) + r j t)%C by ring. rewrite Z. ring. }
-    apply (is_derive_ext (fun s => / 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0)) + / 2 * Sum n (fun i => Cmod (v i s) ^ 2)));
-      [intros s; symmetry; exact (energy_split n adj V (fun i => r i s) (fun i => v i s))|].
-    eapply D_eq; [apply D_plus; [apply D_scal, (D_Sum n (fun i s => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0))); intros i Hi;
-      apply (V_i_rate n adj V V' r v t i Hi); [intros j Hj; now apply L|intros j Hj E; now apply K]|apply kinetic_rate; intros i Hi; now apply L]|].
-    cbv beta. rewrite <- (Ropp_involutive (Sum n (fun i => inner (v i t) (T2.law4 _ _ _ _ _ _)))), <- Sum_opp.
-    unfold Rminus. do 2 f_equal. apply Sum_ext. intros i _. unfold T2.law4, T2.gradV, T2.pull, gradV. rewrite !inner_C. cbn. ring.
-Qed.
-Lemma one_heading_line n v th thbar t i a : one_heading n v th thbar t -> (i < n)%nat -> is_velocity (v i) t a ->
-  th i t = thbar /\ 0 < Cmod (v i t) /\ v i t = (RtoC (Cmod (v i t)) * expi thbar)%C /\ exists c, a = (RtoC c * expi thbar)%C.
-Proof.
-  intros H Hi [D1 D2]. pose proof (locally_singleton _ _ H i Hi) as (N & E1 & E2). split; [exact E1|]. split; [now apply Cmod_gt_0|]. split; [exact E2|].
-  set (f := fun s => cos thbar * snd (v i s) - sin thbar * fst (v i s)).
-  assert (F : is_derive f t (cos thbar * snd a - sin thbar * fst a)) by (apply D_minus; now apply D_scal).
-  assert (Z : is_derive f t 0).
-  { apply (is_derive_ext_loc (fun _ => 0)); [|apply D_const]. apply (filter_imp (fun s => forall i, (i < n)%nat ->
-      v i s <> 0%C /\ th i s = thbar /\ v i s = (RtoC (Cmod (v i s)) * expi thbar)%C)); [|exact H].
-    intros s Hs. destruct (Hs i Hi) as (_ & _ & E). unfold f.
-    assert (A : fst (v i s) = Cmod (v i s) * cos thbar /\ snd (v i s) = Cmod (v i s) * sin thbar) by (rewrite E at 1 3; cbn; split; ring).
-    destruct A as [A1 A2]. rewrite A1, A2. Rring. }
-  apply is_derive_unique in F. apply is_derive_unique in Z. rewrite F in Z. exists (cos thbar * fst a + sin thbar * snd a).
-  pose proof (sin2_cos2 thbar) as T. unfold Rsqr in T. apply injective_projections; cbn.
-  - replace (_ - _) with (fst a * (cos thbar * cos thbar) + sin thbar * (cos thbar * snd a)) by ring.
-    replace (cos thbar * snd a) with (sin thbar * fst a) by lra. transitivity (fst a * (sin thbar * sin thbar + cos thbar * cos thbar)); [rewrite T|]; ring.
-  - replace (_ + _) with (snd a * (sin thbar * sin thbar) + cos thbar * (sin thbar * fst a)) by ring.
-    replace (sin thbar * fst a) with (cos thbar * snd a) by lra. transitivity (snd a * (sin thbar * sin thbar + cos thbar * cos thbar)); [rewrite T|]; ring.
-Qed.
 Lemma one_heading_law n adj V' (r v : nat -> R -> C) th thbar t i : one_heading n v th thbar t -> (i < n)%nat ->
   T1.law n adj V' (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t) i = (- gradV n adj V' (fun j => r j t) i)%C.
 Proof.
   intros H Hi. unfold T1.law. fold (gradV n adj V' (fun j => r j t) i).
   rewrite (Sum_zero n _); [ring|]. intros j Hj. unfold dth. pose proof (locally_singleton _ _ H) as E.
   destruct (E i Hi) as (_ & -> & _), (E j Hj) as (_ & -> & _). destruct (adj i j); [unfold Rdiv; ring|reflexivity].
-Qed.
-Lemma proof_cases_1_holds : proof_cases_1.
-Proof.
-  intros n adj V V' r v th thbar t L H i Hi. destruct (L i Hi) as (_ & A & _). rewrite (one_heading_law n adj V' r v th thbar t i H Hi) in A.
-  destruct (one_heading_line n v th thbar t i _ H Hi A) as (_ & P & E & c & Ec). exists (- c / Cmod (v i t)).
-  transitivity (- (RtoC c * expi thbar))%C; [rewrite <- Ec; ring|].
-  transitivity (RtoC (- c / Cmod (v i t)) * (RtoC (Cmod (v i t)) * expi thbar))%C; [|now rewrite <- E].
-  apply injective_projections; cbn; field; lra.
-Qed.
-Lemma proof_ratio_2_holds : proof_ratio_2.
-Proof.
-  intros n adj V V' r v th thbar t L H i ai Hi Da g k N.
-  destruct (one_heading_line n v th thbar t i _ H Hi Da) as (_ & P & E & c & Ec).
-  destruct (proof_cases_1_holds n adj V V' r v th thbar t L H i Hi) as [c' G]. fold g in G.
-  assert (W : fst (v i t) = Cmod (v i t) * cos thbar /\ snd (v i t) = Cmod (v i t) * sin thbar) by (rewrite E at 1 3; cbn; split; ring).
-  destruct W as [W1' W2']. unfold k. split; intros N'.
-  - rewrite Ec in *. cbn in *. rewrite W1', W2' in *. field.
-    repeat split; intros Z; rewrite Z in *; rewrite ?Rmult_0_l, ?Rmult_0_r, ?Rminus_0_r in *; now (apply N || apply N' || lra).
-  - rewrite G in *. cbn in *. assert (Z' : c' <> 0) by (intros Z; apply N'; rewrite Z; ring). field. repeat split; try assumption; intros Z; apply N; lra.
 Qed.
 (* no rate but at the times in ex *)
 Lemma constant_but (ex : list R) (f : R -> R) : forall A B, (forall t, A <= t <= B -> continuous f t) ->
@@ -501,16 +400,6 @@ Proof.
   unfold Vt. intros H. assert (0 <= Sum n (fun i => th i ^ 2)) by (apply Sum_ge0; intros; apply pow2_ge_0).
   change (T2.energy6 n adj V r v) with (T1.kinetic_plus_V n adj V r v). lra.
 Qed.
-Lemma Omega_1_holds : Omega_1.
-Proof.
-  intros n adj c S NL SC. pose proof (exp_pos c). exists (Rmax 0 ((INR n - 1) * (exp c + 1))). intros r v th A H0 i j Hi Hj. apply energy_of_Vt in H0.
-  destruct (Nat.le_gt_cases 2 n) as [L|L].
-  - eapply Rle_trans; [|apply Rmax_r].
-    apply (T2.bound_r_proved n adj T1.fig2 T1.fig2' r v c (exp c + 1) L (conj S NL) SC (fig2_potentials n adj) A H0); [|exact Hi|exact Hj].
-    intros a b s _ _ _ Hs Q. unfold T1.fig2 in Q. assert (P : 0 < / s ^ 2) by (apply Rinv_0_lt_compat, pow_lt; lra).
-    apply Rnot_lt_le. intros B. assert (K : c < ln (s ^ 2)); [|lra]. rewrite <- (ln_exp c) at 1. apply ln_increasing; [exact H|]. nra.
-  - replace j with i by lia. replace (r i - r i)%C with (RtoC 0) by ring. rewrite Cmod_0. apply Rmax_l.
-Qed.
 Lemma Omega_2_holds : Omega_2.
 Proof.
   intros n adj c S NL. exists (sqrt (2 * c)). intros r v th A H i Hi. apply energy_of_Vt in H.
@@ -518,28 +407,6 @@ Proof.
 Qed.
 Lemma rangeB_3_holds : rangeB_3.
 Proof. intros n adj O y S T HO Z. exact (proj1 (T2.cor1_5_proved n adj (fun _ _ _ => 0) (fun _ _ _ => 0) (fun _ _ => RtoC 0) (fun _ _ => RtoC 0) S T) O y HO Z). Qed.
-
-(* ---- Veerman ---- *)
-Lemma eig_not_0 N p : p = V.p1 \/ p = V.p2 N -> ~ V.eig N p 0%C.
-Proof.
-  intros Hp H. apply (proj2 (V.specM_proved N p 1 1 Hp) ltac:(lra)). apply (proj1 (V.specM_proved N p 1 1 Hp)). exists 0%C. split; [exact H|ring].
-Qed.
-Lemma specM_3_holds : specM_3.
-Proof.
-  intros N p Hp lam. split.
-  - intros [(x & [k [Hk NZ]] & X0 & E) L]. exists x. assert (Z : x 0%nat = 0%C).
-    { destruct (Ceq_dec (x 0%nat) 0%C) as [Z|Z]; [exact Z|]. exfalso. exact (Cmult_neq_0 _ _ L Z X0). }
-    split; [exact Z|]. split; [|exact E]. exists k. split; [|exact NZ]. destruct k; [now rewrite Z in NZ|lia].
-  - intros H. split; [|intros Z; subst lam; exact (eig_not_0 N p Hp H)]. destruct H as (x & X0 & (k & Hk & NZ) & E).
-    exists x. split; [exists k; split; [lia|exact NZ]|]. split; [rewrite X0; ring|exact E].
-Qed.
-Lemma specM_2_holds : specM_2.
-Proof.
-  intros N p f g Hp Hf. destruct (V.specM_proved N p f g Hp) as [A B]. specialize (B Hf). split; [exact B|]. intros nu.
-  assert (Q : V.eig_M N p f g nu <-> exists lam, (eig_L N p lam /\ lam <> 0%C) /\ eig_AK f g lam nu).
-  { rewrite A. split; intros (lam & E1 & E2); exists lam; (split; [now apply (specM_3_holds N p Hp lam)|]); now apply (proj1 (V.eigAK_proved f g lam nu)). }
-  rewrite <- Q. split; [now intros [H _]|]. intros H. split; [exact H|]. intros Z. subst nu. now apply B.
-Qed.
 (* the followers that are not joined: k mod n <> 0 *)
 Lemma joined_mod N n k j : joined N n k j -> (k mod n = j mod n)%nat.
 Proof.
@@ -594,24 +461,7 @@ Proof.
   - rewrite (Sum_ext n _ (fun j => lap n adj k j * fst (x j))) by (intros; ring). rewrite (G (fun j => fst (x j))). ring.
   - rewrite (Sum_ext n _ (fun j => lap n adj k j * snd (x j))) by (intros; ring). rewrite (G (fun j => snd (x j))). ring.
 Qed.
-Lemma cyclic_3_holds : cyclic_3.
-Proof.
-  intros q adj u v Hq Cy Hu Hv. split.
-  - exists 0%nat. split; [lia|]. cbn. intros Z. rewrite Z, Cmod_0 in Hu. lra.
-  - intros k Hk. rewrite (cycle_row (4 * q) adj (uvuv u v) k) by (assumption || lia).
-    assert (M : forall j, uvuv u v (j mod (4 * q)) = uvuv u v j).
-    { intros j. unfold uvuv. assert (E : (j mod 4 = (j mod (4 * q)) mod 4)%nat).
-      { pose proof (Nat.div_mod j (4 * q) ltac:(lia)) as E. set (r := (j mod (4 * q))%nat) in *. set (d := (j / (4 * q))%nat) in *.
-        rewrite E. replace (4 * q * d + r)%nat with (r + q * d * 4)%nat by ring. now rewrite Nat.mod_add by lia. }
-      now rewrite E. }
-    rewrite !M.
-    assert (P : uvuv u v (k + (4 * q - 1)) = (- uvuv u v (k + 1))%C).
-    { rewrite <- uvuv_next. unfold uvuv. replace (k + (4 * q - 1))%nat with (k + 1 + 2 + (q - 1) * 4)%nat by lia. now rewrite Nat.mod_add by lia. }
-    rewrite P. ring.
-Qed.
-Lemma fig2_4_holds : fig2_4.
-Proof. intros adj u v Cy Hu Hv. exact (cyclic_3_holds 3%nat adj u v ltac:(lia) Cy Hu Hv). Qed.
-(* ---- Paley ---- *)
+(* ---- Paley: rows of Laplacians, synchronised arrangements ---- *)
 Lemma row_among n adj x k : (k < n)%nat -> Csum n (fun j => RtoC (lap n adj k j) * x j)%C = among n adj k (fun j => x k - x j)%C.
 Proof.
   intros Hk. assert (G : forall f : nat -> R, Sum n (fun j => lap n adj k j * f j) = Sum n (fun j => if adj k j then f k - f j else 0)).
@@ -631,30 +481,6 @@ Proof.
 Qed.
 Lemma inner_e a b : inner (Ci * expi a)%C (expi b) = sin (b - a).
 Proof. rewrite inner_C, sin_minus. cbn. ring. Qed.
-Lemma among_none n adj k f : (forall j, (j < n)%nat -> adj k j = false) -> among n adj k f = 0%C.
-Proof.
-  intros H. unfold among. rewrite (Csum_ext n _ (fun _ => 0%C)) by (intros j Hj; now rewrite (H j Hj)).
-  unfold Csum. apply injective_projections; cbn; apply Sum_0.
-Qed.
-Lemma ori_is n ori Kori th k : (k < n)%nat -> ori_term n ori Kori th k = Kori * inner (Ci * expi (th k))%C (among n ori k (fun j => expi (th j))).
-Proof.
-  intros Hk. unfold ori_term. rewrite (row_among n ori (fun j => expi (th j)) k Hk), !among_inner, <- !Sum_scal. apply Sum_ext. intros j _.
-  destruct (ori k j); [|ring]. rewrite !inner_C. cbn. ring.
-Qed.
-Lemma att_is n att Katt r th k : (k < n)%nat -> att_term n att Katt r th k = Katt * inner (Ci * expi (th k))%C (among n att k (fun j => r j - r k)%C).
-Proof.
-  intros Hk. unfold att_term. rewrite (row_among n att r k Hk), !among_inner, <- !Sum_scal. apply Sum_ext. intros j _.
-  destruct (att k j); [|ring]. rewrite !inner_C. cbn. ring.
-Qed.
-Lemma u27_is n rep ori att w0 Krep Kori Katt r th (f : nat -> C) k : (k < n)%nat -> (forall j, (j < n)%nat -> rep k j = false) ->
-  u27 n rep ori w0 Krep Kori Katt r th (- among n att k f)%C k = w0 k + ori_term n ori Kori th k - Katt * inner (Ci * expi (th k))%C (among n att k f).
-Proof.
-  intros Hk Hr. rewrite (ori_is n ori Kori th k Hk). unfold u27. rewrite (among_none n rep k _ Hr). rewrite !inner_C. cbn. ring.
-Qed.
-Lemma eq28_1_holds : eq28_1.
-Proof.
-  intros n rep ori att w0 Krep Kori Katt r th k Hk Hr. rewrite u27_is by assumption. unfold u28, att_term. rewrite (row_among n att r k Hk). ring.
-Qed.
 Lemma steers K th d : 0 < K -> steers_towards (K * inner (Ci * expi th)%C d) th d.
 Proof.
   intros HK. split.
@@ -664,30 +490,6 @@ Proof.
     + rewrite <- Rmult_assoc. now apply Rmult_lt_0_compat.
     + rewrite <- Rmult_assoc. replace 0 with (K * rho * 0) by ring. now apply Rmult_lt_compat_l.
     + rewrite Hs. ring.
-Qed.
-Lemma eq28_2_holds : eq28_2.
-Proof. intros n att Katt r th k Hk HK. rewrite att_is by exact Hk. now apply steers. Qed.
-Lemma eq28_3_holds : eq28_3.
-Proof. intros n ori Kori th k Hk HK. rewrite ori_is by exact Hk. now apply steers. Qed.
-Definition pt (y : R) : C := (0, y).
-Lemma eq28_4_holds : eq28_4.
-Proof.
-  split.
-  - intros n rep ori att w0 Krep Kori Katt r th k Hk Hr H1. rewrite u27_is by assumption. unfold u28, att_term. rewrite (row_among n att r k Hk), !among_inner.
-    rewrite (Sum_ext n _ (fun j => if att k j then inner (Ci * expi (th k))%C (r k - r j)%C else 0)); [ring|]. intros j Hj. destruct (att k j) eqn:E; [|reflexivity].
-    unfold hat. rewrite (H1 j Hj E). f_equal. apply injective_projections; cbn; field.
-  - intros Krep Kori Katt HK.
-    exists 2%nat, (fun _ _ => false), (fun _ _ => false), (fun k j => negb (Nat.eqb k j)), (fun _ => 0), (fun j => pt (2 * INR j)%R), (fun _ => 0), 0%nat.
-    split; [lia|]. split; [reflexivity|]. split.
-    + intros [|[|j]] Hj E; [discriminate| |lia]. intros Z. apply (f_equal snd) in Z. cbn in Z. lra.
-    + rewrite (u27_is 2 (fun _ _ => false)) by (lia || reflexivity). unfold u28. rewrite att_is by lia. intros E.
-      assert (E2 : - inner (Ci * expi 0)%C (among 2 (fun k j => negb (Nat.eqb k j)) 0 (fun j => hat (pt (2 * INR 0)%R - pt (2 * INR j)%R)%C)) =
-        inner (Ci * expi 0)%C (among 2 (fun k j => negb (Nat.eqb k j)) 0 (fun j => pt (2 * INR j)%R - pt (2 * INR 0)%R)%C)).
-      { apply (Rmult_eq_reg_l Katt); [|exact HK]. lra. }
-      rewrite !among_inner in E2. cbn [Sum Nat.eqb negb] in E2. unfold hat in E2. cbv beta in E2.
-      replace (Cmod (pt (2 * INR 0)%R - pt (2 * INR 1)%R)%C) with 2 in E2.
-      2:{ unfold Cmod, pt. cbn. replace (_ + _) with (2 ^ 2) by ring. now rewrite sqrt_pow2 by lra. }
-      rewrite !inner_C in E2. cbn in E2. rewrite cos_0, sin_0 in E2. lra.
 Qed.
 Lemma velocity_one r t v v' : is_velocity r t v -> is_velocity r t v' -> v = v'.
 Proof.
@@ -709,121 +511,19 @@ Proof.
   - intros t j k Hj Hk. pose proof (L t j k Hj Hk) as E. pose proof (D_minus _ _ _ _ _ (proj2 (M t k Hk)) (proj2 (M t j Hj))) as F.
     apply is_derive_unique in E. apply is_derive_unique in F. rewrite E in F. lra.
 Qed.
-Lemma expi_rate (th : R -> R) t a : is_derive th t a -> is_velocity (fun s => expi (th s)) t (RtoC a * (Ci * expi (th t)))%C.
-Proof.
-  intros D. split; cbn.
-  - eapply D_eq; [apply D_cos; exact D|]. ring.
-  - eapply D_eq; [apply D_sin; exact D|]. ring.
-Qed.
 Lemma Cmod_expi a : Cmod (expi a) = 1.
 Proof. unfold Cmod, expi. cbn [fst snd]. pose proof (sin2_cos2 a) as E. unfold Rsqr in E. replace (_ + _) with 1 by (rewrite <- E; ring). apply sqrt_1. Qed.
-Lemma sync_par_1_holds : sync_par_1.
-Proof.
-  intros n r th u t0 Hn H. destruct (sync_always n r th u t0 H) as [S U]. destruct H as (M & _ & _).
-  exists (fun t => expi (th 0%nat t)), (u 0%nat). intros t. split; [apply Cmod_expi|]. split.
-  - intros k Hk. rewrite (S t 0%nat k) by lia. split; [now apply M|]. split; [reflexivity|]. now apply U.
-  - apply expi_rate. now apply M.
-Qed.
-Lemma ori_sync n ori th : (exists K1, ori = ori9 n K1 \/ exists adj, ori = ori14 n adj K1) -> synchronized n th ->
-  forall k, (k < n)%nat -> ori th k = 0.
-Proof.
-  intros (K1 & [->|[adj ->]]) S k Hk.
-  - unfold ori9. replace (inner _ _) with (/ INR n * Sum n (fun j => inner (Ci * expi (th k))%C (expi (th j)))).
-    + rewrite Sum_zero; [ring|]. intros j Hj. rewrite (S j k Hj Hk), inner_e, Rminus_diag_eq, sin_0; reflexivity.
-    + rewrite inner_C. unfold Csum. rewrite (Sum_ext n _ (fun j => fst (Ci * expi (th k))%C * fst (expi (th j)) + snd (Ci * expi (th k))%C * snd (expi (th j))))
-        by (intros; apply inner_C). rewrite Sum_plus, !Sum_scal. cbn [fst snd Cmult RtoC]. ring.
-  - unfold ori14. rewrite (row_among n adj (fun j => expi (th j)) k Hk), among_inner, Sum_zero; [ring|]. intros j Hj. destruct (adj k j); [|reflexivity].
-    rewrite (S j k Hj Hk), inner_C. cbn. ring.
-Qed.
-Lemma sync_par_2_holds : sync_par_2.
-Proof.
-  intros n w0 ori Ho th t D S k Hk. eapply D_eq; [exact (D k Hk)|]. rewrite (ori_sync n ori _ Ho S k Hk). ring.
-Qed.
-Lemma sync_par_3_holds : sync_par_3.
-Proof.
-  assert (A : forall n r th u t0, (1 <= n)%nat -> sync_arrangement n r th u t0 -> (parallel n r <-> forall t k, (k < n)%nat -> u k t = 0)).
-  { intros n r th u t0 Hn H. destruct (sync_par_1_holds n r th u t0 Hn H) as (d & rate & Q). split.
-    - intros [d0 P] t k Hk. destruct (Q t) as (D1 & D2 & D3). destruct (D2 k Hk) as (_ & _ & ->).
-      assert (E : forall s, d s = d0) by (intros s; exact (velocity_one _ _ _ _ (proj1 (proj1 (proj2 (Q s)) k Hk)) (P s k Hk))).
-      assert (Z : is_velocity d t 0%C).
-      { split; [apply (is_derive_ext (fun _ => fst d0))|apply (is_derive_ext (fun _ => snd d0))]; try (intros s; now rewrite (E s)); apply D_const. }
-      pose proof (velocity_one _ _ _ _ D3 Z) as F. destruct (Req_dec (rate t) 0) as [R0|R0]; [exact R0|]. exfalso.
-      apply (f_equal Cmod) in F. rewrite !Cmod_mult, Cmod_0, D1 in F. rewrite Cmod_R in F. assert (Cmod Ci = 1).
-      { unfold Cmod, Ci. cbn. replace (_ + _) with 1 by ring. apply sqrt_1. }
-      rewrite H0 in F. pose proof (Rabs_pos_lt _ R0). lra.
-    - intros U. exists (d 0). intros t k Hk. replace (d 0) with (d t); [now apply (Q t)|].
-      assert (R0 : forall s, rate s = 0). { intros s. destruct (Q s) as (_ & D2 & _). destruct (D2 0%nat ltac:(lia)) as (_ & _ & <-). apply U. lia. }
-      assert (Dz : forall s, is_derive (fun x => fst (d x)) s 0 /\ is_derive (fun x => snd (d x)) s 0).
-      { intros s. destruct (Q s) as (_ & _ & [D1 D2]). rewrite R0 in D1, D2. split; (eapply D_eq; [eassumption|]); cbn; ring. }
-      apply injective_projections; [apply (constant (fun x => fst (d x)))|apply (constant (fun x => snd (d x)))]; intros s; apply Dz. }
-  split; [exact A|]. intros n w0 ori r th t0 Hn Ho H. rewrite (A n r th _ t0 Hn H). destruct (sync_always _ _ _ _ _ H) as [S _]. split.
-  - intros U. specialize (U 0 0%nat ltac:(lia)). cbv beta in U. rewrite (ori_sync n ori (fun j => th j 0) Ho (S 0)) in U by lia. lra.
-  - intros -> t k Hk. cbv beta. rewrite (ori_sync n ori (fun j => th j t) Ho (S t) k Hk). ring.
-Qed.
 Lemma ori9_sines n K1 th k : ori9 n K1 th k = - K1 * (/ INR n * Sum n (fun j => sin (th j - th k))).
 Proof.
   unfold ori9. f_equal. rewrite (Sum_ext n _ (fun j => fst (Ci * expi (th k))%C * fst (expi (th j)) + snd (Ci * expi (th k))%C * snd (expi (th j))))
     by (intros; now rewrite <- inner_e, inner_C).
   rewrite inner_C. unfold Csum. rewrite Sum_plus, !Sum_scal. cbn [fst snd Cmult RtoC]. ring.
 Qed.
-Lemma sines_equilibrium n th : (forall j k, (j < n)%nat -> (k < n)%nat -> sin (th k - th j) = 0) -> equilibrium9 n th.
-Proof.
-  intros Z w0 K1 t k Hk. assert (E : forall s, ori9 n K1 (fun j => th j + s) k = 0).
-  { intros s. rewrite ori9_sines, Sum_zero; [ring|]. intros j Hj. replace (th j + s - (th k + s)) with (th j - th k) by ring. now apply Z. }
-  rewrite E. split.
-  - eapply D_eq; [apply D_plus; [apply D_const|apply D_scal, D_id]|]. ring.
-  - assert (E0 : ori9 n K1 th k = 0); [|rewrite E0; ring]. rewrite ori9_sines, Sum_zero; [ring|]. intros j Hj. now apply Z.
-Qed.
-Lemma saddle_3_holds : saddle_3.
-Proof.
-  intros n th S N B. apply sines_equilibrium. destruct n as [|n]; [intros j k Hj; lia|].
-  exact (proj2 (P.saddle_12_proved (Datatypes.S n) th ltac:(lia) S N B)).
-Qed.
-Lemma unbal_1_holds : unbal_1.
-Proof.
-  intros n M th0 th first HM N2 E H.
-  assert (Z : forall j k, (j < n)%nat -> (k < n)%nat -> sin (th k - th j) = 0).
-  { intros j k Hj Hk. assert (G : forall i, (i < n)%nat -> exists s, expi (th i) = (s * cos th0, s * sin th0)).
-    { intros i Hi. rewrite (H i Hi). destruct (first i); [exists 1|exists (-1)]; unfold expi; rewrite ?neg_cos, ?neg_sin; f_equal; ring. }
-    destruct (G j Hj) as [a Ea], (G k Hk) as [b Eb]. rewrite sin_minus.
-    replace (sin (th k)) with (snd (expi (th k))) by reflexivity. replace (cos (th k)) with (fst (expi (th k))) by reflexivity.
-    replace (sin (th j)) with (snd (expi (th j))) by reflexivity. replace (cos (th j)) with (fst (expi (th j))) by reflexivity.
-    rewrite Ea, Eb. cbn. ring. }
-  split; [now apply sines_equilibrium|]. intros k Hk. destruct (P.eq8_124_proved n th ltac:(lia)) as (G & _).
-  pose proof (G k Hk) as D. cbv beta in D. replace (inner (Ci * expi (th k))%C (order n th)) with 0 in D; [exact D|].
-  pose proof (ori9_sines n 1 th k) as Q. rewrite Sum_zero in Q by (intros j Hj; now apply Z). unfold ori9 in Q. unfold order, phasors.
-  change (fun j => expi (th j)) with (fun j => expi (th j)) in Q. lra.
-Qed.
 Lemma WL_is n adj th : WL n adj th = W1 n adj th.
 Proof.
   destruct (W1_formula n adj th) as [_ F]. rewrite F. unfold WL. f_equal. apply Sum_ext. intros k Hk.
   rewrite (row_among n adj (fun j => expi (th j)) k Hk), among_inner. unfold deg. fold (w adj k). rewrite <- Sum_minus. apply Sum_ext. intros j _. unfold w.
   destruct (adj k j); [|ring]. rewrite !inner_C. cbn. pose proof (sin2_cos2 (th k)) as T. unfold Rsqr in T. lra.
-Qed.
-Lemma eq12_pos_4_holds : eq12_pos_4.
-Proof.
-  intros n adj th SC N. rewrite WL_is. destruct n as [|n]; [exfalso; apply N; intros j k Hj; lia|].
-  now apply (P.eq12_proved (S n) adj th ltac:(lia)).
-Qed.
-Lemma zero_dir_2_holds : zero_dir_2.
-Proof.
-  intros n adj th N. rewrite WL_is. destruct n as [|n]; [exfalso; apply N; intros j k Hj; lia|].
-  apply (P.zero_dir_proved (S n) adj th ltac:(lia)). intros A. apply N. intros j k _ _. apply A.
-Qed.
-Lemma WL_arcs n adj th : WL n adj th = / (2 * INR n) * Sum n (fun k => Sum n (fun j => if adj k j then 1 - cos (th k - th j) else 0)).
-Proof.
-  unfold WL. f_equal. apply Sum_ext. intros k Hk. rewrite (row_among n adj (fun j => expi (th j)) k Hk), among_inner. apply Sum_ext. intros j _.
-  destruct (adj k j); [|reflexivity]. rewrite inner_C, cos_minus. cbn. pose proof (sin2_cos2 (th k)) as T. unfold Rsqr in T. lra.
-Qed.
-Lemma figS3_1_holds : figS3_1.
-Proof.
-  intros n r th one all Hn H1 HN.
-  assert (A : forall m adj, (1 <= m)%nat -> nearest_graph n m r adj ->
-    mean_over_arcs n adj (fun k j => 1 - cos (th k - th j)) = 2 * (WL n adj th / INR m)).
-  { intros m adj Hm H. unfold mean_over_arcs. rewrite WL_arcs.
-    rewrite (Sum_ext n (fun k => Sum n (fun j => if adj k j then 1 else 0)) (fun _ => INR m)) by (intros k Hk; now apply (H k Hk)).
-    rewrite Sum_const. assert (0 < INR n) by (apply lt_0_INR; lia). assert (0 < INR m) by (apply lt_0_INR; lia). field. lra. }
-  rewrite (A 1%nat one ltac:(lia) H1), (A (n - 1)%nat all ltac:(lia) HN). cbn [INR]. lra.
 Qed.
 (* ---- multiplicities ---- *)
 Lemma finite_choice (A : Type) (d : A) (P : nat -> A -> Prop) n : (forall i, (i < n)%nat -> exists a, P i a) -> exists f, forall i, (i < n)%nat -> P i (f i).
@@ -1106,4 +806,327 @@ Proof.
   intros m th Hm H. exists (12 / Nat.gcd 12 (m - 1))%nat. split; [|apply column_pattern; lia || exact H].
   destruct (Nat.gcd_divide_l 12 (m - 1)) as [q Hq]. exists (Nat.gcd 12 (m - 1)). set (g := Nat.gcd 12 (m - 1)) in *.
   assert (g <> 0)%nat by (intros Z; rewrite Z in Hq; lia). replace (12 / g)%nat with q; [lia|]. rewrite Hq. now rewrite Nat.div_mul.
+Qed.
+Lemma eq12_pos_4_holds : eq12_pos_4.
+Proof.
+  intros n adj th SC N. rewrite WL_is. destruct n as [|n]; [exfalso; apply N; intros j k Hj; lia|].
+  apply (W1_positive (S n) adj th ltac:(lia)). intros A. apply N. intros j k Hj Hk. apply A. apply clos_rt_clos_rst. now apply SC.
+Qed.
+Lemma zero_dir_2_holds : zero_dir_2.
+Proof.
+  intros n adj th N. rewrite WL_is. destruct n as [|n]; [exfalso; apply N; intros j k Hj; lia|].
+  apply (W1_positive (S n) adj th ltac:(lia)). intros A. apply N. intros j k _ _. apply A.
+Qed.
+Lemma among_w n adj k f : among n adj k f = Csum n (fun j => RtoC (if adj k j then 1 else 0) * f j)%C.
+Proof. apply Csum_ext. intros j _. destruct (adj k j); ring. Qed.
+Lemma hat_is a b : hat (a - b)%C = paley_fish.unit_from a b.
+Proof.
+  unfold hat, paley_fish.unit_from. destruct (Ceq_dec (a - b)%C 0%C) as [->|N].
+  - unfold Cdiv. ring.
+  - rewrite RtoC_inv; [unfold Cdiv; ring|]. intros Z. now apply Cmod_eq_0 in Z.
+Qed.
+Lemma u27_behaviour n rep ori w0 Krep Kori Katt r th vatt k : u27 n rep ori w0 Krep Kori Katt r th vatt k =
+  paley_behaviours.behaviour (w0 k) Krep Kori Katt (expi (th k)) (paley_fish.v_rep n (rep k) r k) (paley_behaviours.v_ori n (ori k) th k) vatt.
+Proof.
+  unfold u27, paley_behaviours.behaviour, paley_fish.v_rep, paley_behaviours.v_ori. rewrite !among_w.
+  rewrite (Csum_ext n _ (fun j => RtoC (if rep k j then 1 else 0) * paley_fish.unit_from (r k) (r j))%C) by (intros; now rewrite hat_is). reflexivity.
+Qed.
+Lemma eq28_1_holds : eq28_1.
+Proof.
+  intros n rep ori att w0 Krep Kori Katt r th k Hk Hr. rewrite u27_behaviour, among_w.
+  pose proof (paley_behaviours.eq28_corrected n (rep k) ori att r th (w0 k) Krep Kori Katt k Hk Hr) as E. unfold paley_behaviours.v_att_plain in E. rewrite E.
+  unfold u28, ori_term, att_term, row, phasors. ring.
+Qed.
+Lemma eq28_2_holds : eq28_2.
+Proof.
+  intros n att Katt r th k Hk HK. destruct (paley_behaviours.eq28_steers n (fun _ _ => false) att r th Katt k Hk) as [E _].
+  change (att_term n att Katt r th k) with (- Katt * inner (Ci * expi (th k))%C (row n (lap n att) k r)). rewrite E. unfold w. rewrite <- among_w. now apply steers.
+Qed.
+Lemma eq28_3_holds : eq28_3.
+Proof.
+  intros n ori Kori th k Hk HK. destruct (paley_behaviours.eq28_steers n ori (fun _ _ => false) (fun _ => RtoC 0) th Kori k Hk) as (_ & E & _).
+  change (ori_term n ori Kori th k) with (- Kori * inner (Ci * expi (th k))%C (row n (lap n ori) k (phasors th))). rewrite E. unfold w. rewrite <- among_w. now apply steers.
+Qed.
+Lemma eq28_4_holds : eq28_4.
+Proof.
+  split.
+  - intros n rep ori att w0 Krep Kori Katt r th k Hk Hr H1. rewrite <- (eq28_1_holds n rep ori att w0 Krep Kori Katt r th k Hk Hr), !u27_behaviour.
+    pose proof (proj1 paley_behaviours.eq28_distances n (att k) r th (w0 k) Krep Kori Katt (paley_fish.v_rep n (rep k) r k) (paley_behaviours.v_ori n (ori k) th k) k H1) as E.
+    unfold paley_behaviours.v_att_plain, paley_fish.v_att in E. rewrite !among_w. rewrite <- E. do 2 f_equal. apply Csum_ext. intros j _. now rewrite hat_is.
+  - destruct paley_behaviours.eq28_distances as [_ (r & att & th & N & D)]. intros Krep Kori Katt HK.
+    exists 2%nat, (fun _ _ => false), (fun _ _ => false), (fun _ j => (att j && negb (Nat.eqb j 0))%bool), (fun _ => 0), r, th, 0%nat.
+    split; [lia|]. split; [reflexivity|]. split.
+    + intros [|[|j]] Hj A; [rewrite Bool.andb_false_r in A; discriminate|exact N|lia].
+    + rewrite <- (eq28_1_holds 2%nat (fun _ _ => false) (fun _ _ => false) (fun _ j => (att j && negb (Nat.eqb j 0))%bool) (fun _ => 0) Krep Kori Katt r th 0%nat)
+        by (lia || reflexivity).
+      rewrite !u27_behaviour. intros E. apply D.
+      unfold paley_behaviours.behaviour in *. clear D. unfold paley_behaviours.v_att_plain, paley_fish.v_att. rewrite !among_w in E. unfold Csum in *. cbn [Sum] in *.
+      rewrite !hat_is in E. cbn [Nat.eqb negb andb] in E. rewrite !Bool.andb_true_r, !Bool.andb_false_r in E.
+      assert (Z0 : paley_fish.unit_from (r 0%nat) (r 0%nat) = RtoC 0) by (unfold paley_fish.unit_from; ring). rewrite !Z0.
+      apply (Rmult_eq_reg_l Katt); [|exact HK]. rewrite !inner_C in *. cbn [fst snd Cmult Cplus Copp RtoC Ci Cminus] in *. 
+      set (c := expi (th 0%nat)) in *. destruct (att 1%nat), (att 0%nat); lra.
+Qed.
+Lemma figS3_1_holds : figS3_1.
+Proof.
+  intros n r th one all Hn H1 HN.
+  assert (M : forall adj, mean_over_arcs n adj (fun k j => 1 - cos (th k - th j)) = paley_fish.arcs_mean n adj th).
+  { intros adj. unfold mean_over_arcs, paley_fish.arcs_mean. f_equal. apply Sum_ext. intros k _. apply Sum_ext. intros j _. unfold w.
+    rewrite <- (cos_neg (th k - th j)). replace (- (th k - th j)) with (th j - th k) by ring. destruct (adj k j); ring. }
+  pose proof (paley_fish.figS3_difference n one all 1 (n - 1) th ltac:(lia) ltac:(lia) ltac:(lia)
+    (fun k Hk => proj1 (proj2 (H1 k Hk))) (fun k Hk => proj1 (proj2 (HN k Hk)))) as Q. rewrite !WL_is, !M. exact Q.
+Qed.
+Lemma sync_par_1_holds : sync_par_1.
+Proof.
+  intros n r th u t0 Hn H. destruct (sync_always n r th u t0 H) as [S _]. destruct H as (M & _ & _).
+  destruct (paley_fish.sync_par n th u (fun k t Hk => proj2 (M t k Hk)) S) as (U & D & _).
+  exists (fun t => expi (th 0%nat t)), (u 0%nat). intros t. split; [apply Cmod_expi|]. split; [|apply D; lia].
+  intros k Hk. rewrite (S t 0%nat k) by lia. split; [now apply M|]. split; [reflexivity|]. now apply U.
+Qed.
+Lemma ori_sync n ori th : (exists K1, ori = ori9 n K1 \/ exists adj, ori = ori14 n adj K1) -> synchronized n th ->
+  forall k, (k < n)%nat -> ori th k = 0.
+Proof.
+  intros (K1 & [->|[adj ->]]) S k Hk.
+  - pose proof (proj1 (paley_fish.sync_rate n (fun _ _ => false) th 0 K1 k Hk S)) as E. rewrite Rplus_0_l in E. exact E.
+  - pose proof (proj2 (paley_fish.sync_rate n adj th 0 K1 k Hk S)) as E. rewrite Rplus_0_l in E. exact E.
+Qed.
+Lemma sync_par_2_holds : sync_par_2.
+Proof.
+  intros n w0 ori Ho th t D S k Hk. eapply D_eq; [exact (D k Hk)|]. rewrite (ori_sync n ori _ Ho S k Hk). ring.
+Qed.
+Lemma sync_par_3_holds : sync_par_3.
+Proof.
+  assert (A : forall n r th u t0, (1 <= n)%nat -> sync_arrangement n r th u t0 -> (parallel n r <-> forall t k, (k < n)%nat -> u k t = 0)).
+  { intros n r th u t0 Hn H. destruct (sync_always n r th u t0 H) as [S _]. destruct H as (M & _ & _).
+    destruct (paley_fish.sync_par n th u (fun k t Hk => proj2 (M t k Hk)) S) as (_ & _ & Z). split.
+    - intros [d0 P] t k Hk. apply (Z k t Hk). assert (E : forall s, d0 = expi (th k s)) by (intros s; exact (velocity_one _ _ _ _ (P s k Hk) (proj1 (M s k Hk)))).
+      split; [apply (is_derive_ext (fun _ => fst d0))|apply (is_derive_ext (fun _ => snd d0))]; try (intros s; now rewrite <- (E s)); apply D_const.
+    - intros U. exists (expi (th 0%nat 0)). intros t k Hk. replace (expi (th 0%nat 0)) with (expi (th k t)); [now apply (M t)|].
+      rewrite (S t k 0%nat) by lia. assert (V0 : forall s, is_velocity (fun x => expi (th 0%nat x)) s (RtoC 0)) by (intros s; apply Z; [lia|apply U; lia]).
+      apply injective_projections; [apply (constant (fun x => fst (expi (th 0%nat x))))|apply (constant (fun x => snd (expi (th 0%nat x))))]; intros s; apply (V0 s). }
+  split; [exact A|]. intros n w0 ori r th t0 Hn Ho H. rewrite (A n r th _ t0 Hn H). destruct (sync_always _ _ _ _ _ H) as [S _]. split.
+  - intros U. specialize (U 0 0%nat ltac:(lia)). cbv beta in U. rewrite (ori_sync n ori (fun j => th j 0) Ho (S 0)) in U by lia. lra.
+  - intros -> t k Hk. cbv beta. rewrite (ori_sync n ori (fun j => th j t) Ho (S t) k Hk). ring.
+Qed.
+Lemma sines_equilibrium n th : (forall j k, (j < n)%nat -> (k < n)%nat -> sin (th k - th j) = 0) -> equilibrium9 n th.
+Proof.
+  intros Z w0 K1 t k Hk. split; [|exact (paley_fish.sines_rest n th w0 K1 k (fun j Hj => Z j k Hj Hk))].
+  assert (E : w0 + ori9 n K1 (fun j => th j + w0 * t) k = w0).
+  { apply (paley_fish.sines_rest n (fun j => th j + w0 * t) w0 K1 k). intros j Hj. replace (th k + w0 * t - (th j + w0 * t)) with (th k - th j) by ring. now apply Z. }
+  rewrite E. eapply D_eq; [apply D_plus; [apply D_const|apply D_scal, D_id]|]. ring.
+Qed.
+Lemma saddle_3_holds : saddle_3.
+Proof.
+  intros n th S N B. apply sines_equilibrium. destruct n as [|n]; [intros j k Hj; lia|].
+  exact (proj2 (P.saddle_12_proved (Datatypes.S n) th ltac:(lia) S N B)).
+Qed.
+Lemma unbal_1_holds : unbal_1.
+Proof.
+  intros n M th0 th first HM N2 E H.
+  assert (Z : forall j k, (j < n)%nat -> (k < n)%nat -> sin (th k - th j) = 0).
+  { intros j k Hj Hk. assert (G : forall i, (i < n)%nat -> exists s, expi (th i) = (s * cos th0, s * sin th0)).
+    { intros i Hi. rewrite (H i Hi). destruct (first i); [exists 1|exists (-1)]; unfold expi; rewrite ?neg_cos, ?neg_sin; f_equal; ring. }
+    destruct (G j Hj) as [a Ea], (G k Hk) as [b Eb]. rewrite sin_minus.
+    replace (sin (th k)) with (snd (expi (th k))) by reflexivity. replace (cos (th k)) with (fst (expi (th k))) by reflexivity.
+    replace (sin (th j)) with (snd (expi (th j))) by reflexivity. replace (cos (th j)) with (fst (expi (th j))) by reflexivity.
+    rewrite Ea, Eb. cbn. ring. }
+  split; [now apply sines_equilibrium|]. intros k Hk. destruct (P.eq8_124_proved n th ltac:(lia)) as (G & _).
+  pose proof (G k Hk) as D. cbv beta in D. replace (inner (Ci * expi (th k))%C (order n th)) with 0 in D; [exact D|].
+  pose proof (ori9_sines n 1 th k) as Q. rewrite Sum_zero in Q by (intros j Hj; now apply Z). unfold ori9 in Q. unfold order, phasors.
+  change (fun j => expi (th j)) with (fun j => expi (th j)) in Q. lra.
+Qed.
+Lemma cyclic_same n adj : (3 <= n)%nat -> cyclic n adj -> forall x k, (k < n)%nat ->
+  Csum n (fun j => RtoC (lap n adj k j) * x j)%C = row n (lap n (paley_fourier.ring_graph n)) k x.
+Proof. intros Hn Cy x k Hk. rewrite (cycle_row n adj x k Hn Cy Hk). symmetry. exact (cycle_row n _ x k Hn (ring_cyclic n Hn) Hk). Qed.
+Lemma cyclic_3_holds : cyclic_3.
+Proof.
+  intros q adj u v Hq Cy Hu Hv. split.
+  - exists 0%nat. split; [lia|]. cbn. intros Z. rewrite Z, Cmod_0 in Hu. lra.
+  - intros k Hk. rewrite (cyclic_same (4 * q) adj ltac:(lia) Cy _ k Hk). exact (paley_fourier.ring_antipodal q (uvuv u v) Hq (uvuv_next u v) k Hk).
+Qed.
+Lemma fig2_4_holds : fig2_4.
+Proof. intros adj u v Cy Hu Hv. exact (cyclic_3_holds 3%nat adj u v ltac:(lia) Cy Hu Hv). Qed.
+(* ---- Veerman: spectra ---- *)
+Lemma specM_3_holds : specM_3.
+Proof.
+  intros N p Hp lam. rewrite (V.eig_is N p lam Hp). destruct (veerman_lemma1.spectrum_L_systems N lam) as [A B].
+  assert (E : eig_L N p lam <-> veerman_stability.L_eigenvalue N p lam).
+  { split; intros (x & NZ & Z & Q); exists x; (split; [exact NZ|split; [now symmetry|exact Q]]). }
+  rewrite E. destruct Hp; subst p; [exact A|exact B].
+Qed.
+Lemma specM_2_holds : specM_2.
+Proof.
+  intros N p f g Hp Hf. assert (B : ~ V.eig_M N p f g 0%C).
+  { rewrite (V.eig_M_is N p f g 0%C Hp). destruct (veerman_lemma1.spectrum_M_nonzero N f g Hf) as [A B]. destruct Hp; subst p; assumption. }
+  split; [exact B|]. intros nu.
+  assert (Q : V.eig_M N p f g nu <-> exists lam, (eig_L N p lam /\ lam <> 0%C) /\ eig_AK f g lam nu).
+  { rewrite (proj1 (V.specM_proved N p f g Hp)). split; intros (lam & E1 & E2); exists lam; (split; [now apply (specM_3_holds N p Hp lam)|]); now apply (proj1 (V.eigAK_proved f g lam nu)). }
+  rewrite <- Q. split; [now intros [H _]|]. intros H. split; [exact H|]. intros Z. subst nu. now apply B.
+Qed.
+(* ---- Tanner: the clauses' words in those of the theorems ---- *)
+Lemma gradV_is n adj V' r i : gradV n adj V' r i = grad_i n adj V' r i.
+Proof. apply Csum_ext. intros j _. unfold pair_grad, w, grad, norm. destruct (adj i j); apply injective_projections; cbn; ring. Qed.
+Lemma pulls_is n adj r th i : pulls n adj r th i = tanner1_heading.align n adj r th i.
+Proof. apply Sum_ext. intros j _. unfold w, norm. destruct (adj i j); ring. Qed.
+Lemma Vt_is n adj V r v th : Vt n adj V r v th = tanner1_heading.Vt n adj V r v th.
+Proof. unfold Vt. rewrite T1.energy_is. unfold tanner1_motion.mechanical, tanner1_heading.Vt. rewrite (Sum_plus n (fun i => V_i n adj V r i + inner (v i) (v i))). ring. Qed.
+Lemma V_i_is n (adj : graph) (V : nat -> nat -> R -> R) (r : nat -> C) i : Sum n (fun j => if adj i j then V i j (Cmod (r i - r j)%C) else 0) = V_i n adj V r i.
+Proof. apply Sum_ext. intros j _. unfold w, norm. destruct (adj i j); ring. Qed.
+(* one slope for V_ij and V_ji *)
+Lemma gradV_both n adj V V' (r : nat -> R -> C) t i : (i < n)%nat -> undirected adj -> T1.symmetric_V V ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (Cmod (r i t - r j t)%C) (V' i j (Cmod (r i t - r j t)%C))) ->
+  (forall j, (j < n)%nat -> adj i j = true -> is_derive (V i j) (Cmod (r i t - r j t)%C) (T1.both V' i j (Cmod (r i t - r j t)%C))) /\
+  grad_i n adj (T1.both V') (fun j => r j t) i = gradV n adj V' (fun j => r j t) i.
+Proof.
+  intros Hi S VS D. assert (Q : forall j, (j < n)%nat -> adj i j = true -> is_derive (V i j) (Cmod (r i t - r j t)%C) (T1.both V' i j (Cmod (r i t - r j t)%C)) /\
+    T1.both V' i j (Cmod (r i t - r j t)%C) = V' i j (Cmod (r i t - r j t)%C)).
+  { intros j Hj A. apply T1.both_slope; [exact VS|now apply D|]. rewrite Cmod_swap. apply D; [assumption..|]. now rewrite S. }
+  split; [intros; now apply Q|]. rewrite <- gradV_is. apply Csum_ext. intros j Hj. destruct (adj i j) eqn:A; [|reflexivity]. now rewrite (proj2 (Q j Hj A)).
+Qed.
+(* v_i = s_i e^{i theta_i} near t, with rates *)
+Lemma polar (v : nat -> R -> C) th i t a : is_velocity (v i) t a -> heading v th i t ->
+  0 < Cmod (v i t) /\ (exists ds, is_derive (fun s => Cmod (v i s)) t ds) /\ (RtoC (Cmod (v i t)) * expi (th i t))%C = v i t /\
+  is_velocity (fun s => RtoC (Cmod (v i s)) * expi (th i s))%C t a.
+Proof.
+  intros D (N & _ & L). split; [now apply Cmod_gt_0|]. split; [|split].
+  - eexists. apply (is_derive_ext (fun s => Cmod (v i s - RtoC 0)%C)); [intros s; f_equal; ring|].
+    apply (dist_rate (v i) (fun _ => RtoC 0) t a (RtoC 0) D); [split; apply D_const|exact N].
+  - symmetry. exact (locally_singleton _ _ L).
+  - destruct D as [D1 D2]. split; (eapply is_derive_ext_loc; [|eassumption]); apply (filter_imp (fun s => v i s = (RtoC (Cmod (v i s)) * expi (th i s))%C)); try exact L;
+      intros s E; now rewrite <- E.
+Qed.
+Lemma chain_1_holds : chain_1.
+Proof.
+  intros n adj V V' r v acc th t S VS L H. exists (fun i => cross (v i t) (acc i) / Cmod (v i t) ^ 2).
+  assert (O : forall i, (i < n)%nat -> is_derive (th i) t (cross (v i t) (acc i) / Cmod (v i t) ^ 2)).
+  { intros i Hi. apply heading_rate; [now apply L|now apply H]. }
+  split; [exact O|].
+  assert (G : forall i, (i < n)%nat -> (forall j, (j < n)%nat -> adj i j = true -> is_derive (V i j) (Cmod (r i t - r j t)%C) (T1.both V' i j (Cmod (r i t - r j t)%C))) /\
+    grad_i n adj (T1.both V') (fun j => r j t) i = gradV n adj V' (fun j => r j t) i).
+  { intros i Hi. apply (gradV_both n adj V V' r t i Hi S VS). intros a b Ha Hb A. now apply (L a Ha). }
+  apply (is_derive_ext (fun s => tanner1_heading.Vt n adj V (fun i => r i s) (fun i => v i s) (fun i => th i s))); [intros s; symmetry; apply Vt_is|].
+  rewrite (Sum_ext n (fun i => inner (gradV n adj V' (fun j => r j t) i) (v i t)) (fun i => inner (grad_i n adj (T1.both V') (fun j => r j t) i) (v i t)))
+    by (intros i Hi; now rewrite (proj2 (G i Hi))).
+  apply (tanner_rates.Vt_rate n adj V (T1.both V') r v th _ t S (T1.both_sym V')); [intros; now apply L|intros i j Hi Hj A; now apply (L i Hi)| |intros; now apply L|exact O].
+  intros i j Hi Hj A. now apply (proj1 (G i Hi)).
+Qed.
+Lemma pick (P : nat -> R -> Prop) n : (forall i, (i < n)%nat -> exists a, P i a) -> exists f, forall i, (i < n)%nat -> P i (f i).
+Proof. exact (finite_choice R 0 P n). Qed.
+(* the corrected laws of the headings, for the motion of the clauses *)
+Lemma loop_polar n adj V V' r v th t : T1.loop n adj V V' r v (dth th) t -> (forall i, (i < n)%nat -> heading v th i t) ->
+  forall i, (i < n)%nat -> is_velocity (fun s => RtoC (Cmod (v i s)) * expi (th i s))%C t
+    (tanner1_heading.accel n adj V' (fun j => r j t) (fun j => RtoC (Cmod (v j t)) * expi (th j t))%C (fun j => th j t) i).
+Proof.
+  intros L H i Hi. destruct (L i Hi) as (_ & A & _). destruct (polar v th i t _ A (H i Hi)) as (_ & _ & E & D).
+  unfold dth in D. rewrite (T1.law_is n adj V' (fun j => th j t)) in D. unfold tanner1_heading.accel, tanner1_heading.gyro in *. rewrite E. exact D.
+Qed.
+Lemma eq6b_holds : eq6b.
+Proof.
+  intros n adj V V' r v th t L H.
+  assert (A : forall i, (i < n)%nat -> is_velocity (v i) t (T1.law n adj V' (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t) i)) by (intros i Hi; now apply (L i Hi)).
+  destruct (pick (fun i d => is_derive (fun s => Cmod (v i s)) t d) n) as [ds Ds]; [intros i Hi; exact (proj1 (proj2 (polar v th i t _ (A i Hi) (H i Hi))))|].
+  assert (O : forall i, (i < n)%nat -> is_derive (th i) t (cross (v i t) (T1.law n adj V' (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t) i) / Cmod (v i t) ^ 2))
+    by (intros i Hi; apply heading_rate; [now apply A|now apply H]).
+  eexists. split; [exact O|].
+  pose proof (tanner_rates.eq6b_corrected n adj V' (fun i => r i t) (fun i s => Cmod (v i s)) th ds _ t
+    (fun i Hi => proj1 (polar v th i t _ (A i Hi) (H i Hi))) Ds O (loop_polar n adj V V' r v th t L H)) as E.
+  rewrite <- E at 1. apply Sum_ext. intros i Hi. rewrite pulls_is, gradV_is. unfold norm.
+  pose proof (proj1 (proj2 (proj2 (polar v th i t _ (A i Hi) (H i Hi))))) as P. cbv beta. rewrite !P. reflexivity.
+Qed.
+Lemma eq9_1_holds : eq9_1.
+Proof.
+  intros n adj V V' r v th t S VS L H. pose proof (T1.loop_both n adj V V' r v (dth th) t S VS L) as LB.
+  assert (G : forall i, (i < n)%nat -> (forall j, (j < n)%nat -> adj i j = true -> is_derive (V i j) (Cmod (r i t - r j t)%C) (T1.both V' i j (Cmod (r i t - r j t)%C))) /\
+    grad_i n adj (T1.both V') (fun j => r j t) i = gradV n adj V' (fun j => r j t) i).
+  { intros i Hi. apply (gradV_both n adj V V' r t i Hi S VS). intros a b Ha Hb A. now apply (L a Ha). }
+  set (a := fun i => T1.law n adj (T1.both V') (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t) i).
+  assert (A : forall i, (i < n)%nat -> is_velocity (v i) t (a i)) by (intros i Hi; now apply (LB i Hi)).
+  assert (P : forall i, (i < n)%nat -> (RtoC (Cmod (v i t)) * expi (th i t))%C = v i t) by (intros i Hi; exact (proj1 (proj2 (proj2 (polar v th i t _ (A i Hi) (H i Hi)))))).
+  destruct (pick (fun i d => is_derive (fun s => Cmod (v i s)) t d) n) as [ds Ds]; [intros i Hi; exact (proj1 (proj2 (polar v th i t _ (A i Hi) (H i Hi))))|].
+  assert (R1 : forall i, (i < n)%nat -> is_velocity (r i) t (RtoC (Cmod (v i t)) * expi (th i t))%C) by (intros i Hi; rewrite (P i Hi); now apply (L i Hi)).
+  assert (R2 : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) by (intros i j Hi Hj Q; now apply (L i Hi)).
+  assert (R3 : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (norm (r i t - r j t)%C) (T1.both V' i j (norm (r i t - r j t)%C)))
+    by (intros i j Hi Hj Q; now apply (proj1 (G i Hi))).
+  assert (R4 : forall i, (i < n)%nat -> 0 < Cmod (v i t) /\ is_derive (fun s => Cmod (v i s)) t (ds i) /\ is_derive (th i) t (cross (v i t) (a i) / Cmod (v i t) ^ 2)).
+  { intros i Hi. split; [now apply (polar v th i t _ (A i Hi) (H i Hi))|]. split; [now apply Ds|]. apply heading_rate; [now apply A|now apply H]. }
+  pose proof (tanner_rates.eq9_corrected n adj V (T1.both V') r (fun i s => Cmod (v i s)) th ds _ t S (T1.both_sym V') R1 R2 R3 R4 (loop_polar n adj V (T1.both V') r v th t LB H)) as D.
+  cbv zeta beta in D. eapply D_eq.
+  - eapply is_derive_ext_loc; [|exact D].
+    assert (Lo : locally t (fun s => forall i, (i < n)%nat -> v i s = (RtoC (Cmod (v i s)) * expi (th i s))%C)).
+    { assert (K : forall m, (m <= n)%nat -> locally t (fun s => forall i, (i < m)%nat -> v i s = (RtoC (Cmod (v i s)) * expi (th i s))%C)).
+      { induction m as [|m IH]; intros Hm; [exists (mkposreal 1 Rlt_0_1); intros; lia|].
+        apply (filter_imp (fun s => (forall i, (i < m)%nat -> v i s = (RtoC (Cmod (v i s)) * expi (th i s))%C) /\ v m s = (RtoC (Cmod (v m s)) * expi (th m s))%C)).
+        - intros s [B1 B2] i Hi. destruct (Nat.eq_dec i m) as [->|]; [exact B2|apply B1; lia].
+        - apply filter_and; [apply IH; lia|]. now apply (H m). }
+      now apply K. }
+    apply (filter_imp (fun s => forall i, (i < n)%nat -> v i s = (RtoC (Cmod (v i s)) * expi (th i s))%C)); [|exact Lo]. intros s E. rewrite Vt_is.
+    unfold tanner1_heading.Vt. f_equal. apply Sum_ext. intros i Hi. now rewrite <- (E i Hi).
+  - f_equal.
+    + f_equal. apply Sum_ext. intros i Hi. f_equal. rewrite lapw_pulls, pulls_is by exact Hi. rewrite (tanner_graph.lapw_mul n _ i (fun j => th j t) Hi).
+      unfold tanner1_heading.align. apply Sum_ext. intros; unfold Rdiv; ring.
+    + apply Sum_ext. intros i Hi. rewrite (proj2 (G i Hi)), (P i Hi). reflexivity.
+Qed.
+Lemma heading_of_one n v th thbar t : one_heading n v th thbar t -> forall i, (i < n)%nat -> heading v th i t /\ is_derive (th i) t 0 /\ th i t = thbar.
+Proof.
+  intros H i Hi. pose proof (locally_singleton _ _ H i Hi) as (N & E1 & E2).
+  assert (D : is_derive (th i) t 0).
+  { apply (is_derive_ext_loc (fun _ => thbar)); [|apply D_const]. apply (filter_imp (fun s => forall i, (i < n)%nat ->
+      v i s <> 0%C /\ th i s = thbar /\ v i s = (RtoC (Cmod (v i s)) * expi thbar)%C)); [|exact H]. intros s Hs. symmetry. now apply (Hs i Hi). }
+  split; [|now split]. split; [exact N|]. split; [apply (ex_derive_continuous (th i)); now exists 0|].
+  apply (filter_imp (fun s => forall i, (i < n)%nat -> v i s <> 0%C /\ th i s = thbar /\ v i s = (RtoC (Cmod (v i s)) * expi thbar)%C)); [|exact H].
+  intros s Hs. destruct (Hs i Hi) as (_ & -> & E). exact E.
+Qed.
+Lemma one_heading_facts n adj V V' r v th thbar t : T1.loop n adj V V' r v (dth th) t -> one_heading n v th thbar t -> forall i, (i < n)%nat ->
+  (exists c, gradV n adj V' (fun j => r j t) i = (RtoC c * v i t)%C) /\
+  let a := T1.law n adj V' (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t) i in let g := gradV n adj V' (fun j => r j t) i in
+  fst (v i t) <> 0 -> fst a <> 0 -> fst g <> 0 -> snd a / fst a = snd (v i t) / fst (v i t) /\ snd g / fst g = snd (v i t) / fst (v i t).
+Proof.
+  intros L O. pose proof (heading_of_one n v th thbar t O) as Q. assert (H : forall i, (i < n)%nat -> heading v th i t) by (intros; now apply Q).
+  assert (A : forall i, (i < n)%nat -> is_velocity (v i) t (T1.law n adj V' (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t) i)) by (intros i Hi; now apply (L i Hi)).
+  assert (P : forall i, (i < n)%nat -> (RtoC (Cmod (v i t)) * expi (th i t))%C = v i t) by (intros i Hi; exact (proj1 (proj2 (proj2 (polar v th i t _ (A i Hi) (H i Hi)))))).
+  destruct (pick (fun i d => is_derive (fun s => Cmod (v i s)) t d) n) as [ds Ds]; [intros i Hi; exact (proj1 (proj2 (polar v th i t _ (A i Hi) (H i Hi))))|].
+  assert (M : forall i, (i < n)%nat -> 0 < Cmod (v i t)) by (intros i Hi; apply (polar v th i t _ (A i Hi) (H i Hi))).
+  assert (E : forall i j, (i < n)%nat -> (j < n)%nat -> th i t = th j t) by (intros i j Hi Hj; now rewrite (proj2 (proj2 (Q i Hi))), (proj2 (proj2 (Q j Hj)))).
+  intros i Hi. split.
+  - destruct (tanner_rates.equal_headings_forces n adj V' (fun i => r i t) (fun i s => Cmod (v i s)) th ds (fun _ => 0) t M Ds (fun i Hi => proj1 (proj2 (Q i Hi)))
+      (loop_polar n adj V V' r v th t L H) E (fun _ _ => eq_refl) i Hi) as [_ [c F]]. exists c. rewrite gradV_is, F. cbv beta. now rewrite (P i Hi).
+  - pose proof (tanner_rates.equal_headings_ratios n adj V' (fun i => r i t) (fun i s => Cmod (v i s)) th ds (fun _ => 0) t M Ds (fun i Hi => proj1 (proj2 (Q i Hi)))
+      (loop_polar n adj V V' r v th t L H) E (fun _ _ => eq_refl) i Hi) as F. cbv zeta beta in F |- *.
+    unfold dth. rewrite (T1.law_is n adj V' (fun j => th j t)), gradV_is. unfold tanner1_heading.accel, tanner1_heading.gyro in *. rewrite (P i Hi) in F. exact F.
+Qed.
+Lemma proof_cases_1_holds : proof_cases_1.
+Proof. intros n adj V V' r v th thbar t L O i Hi. now apply (one_heading_facts n adj V V' r v th thbar t L O i Hi). Qed.
+Lemma eq8_1_holds : eq8_1.
+Proof.
+  intros n adj V V' r v t [S NL] VS DV A L. 
+  assert (K : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t /\ is_derive (V i j) (Cmod (r i t - r j t)%C) (V' i j (Cmod (r i t - r j t)%C))).
+  { intros i j Hi Hj E. split; [now apply A|]. apply DV; try assumption.
+    apply Cmod_gt_0. intros Z. apply (A i j Hi Hj E). replace (r i t) with ((r i t - r j t) + r j t)%C by ring. rewrite Z. ring. }
+  eexists. split.
+  - intros i Hi. apply (V_i_rate n adj V V' r v t i Hi); [intros j Hj; now apply L|]. intros j Hj E. now apply K.
+  - match goal with |- context [/ 2 * Sum n ?d] => set (dV := d) end.
+    assert (Q : is_derive (fun x => Wenergy n adj V (fun i => r i x) (fun i => v i x)) t (/ 2 * Sum n dV -
+      Sum n (fun i => inner (v i t) (Csum n (fun j => RtoC (w adj i j) * (v i t - v j t)) + grad_i n adj V' (fun j => r j t) i)%C))).
+    { apply (tanner_rates.eq8_product n adj V V' r v dV t).
+      - intros i Hi. apply (is_derive_ext (fun s => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0))); [intros s; exact (V_i_is n adj V (fun j => r j s) i)|].
+        apply (V_i_rate n adj V V' r v t i Hi); [intros j Hj; now apply L|]. intros j Hj E. now apply K.
+      - intros i Hi. replace (control4 n adj V' (fun j => r j t) (fun j => v j t) i) with (T2.law4 n adj V' (fun j => r j t) (fun j => v j t) i); [now apply L|].
+        unfold T2.law4, control4. rewrite <- gradV_is. unfold T2.gradV, T2.pull, gradV. f_equal. f_equal. apply Csum_ext. intros j _. unfold w. destruct (adj i j); ring. }
+    eapply D_eq.
+    + eapply is_derive_ext; [|exact Q]. intros s. symmetry. exact (T1.energy_is n adj V (fun i => r i s) (fun i => v i s)).
+    + f_equal. apply Sum_ext. intros i _. f_equal. rewrite gradV_is. f_equal. apply Csum_ext. intros j _. unfold w. destruct (adj i j); ring.
+Qed.
+Lemma Omega_both n adj c : undirected adj -> no_loops adj -> strongly_connected n adj -> exists B, forall r v th,
+  apart_now n adj r -> Vt n adj T1.fig2 r v th <= c -> (forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (r i - r j)%C <= B) /\ forall i, (i < n)%nat -> Cmod (v i) <= sqrt (2 * c).
+Proof.
+  intros S NL SC. destruct n as [|n]; [exists 0; intros; split; intros; lia|].
+  destruct (tanner_rates.Omega_bounded (Datatypes.S n) adj c ltac:(lia) S NL SC) as [B H]. exists B. intros r v th A Q. apply (H r v th A). rewrite <- Vt_is. exact Q.
+Qed.
+Lemma Omega_1_holds : Omega_1.
+Proof. intros n adj c S NL SC. destruct (Omega_both n adj c S NL SC) as [B H]. exists B. intros r v th A Q. now apply (H r v th A Q). Qed.
+Lemma proof_ratio_2_holds : proof_ratio_2.
+Proof.
+  intros n adj V V' r v th thbar t L O i ai Hi Da g k N. destruct (one_heading_facts n adj V V' r v th thbar t L O i Hi) as [_ F]. cbv zeta in F.
+  assert (E : ai = T1.law n adj V' (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t) i) by exact (velocity_one _ _ _ _ Da (proj1 (proj2 (L i Hi)))).
+  pose proof (one_heading_law n adj V' r v th thbar t i O Hi) as G. fold g in G, F. rewrite <- E in F, G. unfold k.
+  assert (Z : fst ai = - fst g) by (rewrite G; reflexivity). split; intros N'; destruct (F N ltac:(lra) ltac:(lra)) as [F1 F2]; now symmetry.
 Qed.
