@@ -79,6 +79,11 @@ Definition sync_par_3 : Prop :=
   (forall n r th u t0, (1 <= n)%nat -> sync_arrangement n r th u t0 -> (parallel n r <-> forall t k, (k < n)%nat -> u k t = 0)) /\
   forall n w0 ori r th t0, (1 <= n)%nat -> (exists K1, ori = ori9 n K1 \/ exists adj, ori = ori14 n adj K1) ->
     sync_arrangement n r th (fun k t => w0 + ori (fun j => th j t) k) t0 -> (parallel n r <-> w0 = 0).
+(* stated after the theorems had been seen: clauses 1, 2 of beyond.paley.sync.par without phase locking as a hypothesis: under (6) with (9) or
+   (14) phases that agree once agree from then on, and turn at the rate w0 *)
+Definition sync_kept : Prop := forall n w0 (ori : (nat -> R) -> nat -> R), (exists K1, ori = ori9 n K1 \/ exists adj, ori = ori14 n adj K1) ->
+  forall (th : nat -> R -> R), (forall t k, 0 <= t -> (k < n)%nat -> is_derive (th k) t (w0 + ori (fun j => th j t) k)) ->
+  synchronized n (fun k => th k 0) -> forall t k, 0 <= t -> (k < n)%nat -> synchronized n (fun k => th k t) /\ is_derive (th k) t w0.
 (* paley.unbal clause 1 and paley.thm1.saddle clause 3: equilibria modulo rotation: from there all phases turn at the rate w0 for ever *)
 Definition equilibrium9 n (th : nat -> R) := forall w0 K1 t k, (k < n)%nat ->
   is_derive (fun s => th k + w0 * s) t (w0 + ori9 n K1 (fun j => th j + w0 * t) k) /\ w0 + ori9 n K1 th k = w0.
@@ -913,6 +918,59 @@ Proof.
   assert (E : w0 + ori9 n K1 (fun j => th j + w0 * t) k = w0).
   { apply (paley_fish.sines_rest n (fun j => th j + w0 * t) w0 K1 k). intros j Hj. replace (th k + w0 * t - (th j + w0 * t)) with (th k - th j) by ring. now apply Z. }
   rewrite E. eapply D_eq; [apply D_plus; [apply D_const|apply D_scal, D_id]|]. ring.
+Qed.
+Lemma ori_sines n ori : (exists K1, ori = ori9 n K1 \/ exists adj, ori = ori14 n adj K1) -> exists c (a : nat -> nat -> R), (forall i k, Rabs (a k i) <= 1) /\
+  forall th k, (k < n)%nat -> ori th k = c * Sum n (fun i => a k i * sin (th i - th k)).
+Proof.
+  intros (K1 & [->|[adj ->]]).
+  - exists (- K1 * / INR n), (fun _ _ => 1). split; [intros; rewrite Rabs_R1; lra|]. intros th k Hk. rewrite ori9_sines, Rmult_assoc. do 2 f_equal. apply Sum_ext. intros; ring.
+  - exists (- K1 / INR n), (fun k i => if adj k i then 1 else 0). split; [intros i k; destruct (adj k i); rewrite ?Rabs_R1, ?Rabs_R0; lra|].
+    intros th k Hk. unfold ori14. rewrite (row_among n adj (fun j => expi (th j)) k Hk), among_inner.
+    replace (- K1 / INR n * _) with (K1 / INR n * - Sum n (fun i => (if adj k i then 1 else 0) * sin (th i - th k))) by (unfold Rdiv; ring).
+    rewrite <- Sum_opp. f_equal. apply Sum_ext. intros j _. destruct (adj k j); [|ring].
+    rewrite Rmult_1_l, <- inner_e, !inner_C. cbn. ring.
+Qed.
+Lemma sync_kept_holds : sync_kept.
+Proof.
+  intros n w0 ori Ho th D S0. destruct (ori_sines n ori Ho) as (c & a & A1 & Eo).
+  set (e := fun t k j => 2 * (1 - cos (th k t - th j t))). set (E := fun t => Sum n (fun k => Sum n (fun j => e t k j))).
+  set (g := fun t k => ori (fun j => th j t) k).
+  set (E' := fun t => Sum n (fun k => Sum n (fun j => 2 * sin (th k t - th j t) * (g t k - g t j)))).
+  assert (e0 : forall t k j, 0 <= e t k j) by (intros t k j; unfold e; pose proof (COS_bound (th k t - th j t)); lra).
+  assert (eE : forall t k j, (k < n)%nat -> (j < n)%nat -> e t k j <= E t).
+  { intros t k j Hk Hj. unfold E. eapply Rle_trans; [apply (Sum_term_le n (fun j => e t k j)); [intros; apply e0|exact Hj]|].
+    apply (Sum_term_le n (fun k => Sum n (fun j => e t k j))); [intros; apply Sum_ge0; intros; apply e0|exact Hk]. }
+  assert (s2 : forall t k j, sin (th k t - th j t) ^ 2 <= e t k j).
+  { intros t k j. unfold e. pose proof (sin2_cos2 (th k t - th j t)) as T. unfold Rsqr in T. pose proof (COS_bound (th k t - th j t)). nra. }
+  assert (DE : forall t, 0 <= t -> is_derive E t (E' t)).
+  { intros t Ht. apply (D_Sum n (fun k t => Sum n (fun j => e t k j))). intros k Hk. apply (D_Sum n (fun j t => e t k j)). intros j Hj. unfold e.
+    eapply D_eq; [apply D_scal, D_minus; [apply D_const|apply (D_cos (fun s => th k s - th j s)), D_minus; apply D; assumption]|]. unfold g. ring. }
+  assert (tri : forall t k j i, (k < n)%nat -> (j < n)%nat -> (i < n)%nat -> forall l, (l < n)%nat ->
+    2 * sin (th k t - th j t) * (c * (a l i * sin (th i t - th l t))) <= 2 * Rabs c * E t).
+  { intros t k j i Hk Hj Hi l Hl. eapply Rle_trans; [apply Rle_abs|].
+    replace (2 * sin (th k t - th j t) * (c * (a l i * sin (th i t - th l t)))) with (c * a l i * (2 * sin (th k t - th j t) * sin (th i t - th l t))) by ring.
+    rewrite !(Rabs_mult (c * a l i)), (Rabs_mult c). pose proof (Rabs_pos c) as Pc. pose proof (A1 i l) as Pa. pose proof (Rabs_pos (a l i)) as Pa'.
+    assert (X : Rabs (2 * sin (th k t - th j t) * sin (th i t - th l t)) <= 2 * E t).
+    { pose proof (s2 t k j). pose proof (s2 t i l). pose proof (eE t k j Hk Hj). pose proof (eE t i l Hi Hl).
+      set (x := sin (th k t - th j t)) in *. set (y := sin (th i t - th l t)) in *. pose proof (pow2_ge_0 (x - y)). pose proof (pow2_ge_0 (x + y)). apply Rabs_le. nra. }
+    pose proof (Rabs_pos (2 * sin (th k t - th j t) * sin (th i t - th l t))) as PX.
+    replace (2 * Rabs c * E t) with (Rabs c * 1 * (2 * E t)) by ring. apply Rmult_le_compat; [|exact PX| |exact X]; [|apply Rmult_le_compat_l; assumption].
+    apply Rmult_le_pos; assumption. }
+  set (C := 4 * INR n ^ 3 * Rabs c).
+  assert (B : forall t, 0 <= t -> E' t <= C * E t).
+  { intros t Ht. replace (C * E t) with (Sum n (fun k => Sum n (fun j => Sum n (fun i => 2 * (2 * Rabs c * E t))))) by (rewrite !Sum_const; unfold C; ring).
+    apply Sum_le. intros k Hk. apply Sum_le. intros j Hj. unfold g. rewrite (Eo _ k Hk), (Eo _ j Hj), <- !Sum_scal, <- Sum_minus, <- Sum_scal. apply Sum_le. intros i Hi.
+    pose proof (tri t k j i Hk Hj Hi k Hk) as Q1. pose proof (tri t j k i Hj Hk Hi j Hj) as Q2.
+    replace (th j t - th k t) with (- (th k t - th j t)) in Q2 by ring. rewrite sin_neg in Q2. lra. }
+  assert (Z : E 0 = 0).
+  { unfold E. apply Sum_zero. intros k Hk. apply Sum_zero. intros j Hj. pose proof (S0 k j Hk Hj) as Q. unfold e. rewrite cos_minus.
+    assert (Q1 := f_equal fst Q). assert (Q2 := f_equal snd Q). cbn in Q1, Q2. rewrite Q1, Q2. pose proof (sin2_cos2 (th j 0)) as T. unfold Rsqr in T. lra. }
+  assert (S : forall t, 0 <= t -> synchronized n (fun k => th k t)).
+  { intros t Ht j k Hj Hk. assert (G : E t <= E 0 * exp (- - C * t)) by (apply (gronwall E E' (- C) DE); [intros x Hx; rewrite Ropp_involutive; now apply B|exact Ht]).
+    rewrite Z, Rmult_0_l in G. pose proof (eE t j k Hj Hk) as Q. unfold e in Q. pose proof (COS_bound (th j t - th k t)) as Cb.
+    assert (C1 : cos (th j t - th k t) = 1) by lra. pose proof (sin2_cos2 (th j t - th k t)) as T. unfold Rsqr in T. rewrite C1 in T.
+    assert (S1 : sin (th j t - th k t) = 0) by nra. replace (th j t) with (th j t - th k t + th k t) by ring. unfold expi. rewrite cos_plus, sin_plus, C1, S1. f_equal; ring. }
+  intros t k Ht Hk. split; [now apply S|]. exact (sync_par_2_holds n w0 ori Ho th t (fun k Hk => D t k Ht Hk) (S t Ht) k Hk).
 Qed.
 Lemma saddle_3_holds : saddle_3.
 Proof.
