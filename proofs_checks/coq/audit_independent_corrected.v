@@ -230,6 +230,7 @@ Lemma Cmod_sq z : Cmod z ^ 2 = fst z ^ 2 + snd z ^ 2.
 Proof. unfold Cmod. apply pow2_sqrt. nra. Qed.
 Lemma near (f : R -> R) t e : continuous f t -> 0 < e -> locally t (fun s => Rabs (f s - f t) < e).
 Proof. intros H He. apply (H (fun y => Rabs (y - f t) < e)). exists (mkposreal e He). intros y Hy. exact Hy. Qed.
+(* a continuous heading of an agent that moves has a rate: the theorems of tanner_rates ask for differentiable headings *)
 Lemma heading_rate (v : nat -> R -> C) th i t a : is_velocity (v i) t a -> heading v th i t ->
   is_derive (th i) t (cross (v i t) a / Cmod (v i t) ^ 2).
 Proof.
@@ -345,6 +346,7 @@ Proof.
   rewrite (Sum_zero n _); [ring|]. intros j Hj. unfold dth. pose proof (locally_singleton _ _ H) as E.
   destruct (E i Hi) as (_ & -> & _), (E j Hj) as (_ & -> & _). destruct (adj i j); [unfold Rdiv; ring|reflexivity].
 Qed.
+(* a proof of its own: tanner_rates.sublevel_invariant asks for the law at all times, and so excludes jumps of the headings *)
 (* no rate but at the times in ex *)
 Lemma constant_but (ex : list R) (f : R -> R) : forall A B, (forall t, A <= t <= B -> continuous f t) ->
   (forall t, A < t < B -> ~ In t ex -> is_derive f t 0) -> A <= B -> f A = f B.
@@ -405,6 +407,7 @@ Proof.
   unfold Vt. intros H. assert (0 <= Sum n (fun i => th i ^ 2)) by (apply Sum_ge0; intros; apply pow2_ge_0).
   change (T2.energy6 n adj V r v) with (T1.kinetic_plus_V n adj V r v). lra.
 Qed.
+(* as tanner_rates.Omega_bounded, without connectedness *)
 Lemma Omega_2_holds : Omega_2.
 Proof.
   intros n adj c S NL. exists (sqrt (2 * c)). intros r v th A H i Hi. apply energy_of_Vt in H.
@@ -679,6 +682,7 @@ Proof.
 Qed.
 Lemma Cmod_gap (a b : C) : Cmod a <= Cmod b + Cmod (a - b)%C.
 Proof. replace a with (b + (a - b))%C at 1 by ring. apply Cmod_triangle. Qed.
+(* tanner2_facts.rhs13 lets every pair at the distance R0 be linked or not; no other positions need be near where that is so *)
 Lemma right_of_13_is n R0 r v q : 0 < R0 -> (right_of_13 n R0 r v q <-> tanner2_facts.rhs13 n r v R0 q).
 Proof.
   intros HR. set (lo := dissipation n (tanner2_facts.linked_upto r R0) v). set (hi := dissipation n (tanner2_facts.linked_below r R0) v).
