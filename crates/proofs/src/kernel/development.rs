@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 102] = sources![
+const SOURCES: [(&str, &str); 104] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -111,9 +111,11 @@ const SOURCES: [(&str, &str); 102] = sources![
     "audit_independent_angle",
     "audit_independent_paley",
     "audit_independent_particles",
+    "audit_independent_phases",
     "audit_independent_tanner1",
     "audit_independent_tanner2",
     "audit_independent_veerman",
+    "audit_independent_corrected",
 ];
 
 /// A file of the development.
