@@ -298,7 +298,7 @@ Proof.
     intros k j k' j' Hk Hj Hk' Hj' E. now rewrite !L, E.
   - split; [exists 0%nat; split; [lia|apply expi_neq0]|]. exact rhombus_eigen_K4.
   - intros S. specialize (S 0%nat 2%nat ltac:(lia) ltac:(lia)). change (expi 0 = expi PI) in S. rewrite E0, E2 in S. injection S as S. lra.
-  - exact (rhombus_no_pattern 4 M (ex_intro _ 1%nat ltac:(lia)) P).
+  - exact (rhombus_no_pattern 4 M (ex_intro _ 1%nat (conj (le_n 1) eq_refl)) P).
 Qed.
 Lemma kernel_1_proved : kernel_1.
 Proof. intros n adj x Hn [S C]. exact (proj2 (Q_kernel n adj x Hn S C)). Qed.
