@@ -153,6 +153,51 @@ fn turns_alone_grow_with_the_root_of_time() {
     assert!(slow > 0.1 && (slow / quick - 1.0).abs() < 0.25, "{slow} {quick}");
 }
 
+/// What the turns of a coupled fish have to do with the other one, far from the walls, by distance: towards it in the zone of attraction, along
+/// with it in that of orientation, away from it in that of repulsion, and nothing beyond the radius of attraction, 8. Each is the slope of the
+/// rate of turning over the sine of the angle to the other, or of its heading; from hundreds of turns or more.
+#[test]
+fn coupled_fish_turn_by_their_zones() {
+    let step = 0.1;
+    // By fish and by zone: sum of the products and of the squares.
+    let mut slopes = [[(0.0, 0.0); 5]; 2];
+    for seed in 0..400 {
+        let setting = Setting { fish: 2, frames: 40, step, body_length: 1.0, seed: seed.to_string() };
+        let tracks = synthetic_school(School::Coupled, &setting);
+        for (i, k) in (2..40).flat_map(|i| [(i, 0), (i, 1)]) {
+            let [here, next, last] = [i - 2, i - 1, i].map(|i| place(&tracks, k, i));
+            let (other, its_next) = (place(&tracks, 1 - k, i - 2), place(&tracks, 1 - k, i - 1));
+            let offset = other.clone() - &here;
+            let (heading, after, its) = (next.clone() - &here, last - &next, its_next - &other);
+            let sine = |a: &Vector, b: &Vector| (a.re * b.im - a.im * b.re) / (length(a) * length(b));
+            let distance = length(&offset);
+            let blind = heading.dot(&offset) < -0.8 * length(&heading) * distance;
+            if here.re.abs().max(here.im.abs()) > 7.0 || blind {
+                continue;
+            }
+            let rate = sine(&heading, &after).asin() / step;
+            let mut add = |zone: usize, sine: f64| {
+                let (products, squares) = &mut slopes[k][zone];
+                (*products, *squares) = (*products + rate * sine, *squares + sine * sine);
+            };
+            match distance {
+                d if d < 1.4 => add(0, sine(&heading, &offset)),
+                d if d < 2.4 => add(1, sine(&heading, &its)),
+                d if d < 8.0 => add(2, sine(&heading, &offset)),
+                _ => {
+                    add(3, sine(&heading, &offset));
+                    add(4, sine(&heading, &its));
+                }
+            }
+        }
+    }
+    for slope in slopes.map(|zones| zones.map(|(products, squares)| products / squares)) {
+        let [repulsion, orientation, attraction, beyond, along] = slope;
+        assert!((-4.0..-1.0).contains(&repulsion) && (0.5..4.0).contains(&orientation), "{slope:?}");
+        assert!((0.4..1.0).contains(&attraction) && beyond.abs() < 0.2 && along.abs() < 0.2, "{slope:?}");
+    }
+}
+
 #[test]
 fn schools_without_fish_or_frames_are_empty() {
     for (_, kind) in School::ALL {
