@@ -21,8 +21,8 @@ const MOST_BIRDS: usize = 5;
 /// A group of birds, as bits.
 type Group = u32;
 
-/// Switches so far of each isolated group (0 for groups that are not isolated).
-type Used = Vec<u8>;
+/// Switches so far of each isolated group (0 for groups that are not isolated, and where there is no limit).
+type Used = Vec<u64>;
 
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct State {
@@ -113,14 +113,16 @@ impl Filling {
         let (before, after) = (&self.inside[state.graph], &self.inside[graph]);
         let mut used = Vec::with_capacity(state.used.len());
         for (k, group) in self.groups.iter().enumerate() {
-            used.push(match (before[k], after[k]) {
-                (Some(old), Some(new)) => {
-                    let count = state.used[k] + u8::from(old != new);
-                    if self.rule.most.get(group.count_ones() as usize).is_some_and(|most| u64::from(count) > *most) {
+            let limit = self.rule.most.get(group.count_ones() as usize);
+            used.push(match (before[k], after[k], limit) {
+                (Some(old), Some(new), Some(most)) => {
+                    let count = state.used[k] + u64::from(old != new);
+                    if count > *most {
                         return None;
                     }
                     count
                 }
+                // What has no limit is not counted, so that a sequence without end comes back to a state.
                 _ => 0,
             });
         }
@@ -149,4 +151,44 @@ fn to_bits(footprint: &Footprint) -> u32 {
 
 fn from_bits(bits: u32, n: usize) -> Footprint {
     Footprint::from_fn(n, n, |i, j| bits >> (i * n + j) & 1 == 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every network on four birds and every group of them: nothing where an edge leaves the group, else a number of its own for each
+    /// network on it, and 0 for none.
+    #[test]
+    fn groups_are_told_apart_by_their_edges() {
+        for group in 1..16u32 {
+            let members: Vec<usize> = (0..4).filter(|i| group & (1 << i) != 0).collect();
+            let mut numbers = BTreeMap::new();
+            for graph in Graph::all(4) {
+                let leaves = graph.edges().into_iter().any(|(i, j)| members.contains(&i) != members.contains(&j));
+                let found = edges_inside(&graph, group);
+                assert_eq!(found.is_none(), leaves, "{group:b} of {:?}", graph.edges());
+                let Some(bits) = found else { continue };
+                let inside = graph.induced(&members).edges();
+                assert_eq!(bits == 0, inside.is_empty());
+                assert_eq!(numbers.entry(bits).or_insert_with(|| inside.clone()), &inside);
+            }
+            // As many numbers as there are networks on the group.
+            assert_eq!(numbers.len(), 1 << (members.len() * (members.len() - 1) / 2));
+        }
+    }
+
+    /// Products of two networks are footprints without symmetry; each comes back from its bits, one for each entry.
+    #[test]
+    fn footprints_are_kept_as_bits() {
+        for order in 0..=5 {
+            let one = Graph::path(order).closed_adjacency();
+            let other = Graph::from_fn(order, |i, j| i + 2 == j || j + 2 == i).closed_adjacency();
+            for footprint in [other.times(&one), one.times(&other), one] {
+                let bits = to_bits(&footprint);
+                let entries = (0..order * order).filter(|k| footprint.get(k / order, k % order)).count();
+                assert_eq!((from_bits(bits, order), bits.count_ones() as usize), (footprint, entries));
+            }
+        }
+    }
 }

@@ -176,3 +176,158 @@ fn close_pairs(positions: &[f64], dimension: usize, reach: f64) -> Vec<(usize, u
         _ => (0..birds).flat_map(|j| (0..j).map(move |i| (i, j))).collect(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::links::Links;
+    use super::*;
+    use crate::averaging::{Flock, Hysteresis, Start, Weights};
+    use arithmetic::random::{generator, uniform};
+    use arithmetic::rational;
+
+    const EVER: u64 = u64::MAX;
+
+    /// By hand: a joined pair parts at most as fast as it moves and drifts; another one comes as near as its tangent says, less what it
+    /// drifts. The quotients are no whole numbers.
+    #[test]
+    fn steps_without_a_change_are_distances_over_rates() {
+        let nothing = f64::NAN;
+        for (now, moved, joined, drift, error, known) in [
+            ([0.45, 0.0], [0.1, 0.0], true, 0.0, 0.0, 5),
+            ([0.27, 0.36], [0.0, -0.1], true, 0.0, 0.0, 5),
+            ([0.45, 0.0], [0.06, 0.08], true, 0.1, 0.0, 2),
+            ([0.45, 0.0], [0.1, 0.0], true, 0.0, 0.06, 4),
+            ([0.45, 0.0], [0.0, 0.0], true, 0.0, 0.0, EVER),
+            ([0.0, 0.0], [0.3, 0.0], true, 0.0, 0.0, 3),
+            // Joined by hysteresis, beyond the distance.
+            ([1.2, 0.0], [0.0, 0.0], true, 0.0, 0.0, 0),
+            ([1.2, 0.0], [0.1, 0.0], true, 0.0, 0.0, 0),
+            ([1.55, 0.0], [-0.1, 0.0], false, 0.0, 0.0, 5),
+            ([0.93, 1.24], [-0.06, -0.08], false, 0.0, 0.0, 5),
+            ([1.55, 0.0], [-0.1, 0.0], false, 0.1, 0.0, 2),
+            ([1.55, 0.0], [-0.1, 0.0], false, 0.0, 0.06, 4),
+            ([1.55, 0.0], [0.1, 0.0], false, 0.0, 0.0, EVER),
+            ([1.55, 0.0], [0.1, 0.0], false, 0.05, 0.0, EVER),
+            ([1.55, 0.0], [0.1, 0.0], false, 0.2, 0.0, 5),
+            ([1.550_000_5, 0.0], [-1e-6, 0.0], false, 0.0, 0.0, 550_000),
+            // Rounding is doubted on both sides of the distance.
+            ([1.0 + 1e-9, 0.0], [-1e-12, 0.0], false, 0.0, 0.0, 0),
+            ([1.0 - 1e-9, 0.0], [1e-12, 0.0], true, 0.0, 0.0, 0),
+            ([nothing, 0.0], [0.0, 0.0], true, 0.0, 0.0, 0),
+            ([0.45, 0.0], [nothing, 0.0], true, 0.0, 0.0, 0),
+            ([0.0, 0.0], [-0.1, 0.0], false, 0.0, 0.0, 0),
+        ] {
+            assert_eq!(
+                quiet_steps(&now, &moved, joined, drift, error),
+                known,
+                "{now:?} {moved:?} {joined} {drift} {error}"
+            );
+        }
+    }
+
+    /// Birds on the line in hundredths.
+    fn on_the_line(places: &[i64], speeds: &[i64]) -> (Balls<2>, Graph, Flock) {
+        let hundredths = |list: &[i64]| list.iter().map(|&x| rational(x, 100)).collect();
+        let start = Start::on_the_line(hundredths(places), hundredths(speeds), Weights::Lazy, Hysteresis::None);
+        let flock = Flock::new(&start).expect("a flock");
+        let links = Links::new(flock.network());
+        let balls = Balls::new(&flock.integers(), links, flock.weights(), (0, 0)).expect("weights").expect("room");
+        (balls, flock.network().clone(), flock)
+    }
+
+    /// The pairs of each step of the first epoch, without what is looked at again, and the number of the first step with a switch.
+    fn first_epoch(places: &[i64], speeds: &[i64]) -> (Vec<Vec<(u32, u32)>>, Option<usize>) {
+        let (mut balls, network, mut flock) = on_the_line(places, speeds);
+        let mut watch = Watch::default();
+        let mut lists = vec![watch.due(&balls, &network, &Classes::default())];
+        let length = watch.length as usize;
+        let switch = (0..length).find(|_| flock.step().expect("a step").is_some());
+        for _ in 1..length {
+            balls.step(&[]).expect("a step");
+            let mut list = watch.due(&balls, &network, &Classes::default());
+            list.sort_unstable();
+            lists.push(list);
+        }
+        (lists, switch)
+    }
+
+    /// By hand: lengths of epochs are 1 over the width of all velocities, and pairs are due in the first step that could change them.
+    #[test]
+    fn pairs_are_due_when_they_could_first_change() {
+        type Line = &'static [i64];
+        type Due = &'static [(usize, (u32, u32))];
+        type Case = (Line, Line, usize, Due, Option<usize>);
+        let cases: [Case; 6] = [
+            // 65 at a rate of 24.
+            (&[0, 165], &[12, -12], 4, &[(2, (0, 1))], Some(2)),
+            // Joined: 75 at a rate of 12 and twice the width 12.
+            (&[0, 25], &[0, 12], 8, &[(2, (0, 1))], None),
+            // A pair of width 6 and one alone: 50 at 6 + 12, 32 at 6 + 6, 82 at 6. In n steps the second bird moves
+            // 3 (n + 3/4) or nearly so, and is 32 nearer after the tenth.
+            (&[0, 50, 182], &[0, 6, 0], 16, &[(2, (0, 1)), (2, (1, 2)), (13, (0, 2))], Some(9)),
+            // The same with the numbers the other way round, mirrored.
+            (&[182, 50, 0], &[0, 6, 0], 16, &[(2, (0, 1)), (2, (1, 2)), (13, (0, 2))], Some(9)),
+            // Too far for this epoch, and away from each other.
+            (&[0, 1000, 9000], &[12, -12, 12], 4, &[], None),
+            // Faster than the radius in a step.
+            (&[0, 1000], &[-60, 80], 1, &[], None),
+        ];
+        for (places, speeds, length, due, switch) in cases {
+            let (lists, first) = first_epoch(places, speeds);
+            let found: Vec<(usize, (u32, u32))> =
+                lists.iter().enumerate().flat_map(|(step, list)| list.iter().map(move |&pair| (step, pair))).collect();
+            assert_eq!((lists.len(), &found[..], first), (length, due, switch), "{places:?} {speeds:?}");
+        }
+        // Where all velocities agree an epoch is as long as it may be.
+        let (balls, network, _) = on_the_line(&[0, 50, 1000], &[1, 1, 1]);
+        let mut watch = Watch::default();
+        watch.due(&balls, &network, &Classes::default());
+        assert_eq!((watch.length, watch.due.len() as u64), (LONGEST, LONGEST));
+    }
+
+    /// A pair at the distance 1 is due in every step, unless its whole flock is known to move alike.
+    #[test]
+    fn flocks_that_move_alike_are_not_looked_at() {
+        let (balls, network, _) = on_the_line(&[0, 100, 900], &[1, 1, 1]);
+        let due = |classes: &Classes| Watch::default().due(&balls, &network, classes);
+        assert_eq!(due(&Classes::default()), [(0, 1)]);
+        let mut classes = Classes::default();
+        classes.note((0, 1), || vec![4, 4, 5]);
+        assert_eq!(due(&classes), []);
+    }
+
+    /// A pair that joins two flocks ends the epoch, one of the same flock does not.
+    #[test]
+    fn epochs_end_where_flocks_meet() {
+        let (balls, network, _) = on_the_line(&[0, 50, 182], &[0, 6, 0]);
+        let mut watch = Watch::default();
+        watch.due(&balls, &network, &Classes::default());
+        watch.note_joined((0, 1));
+        assert_eq!(watch.start, Some(0));
+        watch.note_joined((1, 2));
+        assert_eq!(watch.start, None);
+    }
+
+    /// All pairs below the reach, each once, with cells and without; all there are where the reach is no number.
+    #[test]
+    fn close_pairs_are_all_pairs_below_the_reach() {
+        let mut random = generator("watch", "close pairs", 0);
+        for (birds, dimension) in [(10, 2), (40, 1), (40, 2), (40, 3)] {
+            let positions: Vec<f64> = (0..birds * dimension).map(|_| 8.0 * uniform(&mut random)).collect();
+            let distance = |i: usize, j: usize| {
+                let square = |k: usize| (positions[i * dimension + k] - positions[j * dimension + k]).powi(2);
+                (0..dimension).map(square).sum::<f64>().sqrt()
+            };
+            for reach in [1.0, 2.5, f64::INFINITY, f64::NAN] {
+                let mut found = close_pairs(&positions, dimension, reach);
+                found.iter_mut().for_each(|(i, j)| (*i, *j) = (*i.min(j), *i.max(j)));
+                found.sort_unstable();
+                assert!(found.windows(2).all(|two| two[0] != two[1]));
+                for (i, j) in (0..birds).flat_map(|j| (0..j).map(move |i| (i, j))) {
+                    let close = !reach.is_finite() || distance(i, j) < reach;
+                    assert!(!close || found.binary_search(&(i, j)).is_ok(), "{i} {j} {reach} {dimension}");
+                }
+            }
+        }
+    }
+}

@@ -112,6 +112,24 @@ proptest! {
     }
 }
 
+/// A fast bird comes from afar to birds at rest in a row, as the first and as the last by number: of more birds than are looked at one
+/// by one.
+#[test]
+fn a_fast_bird_meets_a_row_of_birds_at_rest() {
+    for first in [true, false] {
+        let mut birds: Vec<(i64, i64, i64)> = (0..18).map(|k| (30 * k + k % 7, 7 * (k % 3), 0)).collect();
+        birds.insert(if first { 0 } else { 18 }, (-220, 3, 7));
+        let row = |x: i64, y: i64, unit: i64| vec![rational(x, unit), rational(y, unit)];
+        let start = Start {
+            positions: birds.iter().map(|&(x, y, _)| row(x, y, 10)).collect(),
+            velocities: birds.iter().map(|&(_, _, u)| row(u, 0, 10)).collect(),
+            weights: Weights::Vicsek,
+            hysteresis: Hysteresis::None,
+        };
+        agree(&start, 60);
+    }
+}
+
 #[test]
 fn four_birds_under_the_threshold_of_the_paper() {
     let x = [(0, 16), (8, 16), (21, 16), (29, 16)].map(|(p, q)| rational(p, q)).to_vec();

@@ -18,6 +18,7 @@ mod modes;
 mod near_ties;
 mod noisy;
 mod observed;
+mod reading;
 mod settle;
 mod stationary;
 mod switches;

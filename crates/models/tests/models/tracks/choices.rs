@@ -1,11 +1,13 @@
 //! Choices on both sides of their limits, histograms, scales, and what an analysis says of each fish.
 
-use super::measures::setting;
+use super::measures::{Asked, setting};
+use super::nulls::Told;
 use arithmetic::{Complex, Unwatched};
 use models::tracks::{
     Choices, ChoicesError, Histogram, NearestRule, PositionsUsed, Scale, School, Tracks, analyse, smoothed,
     synthetic_school,
 };
+use std::sync::atomic::AtomicUsize;
 
 #[test]
 fn choices_are_checked_on_both_sides_of_their_limits() {
@@ -201,4 +203,23 @@ fn a_recording_without_headings_says_why() {
                  an end in 27, a fish is at rest in 0; fish 3 is seen least, in 27 frames; choose a smaller --window or fewer \
                  fish with --ids";
     assert_eq!(error.expect_err("nothing left").to_string(), known);
+}
+
+/// Each frame is told before it is measured; choices are checked first.
+#[test]
+fn an_analysis_tells_its_frames_and_checks_its_choices() {
+    let (tracks, told) = (three(), Told::default());
+    let choices = Choices { window: 3, ..Choices::of_sidebar(0.5) };
+    let whole = analyse(&tracks, &choices, &told).expect("analysed");
+    let frames = tracks.frames.len() as u64;
+    assert_eq!(told.all(), (0..frames).map(|i| (i, "frames".to_string(), Some(frames))).collect::<Vec<_>>());
+    // Fish 3 swims 4 in a second, always in one direction.
+    let (own, all) = (whole.motion.velocities[2].iter().flatten().count(), whole.speeds().count());
+    assert!(whole.speeds().skip(all - own).all(|speed| (speed - 4.0).abs() < 1e-12));
+    // Where the work was stopped, the last frame may have headings that know what came after; it is in the sample too.
+    let reached = analyse(&tracks, &choices, &Asked(AtomicUsize::new(1 + 10))).expect("analysed");
+    assert!(reached.frames.last().is_some_and(|frame| frame.group.is_some()));
+    assert_eq!(reached.sample().frames(), reached.groups().count());
+    let error = analyse(&tracks, &Choices { window: 4, ..choices }, &Unwatched).expect_err("no middle frame");
+    assert_eq!(error, ChoicesError::EvenWindow(4));
 }

@@ -110,7 +110,7 @@ fn a_fish_at_the_centre_does_not_turn() {
 }
 
 /// Stops the work when it has been asked so many times.
-struct Asked(AtomicUsize);
+pub struct Asked(pub AtomicUsize);
 
 impl Progress for Asked {
     fn is_cancelled(&self) -> bool {

@@ -2,5 +2,7 @@
 
 mod choices;
 mod measures;
+mod nulls;
 mod reading;
 mod schools;
+mod synthetic;

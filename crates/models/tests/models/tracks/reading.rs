@@ -115,3 +115,65 @@ fn gaps_are_found_where_they_were_planted() {
         ]
     );
 }
+
+/// Two fish at these times, read and with its step, or what is said.
+fn at(times: &[f64]) -> Result<Tracks, String> {
+    let row = |t: &f64| format!("{t},a,0,0\n{t},b,1,{t}\n");
+    Tracks::from_csv(&format!("t,id,x,y\n{}", times.iter().map(row).collect::<String>())).map_err(|e| e.to_string())
+}
+
+/// Forty steps of 1, then one of another length, then three more.
+fn after_a_step_of(last: f64) -> Result<Tracks, String> {
+    let tail = (0..4).map(|i| 40.0 + last + f64::from(i));
+    at(&(0..=40).map(f64::from).chain(tail).collect::<Vec<_>>())
+}
+
+/// A tenth of a step, and a hundredth of a hole.
+#[test]
+fn steps_may_be_a_little_off_the_grid() {
+    for (good, bad, frames) in
+        [(1.08, 1.12, 45), (0.92, 0.88, 45), (2.08, 2.13, 46), (20.18, 20.25, 64), (1e9, 1.1e9, 1_000_000_044)]
+    {
+        assert_eq!(after_a_step_of(good).map(|tracks| tracks.recorded_frames()), Ok(frames), "{good}");
+        assert!(after_a_step_of(bad).is_err_and(|said| said.contains("not uniform")), "{bad}");
+    }
+    // What is said of the others leaves out the one that is off.
+    assert!(after_a_step_of(1.25).is_err_and(|said| said.ends_with("but 1 elsewhere")));
+}
+
+/// The frame step is the middle one of all steps, the smaller of two.
+#[test]
+fn the_frame_step_is_the_median() {
+    let of = |steps: &[f64]| {
+        let mut time = 5.0;
+        at(&[5.0]
+            .into_iter()
+            .chain(steps.iter().map(|step| {
+                time += step;
+                time
+            }))
+            .collect::<Vec<_>>())
+        .map(|tracks| (tracks.step, tracks.recorded_frames()))
+    };
+    assert_eq!(of(&[0.5, 0.5]), Ok((0.5, 3)));
+    assert_eq!(of(&[1.5, 0.5]), Ok((0.5, 5)));
+    assert_eq!(of(&[0.5, 1.5, 0.5, 1.5]), Ok((0.5, 9)));
+    for steps in [&[0.5, 1.5, 1.5][..], &[0.5, 0.5, 1.5, 1.5, 1.5]] {
+        assert!(of(steps).is_err_and(|said| said.ends_with("0.5 from the frame before to t = 5.5, but 1.5 elsewhere")));
+    }
+}
+
+#[test]
+fn names_with_marks_come_back_from_the_table() {
+    let tracks = read("t,id,x,y\n0,\"a, b\",0,0\n0,\"say \"\"c\"\"\",1,1\n1,\"a, b\",0,0\n1,\"say \"\"c\"\"\",1,2\n");
+    assert_eq!(tracks.ids, ["a, b", "say \"c\""]);
+    assert_eq!(read(&tracks.to_csv()), tracks);
+}
+
+#[test]
+fn numbers_are_read_up_to_their_limit() {
+    assert_eq!(read("t,id,x,y\n0,1,1e100,0\n0,2,-1e100,0\n1,1,0,0\n1,2,0,0\n").fish(), 2);
+    for x in ["1.1e100", "-1.1e100"] {
+        assert!(refused(&format!("t,id,x,y\n0,1,{x},0\n")).contains("beyond 1e100"));
+    }
+}
