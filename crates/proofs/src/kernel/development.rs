@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 104] = sources![
+const SOURCES: [(&str, &str); 105] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -65,6 +65,7 @@ const SOURCES: [(&str, &str); 104] = sources![
     "tanner_trees",
     "tanner2_switching",
     "tanner2_distance",
+    "tanner2_filippov",
     "tanner_graph",
     "tanner_components",
     "tanner_rates",
