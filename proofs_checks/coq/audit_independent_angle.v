@@ -1,4 +1,5 @@
-(* beyond.chazelle.angle clause 1, formalised from its words before the theorem was looked at; the theorem proves it. *)
+(* Clauses of the claims about Chazelle's paper that speak of functions of the real numbers: beyond.chazelle.angle clause 1, chazelle.epsineq, chazelle.eq3.15 clause 1,
+   chazelle.fiedler.rate clause 2, formalised from their words before the theorems were looked at; the theorems prove them. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require chazelle_worked chazelle_angle.
@@ -56,3 +57,19 @@ Proof.
       pose proof (Rinv_0_lt_compat _ T). rewrite sqrt_mult by (try apply inner_ge0; nra). rewrite sqrt_square by lra. unfold Rdiv. ring.
     + intros k _. split; field; lra.
 Qed.
+
+(* ==== more clauses about real functions, formalised from their words alike, before the theorems were looked at ==== *)
+(* chazelle.epsineq; eps_h = nu^(-nu^4), for any difference of distances *)
+Definition eps_of (nu : nat) := / INR nu ^ (nu ^ 4).
+Definition epsineq : Prop := forall nu : nat, (1 <= nu)%nat ->
+  exp (- INR nu ^ (nu ^ 2)) < Rpower (INR nu) (- INR (nu ^ 4)) /\ Rpower (INR nu) (- INR (nu ^ 4)) = eps_of nu /\
+  forall Delta, Delta < exp (- INR nu ^ (nu ^ 2)) -> Delta < eps_of nu.
+(* chazelle.eq3.15 clause 1; all vectors lifted *)
+Definition eq3_15_1 : Prop := exists K, forall (d : nat) (x v : nat -> R) (t : nat), (1 <= t)%nat ->
+  let X := lift d x (INR t) in let V := lift d v 1 in let W := fun k => X k / INR t in
+  (exists k, (k <= d)%nat /\ V k <> W k) ->
+  angle_of (S d) X V / length_of (S d) (fun k => V k - W k) <= K.
+(* chazelle.fiedler.rate clause 2, refuted: no bound n^O(1) 2^(t/n^c) with c > 0 tends to 0; all tend to infinity *)
+Definition fiedler_2 : Prop := forall c K (n : nat), 0 < c -> (1 <= n)%nat ->
+  let bound := fun t : nat => INR n ^ K * Rpower 2 (INR t / Rpower (INR n) c) in
+  is_lim_seq bound p_infty /\ ~ is_lim_seq bound 0.

@@ -624,3 +624,222 @@ rewrite [one_pi c i j]mxE; apply: (le_trans (chazelle_network.eq_3_9 net MD con 
 apply: ler_wpmul2r; last by rewrite ler_weexpn2l //; lia.
 by rewrite exprn_ge0 // subr_ge0 invf_le1 ?exprn_ege1 // exprn_gt0 // (lt_le_trans ltr01 N1).
 Qed.
+
+(* ==== the second part: formalised from the words alike, before the theorems were looked at ==== *)
+
+(* a flock whose inputs and weights are rationals with numerators and denominators at most n^b, n^a; weights change only when the network does *)
+Definition rational_flock (R : rcfType) n d a b c (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :=
+  [/\ flock_D a c x v G w, short_input b (x 0%N), short_input b (v 1%N),
+      forall t, (0 < t)%N -> short_weights a (w t) &
+      forall s t, (0 < s)%N -> (0 < t)%N -> (forall i j, G s i j = G t i j) -> forall i, w s i = w t i].
+(* the transition matrix of each time *)
+Definition P_of (R : realFieldType) n (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) u := transition (G u) (w u).
+(* N(t,s) as printed: the u with s < u < t; the weight of the first column of P(t,s); the times t_1 < ... < t_l after s at which it grows *)
+Definition N_open (R : realFieldType) n (P : nat -> 'M[R]_n) t s :=
+  count (fun u => [exists i, exists j, (P u i j != 0) != (P u.-1 i j != 0)]) (iota s.+1 (t - s).-1).
+Definition column_weight (R : realFieldType) m (P : nat -> 'M[R]_m.+1) s t := #|[set i | pprod P t s i ord0 != 0]|.
+Definition growth_times (R : realFieldType) m (P : nat -> 'M[R]_m.+1) s (ts : seq nat) := sorted ltn ts /\
+  forall t, (t \in ts) = (s < t)%N && (column_weight P s t.-1 < column_weight P s t)%N.
+(* chazelle.Nts clause 1, refuted: N(t + 1, t) = 0 always, and in some flock the column does grow at two times running *)
+Definition Nts_1 : Prop :=
+  (forall (R : realFieldType) n (P : nat -> 'M[R]_n) t, N_open P t.+1 t = 0%N) /\
+  forall R : rcfType, exists m d a b c (x v : nat -> 'M[R]_(m.+1, d)) G w s ts k,
+    [/\ rational_flock a b c x v G w, (0 < s)%N, growth_times (P_of G w) s ts, (k.+1 < size ts)%N &
+        nth 0%N ts k.+1 = (nth 0%N ts k).+1].
+(* chazelle.Nts clause 2, refuted: in some flock N(t_l, s) is not the sum, with t_0 = s *)
+Definition Nts_2 : Prop := forall R : rcfType, exists m d a b c (x v : nat -> 'M[R]_(m.+1, d)) G w s ts,
+  [/\ rational_flock a b c x v G w, (0 < s)%N, growth_times (P_of G w) s ts &
+      N_open (P_of G w) (last s ts) s <> (\sum_(k < size ts) N_open (P_of G w) (nth 0 (s :: ts) k.+1) (nth 0 (s :: ts) k))%N].
+(* chazelle.chi clause 1, refuted: no vector is so, and neither of the two that obey one of the two equations fits the formula in all flocks *)
+Definition chi_1 : Prop :=
+  (forall (R : realFieldType) n (i : 'I_n) (chi : 'rV[R]_n), ~ (chi 0 i = 1 /\ chi 0 i = -1)) /\
+  forall (R : rcfType) (e : R), e = 1 \/ e = -1 -> exists n d a b c (x v : nat -> 'M[R]_(n, d)) G w (i j : 'I_n) t,
+    [/\ rational_flock a b c x v G w, i != j, (1 < t)%N &
+        row i (v t) - row j (v t) <> (e *: delta_mx 0 i : 'rV_n) *m pprod (P_of G w) t.-1 1 *m v 1%N].
+
+(* stabilisers: T_0 = s - 1, V_0 = all birds; T_(k+1) is least so that the footprint of P(t, T_k + 1) on V_k x V_k is that of P(T_(k+1), T_k + 1)
+   for all t after it, V_(k+1) are the ones of its column of bird r *)
+Definition stable_from (R : realFieldType) n (P : nat -> 'M[R]_n) (V : {set 'I_n}) s T := (s <= T)%N /\
+  forall t i j, (T < t)%N -> i \in V -> j \in V -> (pprod P t s i j != 0) = (pprod P T s i j != 0).
+Definition stabilisers (R : realFieldType) n (P : nat -> 'M[R]_n) s r (T : nat -> nat) (V : nat -> {set 'I_n}) :=
+  [/\ (T 0%N).+1 = s, V 0%N = setT &
+    forall k, [/\ stable_from P (V k) (T k).+1 (T k.+1), forall T', stable_from P (V k) (T k).+1 T' -> (T k.+1 <= T')%N &
+      V k.+1 = [set i in V k | pprod P (T k.+1) (T k).+1 i r != 0]]].
+(* networks and weights of model D at the times 1, 2, ... *)
+Definition in_model_D (R : realFieldType) n (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :=
+  forall t, (0 < t)%N -> network (G t) /\ model_D (G t) (w t).
+(* chazelle.stab clauses 1, 2, 3 *)
+Definition stab_123 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) s r T V,
+  (0 < s)%N -> in_model_D G w -> stabilisers (P_of G w) s r T V ->
+  [/\ forall k, V k.+1 \subset V k,
+      forall t i j, (T 1%N < t)%N -> i \in V 1%N -> j \notin V 1%N ->
+        [/\ ~~ G t i j, ~~ G t j i, P_of G w t i j = 0 & P_of G w t j i = 0] &
+      forall k i, i \in V k.+1 -> r \in V k /\ 0 < pprod (P_of G w) (T k.+1) (T k).+1 i r].
+(* chazelle.eq3.5 clause 1, refuted; the submatrix A_{|V x W} with zeros around it, so that products of submatrices are products of these.
+   The factors P_{|V_i x V_(i-1)}(T_i, T_(i-1) + 1) for i = k, ..., 3, k = j + 2, and the printed product *)
+Definition block (R : realFieldType) n (V W : {set 'I_n}) (A : 'M[R]_n) : 'M[R]_n :=
+  \matrix_(i, j) if (i \in V) && (j \in W) then A i j else 0.
+Fixpoint middle_factors (R : realFieldType) n (P : nat -> 'M[R]_n) (T : nat -> nat) (V : nat -> {set 'I_n}) j : 'M[R]_n :=
+  if j is j'.+1 then block (V j'.+3) (V j'.+2) (pprod P (T j'.+3) (T j'.+2).+1) *m middle_factors P T V j' else 1%:M.
+Definition printed_product (R : realFieldType) n (P : nat -> 'M[R]_n) T V j t := let k := j.+2 in
+  block (V k) (V k) (pprod P t (T k).+1) *m middle_factors P T V j *m block (V 2%N) (V k) (pprod P (T 2%N) (T 1%N).+1)
+    *m block (V k) (V 0%N) (pprod P (T 1%N) (T 0%N).+1).
+Definition eq3_5 : Prop := forall R : rcfType, exists n d a b c (x v : nat -> 'M[R]_(n, d)) G w s r T V j t,
+  [/\ rational_flock a b c x v G w, (0 < s)%N, stabilisers (P_of G w) s r T V, (T j.+2 < t)%N &
+      block (V j.+2) (V 0%N) (pprod (P_of G w) t s) <> printed_product (P_of G w) T V j t].
+(* chazelle.eq3.6 clauses 1, 2; the ergodicity coefficients of the submatrix A_{|V x W}; the one function with these two properties is e^x *)
+Definition tau1_on (R : rcfType) n (V W : {set 'I_n}) (A : 'M[R]_n) : R :=
+  \big[Num.max/0]_(ij : 'I_n * 'I_n | (ij.1 \in V) && (ij.2 \in V)) (2%:R^-1 * \sum_(k in W) `|A ij.1 k - A ij.2 k|).
+Definition tau2_on (R : rcfType) n (V W : {set 'I_n}) (A : 'M[R]_n) : R :=
+  \big[Num.max/0]_(ij : 'I_n * 'I_n | (ij.1 \in V) && (ij.2 \in V)) Num.sqrt (\sum_(k in W) (A ij.1 k - A ij.2 k) ^+ 2).
+Definition exponential (R : realFieldType) (E : R -> R) := (forall x y, E (x + y) = E x * E y) /\ forall x, 1 + x <= E x.
+Definition right_side (R : rcfType) n (P : nat -> 'M[R]_n) T V k t : R :=
+  Num.sqrt 2%:R * tau1_on (V k) (V k) (pprod P t (T k).+1) * \prod_(i < k) tau1_on (V i.+1) (V i) (pprod P (T i.+1) (T i).+1).
+Definition eq3_6_1 : Prop := forall (R : rcfType) n (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) s r T V k t,
+  (0 < s)%N -> in_model_D G w -> stabilisers (P_of G w) s r T V -> (T k < t)%N ->
+  tau2_on (V k) (V 0%N) (pprod (P_of G w) t s) <= right_side (P_of G w) T V k t.
+Definition eq3_6_2 : Prop := forall a, exists K, forall (R : rcfType) (E : R -> R) n nu (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) s r T V k t,
+  exponential E -> (1 < n)%N -> (n <= nu)%N -> (0 < s)%N -> in_model_D G w ->
+  (forall t i j, (0 < t)%N -> 0 < P_of G w t i j -> (nu%:R ^+ a)^-1 <= P_of G w t i j) ->
+  stabilisers (P_of G w) s r T V -> (T k < t)%N ->
+  right_side (P_of G w) T V k t <= Num.sqrt 2%:R * E (- (k%:R * (nu%:R ^+ (K * nu ^ 2))^-1)).
+(* chazelle.lem3.1.count clause 1, refuted: birds of V_k that are joined later than T_k always remain so, yet more network changes follow *)
+Definition count_1 : Prop := forall R : rcfType, exists n d a b c (x v : nat -> 'M[R]_(n, d)) G w s r T V k U,
+  [/\ rational_flock a b c x v G w, (0 < k)%N, s = 1%N /\ stabilisers (P_of G w) s r T V,
+      forall i j t t', i \in V k -> j \in V k -> (T k < t)%N -> (t <= t')%N -> G t i j -> G t' i j &
+      ('C(#|V k|, 2) < count (differs G) (iota (T k).+1 U))%N].
+
+(* ---- a fixed connected network, continued ---- *)
+Definition half (R : rcfType) n (c : 'I_n -> R) : 'M[R]_n := diag_mx (\row_i Num.sqrt (c i)).
+Definition half_inv (R : rcfType) n (c : 'I_n -> R) : 'M[R]_n := diag_mx (\row_i (Num.sqrt (c i))^-1).
+Definition M_of (R : rcfType) n (G : rel 'I_n) (c : 'I_n -> R) := half_inv c *m transition G c *m half c.
+Definition pi_of (R : realFieldType) n (c : 'I_n -> R) : 'rV[R]_n := \row_j ((\sum_i (c i)^-1)^-1 * (c j)^-1).
+Definition is_eigenvalue (R : realFieldType) n (A : 'M[R]_n) lam := exists u : 'cV[R]_n, u != 0 /\ A *m u = lam *: u.
+(* chazelle.eq3.7 clauses 1, 3, 4; the unit eigenvector is unique up to its sign, the eigenvalues are the same also with multiplicities *)
+Definition eq3_7_1 : Prop := forall (R : rcfType) n (G : rel 'I_n) (c : 'I_n -> R), fixed G c ->
+  M_of G c = 1%:M - half c *m laplacian R G *m half c /\ (M_of G c)^T = M_of G c.
+Definition eq3_7_3 : Prop := forall (R : rcfType) n (G : rel 'I_n) (c : 'I_n -> R), (0 < n)%N -> fixed G c ->
+  let u1 : 'cV[R]_n := \col_i Num.sqrt (pi_of c 0 i) in
+  [/\ M_of G c *m u1 = u1, \sum_i u1 i 0 ^+ 2 = 1 &
+      forall u : 'cV[R]_n, M_of G c *m u = u -> \sum_i u i 0 ^+ 2 = 1 -> u = u1 \/ u = - u1].
+Definition eq3_7_4 : Prop := forall (R : rcfType) n (G : rel 'I_n) (c : 'I_n -> R), fixed G c ->
+  (forall lam, is_eigenvalue (transition G c) lam <-> is_eigenvalue (M_of G c) lam) /\ char_poly (transition G c) = char_poly (M_of G c).
+(* orthonormal eigenvectors u_1, ..., u_n of M with eigenvalues lambda_1 = 1, lambda_2, ..., lambda_n, here counted from 0 *)
+Definition eigenbasis (R : rcfType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) (lam : 'I_m.+1 -> R) (u : 'I_m.+1 -> 'cV[R]_m.+1) :=
+  [/\ forall k l, ((u k)^T *m u l) 0 0 = (k == l)%:R, forall k, M_of G c *m u k = lam k *: u k & lam ord0 = 1].
+(* chazelle.eq3.8 clauses 1, 2; and that there are such eigenvectors *)
+Definition eq3_8_1 : Prop := forall (R : rcfType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) lam u, fixed G c -> eigenbasis G c lam u ->
+  forall s, mpow (transition G c) s = const_mx 1 *m pi_of c + \sum_(k | k != ord0) lam k ^+ s *: (half c *m u k *m (u k)^T *m half_inv c).
+Definition eq3_8_2 : Prop := forall (R : rcfType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) lam u, fixed G c -> eigenbasis G c lam u ->
+  forall k, [/\ half_inv c *m u k != 0, half c *m u k != 0,
+    (half_inv c *m u k)^T *m transition G c = lam k *: (half_inv c *m u k)^T &
+    transition G c *m (half c *m u k) = lam k *: (half c *m u k)].
+Definition eq3_8_basis : Prop := forall (R : rcfType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R), fixed G c -> exists lam u, eigenbasis G c lam u.
+(* chazelle.eq3.10 clauses 1, 2, with one n^O(1) and one constant c_0 for both *)
+Definition eq3_10 : Prop := forall a, exists K c0, forall (R : rcfType) (E : R -> R) n (G : rel 'I_n) (c : 'I_n -> R),
+  exponential E -> (1 < n)%N -> fixed G c -> short_weights a c -> forall s, (n ^ c0 < s)%N ->
+  let bound := 1 - \sum_k (pi_of c 0 k - n%:R ^+ K * E (- (s%:R / n%:R ^+ K))) in
+  tau1 (mpow (transition G c) s) <= bound /\ bound < 2%:R^-1.
+(* a flock of network G: the birds f 0, ..., f m, connected, with no edge to any other; its network, its weights, its velocities *)
+Definition own_network n m (f : 'I_m -> 'I_n) (G : rel 'I_n) : rel 'I_m := fun k l => G (f k) (f l).
+Definition is_flock n m (f : 'I_m.+1 -> 'I_n) (G : rel 'I_n) :=
+  [/\ injective f, forall k l, connect (own_network f G) k l & forall k j, G (f k) j -> exists l, f l = j].
+Definition own_rows (R : realFieldType) n m d (f : 'I_m -> 'I_n) (y : 'M[R]_(n, d)) : 'M[R]_(m, d) := \matrix_(k, q) y (f k) q.
+Definition unchanged (R : realFieldType) n (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) t1 t :=
+  forall u, (t1 <= u < t)%N -> (forall i j, G u i j = G t1 i j) /\ forall i, w u i = w t1 i.
+Definition motion_D (R : realFieldType) n d (x v : nat -> 'M[R]_(n, d)) G w := [/\ in_model_D G w, forall t, x t.+1 = x t + v t.+1 &
+  forall t, (0 < t)%N -> v t.+1 = P_of G w t *m v t].
+Definition y_of (R : realFieldType) m d (c : 'I_m.+1 -> R) (v1 : 'M[R]_(m.+1, d)) : 'rV[R]_d := pi_of c *m v1.
+Definition Phi (R : rcfType) m d (c : 'I_m.+1 -> R) (u : 'I_m.+1 -> 'cV[R]_m.+1) (v1 : 'M[R]_(m.+1, d)) i k : 'rV[R]_d :=
+  (delta_mx 0 i : 'rV_m.+1) *m (half c *m u k *m (u k)^T *m half_inv c) *m v1.
+(* chazelle.xi.closed *)
+Definition xi_closed : Prop := forall (R : rcfType) n d m (x v : nat -> 'M[R]_(n, d)) G w t1 t (f : 'I_m.+1 -> 'I_n) lam u i,
+  motion_D x v G w -> (0 < t1 <= t)%N -> unchanged G w t1 t -> is_flock f (G t1) -> (forall k, 0 < w t1 (f k)) ->
+  let c := fun k => w t1 (f k) in let v1 := own_rows f (v t1.+1) in eigenbasis (own_network f (G t1)) c lam u ->
+  row (f i) (x t) = row (f i) (x t1) + (t - t1)%:R *: y_of c v1
+    + \sum_(k | k != ord0) ((1 - lam k ^+ (t - t1)) / (1 - lam k)) *: Phi c u v1 i k.
+(* chazelle.eq3.16 clause 1, refuted: there are no u_0, ..., u_m; the summand of k = 1 is Phi_1/(1 - 1), no vector unless Phi_1 = y = 0 *)
+Definition eq3_16 : Prop :=
+  (forall (R : realFieldType) m (u : nat -> 'cV[R]_m),
+    ~ forall k l, (k <= m)%N -> (l <= m)%N -> ((u k)^T *m u l) 0 0 = (k == l)%:R) /\
+  forall (R : rcfType) m d (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) lam u (v1 : 'M[R]_(m.+1, d)) i, fixed G c -> eigenbasis G c lam u ->
+    Phi c u v1 i ord0 = y_of c v1 /\ (y_of c v1 != 0 -> forall q : 'rV[R]_d, (1 - lam ord0) *: q <> Phi c u v1 i ord0).
+(* chazelle.eq3.17; birds i and j of flocks f and g, which may be one; the summands in the order of falling mu, each mu an eigenvalue
+   of one of the two flocks; A as the text gives it *)
+Definition eq3_17 : Prop := forall (R : rcfType) n d m m' (x v : nat -> 'M[R]_(n, d)) G w t1
+  (f : 'I_m.+1 -> 'I_n) (g : 'I_m'.+1 -> 'I_n) lam u lam' u' i j,
+  motion_D x v G w -> (0 < t1)%N -> is_flock f (G t1) -> is_flock g (G t1) ->
+  (forall k, 0 < w t1 (f k)) -> (forall k, 0 < w t1 (g k)) ->
+  let c := fun k => w t1 (f k) in let c' := fun k => w t1 (g k) in
+  let Gf := own_network f (G t1) in let Gg := own_network g (G t1) in
+  let v1 := own_rows f (v t1.+1) in let v1' := own_rows g (v t1.+1) in
+  let B := y_of c v1 - y_of c' v1' in
+  let A := row (f i) (x t1) - row (g j) (x t1) + (row i (Gamma_of Gf c *m v1) - row j (Gamma_of Gg c' *m v1')) in
+  eigenbasis Gf c lam u -> eigenbasis Gg c' lam' u' ->
+  exists terms : seq (R * 'rV[R]_d), [/\ sorted (fun p q : R * 'rV[R]_d => q.1 <= p.1) terms,
+    forall p, p \in terms -> `|p.1| < 1 /\ (is_eigenvalue (transition Gf c) p.1 \/ is_eigenvalue (transition Gg c') p.1) &
+    forall t, (t1 <= t)%N -> unchanged G w t1 t ->
+      row (f i) (x t) - row (g j) (x t) = A + (t - t1)%:R *: B - \sum_(p <- terms) p.1 ^+ (t - t1) *: p.2].
+
+(* ---- examples and matrices ---- *)
+Definition rows_of (R : realFieldType) n (rows : seq (seq R)) : 'M[R]_n := \matrix_(i, j) nth 0 (nth [::] rows i) j.
+Definition col_of (R : realFieldType) n (r : seq R) : 'cV[R]_n := \col_i nth 0 r i.
+(* chazelle.ex15 clauses 2, 3, 4, 5; decimals to half a unit of their last place *)
+Definition ex15_P (R : realFieldType) : 'M[R]_2 := 15%:R^-1 *: rows_of 2 [:: [:: 12%:R; 3%:R]; [:: 10%:R; 5%:R]].
+Definition ex15_2 : Prop := forall R : realFieldType, exists mu : R,
+  `|mu - 133%:R / 1000%:R| <= 2000%:R^-1 /\ forall lam, is_eigenvalue (ex15_P R) lam <-> lam = 1 \/ lam = mu.
+Definition ex15_3 : Prop := forall R : rcfType,
+  `|norm2 ((ex15_P R *m col_of 2 [:: 1; 0])^T) - 1041%:R / 1000%:R| <= 2000%:R^-1.
+Definition ex15_4 : Prop := forall (R : realFieldType) lam (u : 'cV[R]_2), lam != 1 -> u != 0 -> ex15_P R *m u = lam *: u -> \sum_i u i 0 != 0.
+Definition ex15_5 : Prop := forall R : realFieldType, exists u : 'cV[R]_2, \sum_i u i 0 = 0 /\ \sum_i (ex15_P R *m u) i 0 != 0.
+(* chazelle.ex4birds.eig *)
+Definition ex4_two (R : realFieldType) : 'M[R]_4 := 3%:R^-1 *: rows_of 4 [:: [:: 1; 2%:R; 0; 0]; [:: 2%:R; 1; 0; 0]; [:: 0; 0; 1; 2%:R]; [:: 0; 0; 2%:R; 1]].
+Definition ex4_path (R : realFieldType) : 'M[R]_4 := 3%:R^-1 *: rows_of 4 [:: [:: 1; 2%:R; 0; 0]; [:: 1; 1; 1; 0]; [:: 0; 1; 1; 1]; [:: 0; 0; 2%:R; 1]].
+Definition ex4_v1 (R : realFieldType) : 'cV[R]_4 := 8%:R^-1 *: col_of 4 [:: 1; -1; 1; -1].
+Definition ex4_x0 (R : realFieldType) : 'cV[R]_4 := 16%:R^-1 *: col_of 4 [:: 0; 8%:R; 21%:R; 29%:R].
+Definition ex4_eig : Prop := forall R : realFieldType, [/\ ex4_v1 R != 0,
+  ex4_two R *m ex4_v1 R = (- 3%:R^-1) *: ex4_v1 R & ex4_path R *m ex4_v1 R = (- 3%:R^-1) *: ex4_v1 R].
+(* the example flies without hysteresis, and with the weights 2/(3 d_i) of the two printed matrices *)
+Definition ex4 (R : realFieldType) (x v : nat -> 'cV[R]_4) (G : nat -> rel 'I_4) := [/\ x 0%N = ex4_x0 R, v 1%N = ex4_v1 R,
+  forall t i j, G t i j = (i != j) && (`|x t i 0 - x t j 0| <= 1), forall t, x t.+1 = x t + v t.+1 &
+  forall t, (0 < t)%N -> v t.+1 = transition (G t) (lazy R (G t)) *m v t].
+(* chazelle.ex4birds.alt; also that the transition matrices are the two printed ones *)
+Definition ex4_alt : Prop := forall R : realFieldType, (exists x v G, @ex4 R x v G) /\
+  forall (x v : nat -> 'cV[R]_4) G, ex4 x v G -> forall t,
+    ((n_comp (G t) predT = 1%N /\ n_comp (G t.+1) predT = 2%N) \/ (n_comp (G t) predT = 2%N /\ n_comp (G t.+1) predT = 1%N)) /\
+    transition (G t) (lazy R (G t)) = if n_comp (G t) predT == 1%N then ex4_path R else ex4_two R.
+(* chazelle.ex4birds.eq3.14 clauses 1, 2, 3, 4 *)
+Definition ex4_motion : Prop := forall (R : realFieldType) (x v : nat -> 'cV[R]_4) G, ex4 x v G ->
+  (forall t, x t = ex4_x0 R + (3%:R / 4%:R * (1 - (- 3%:R^-1) ^+ t)) *: ex4_v1 R) /\
+  forall t, (0 < t)%N -> let gap i := x t (inord i.+1) 0 - x t (inord i) 0 in
+    [/\ gap 0%N = 16%:R^-1 * (5%:R - (- 3%:R^-1) ^+ t.-1), gap 2%N = 16%:R^-1 * (5%:R - (- 3%:R^-1) ^+ t.-1),
+        4%:R^-1 <= gap 0%N <= 2%:R^-1 /\ 4%:R^-1 <= gap 2%N <= 2%:R^-1 & gap 1%N = 1 + 16%:R^-1 * (- 3%:R^-1) ^+ t.-1].
+(* chazelle.exAB, t = 2 k; A and B are I - C L of networks with c_i d_i = 1 *)
+Definition exAB_A (R : realFieldType) : 'M[R]_3 := rows_of 3 [:: [:: 0; 1; 0]; [:: 1; 0; 0]; [:: 0; 0; 1]].
+Definition exAB_B (R : realFieldType) : 'M[R]_3 := 2%:R^-1 *: rows_of 3 [:: [:: 0; 2%:R; 0]; [:: 1; 0; 1]; [:: 0; 2%:R; 0]].
+Definition exAB : Prop := forall R : realFieldType,
+  (forall A, A = exAB_A R \/ A = exAB_B R -> exists (G : rel 'I_3) (c : 'I_3 -> R),
+    [/\ network G, forall i, (0 < degree G i)%N -> c i * (degree G i)%:R = 1 & A = transition G c]) /\
+  forall k, (0 < k)%N -> let P t := if odd t then exAB_B R else exAB_A R in
+    pprod P (2 * k)%N 1 = mpow (exAB_A R *m exAB_B R) k /\
+    pprod P (2 * k)%N 1 = rows_of 3 [:: [:: (2%:R ^+ k)^-1; 1 - 2%:R / 2%:R ^+ k; (2%:R ^+ k)^-1]; [:: 0; 1; 0]; [:: 0; 1; 0]].
+(* chazelle.fiedler.rate clause 1; every eigenvalue of the Laplacian but the 0 of the constant vectors *)
+Definition fiedler_1 : Prop := exists K, forall (R : realFieldType) n (G : rel 'I_n), (1 < n)%N -> network G -> (forall i j, connect G i j) ->
+  forall (lam : R) (u : 'cV[R]_n), (exists i j, u i 0 != u j 0) -> laplacian R G *m u = lam *: u -> (n%:R ^+ K)^-1 <= lam.
+(* chazelle.foot.mono clauses 2, 3 *)
+Definition foot_2 : Prop := forall R : rcfType, exists n d a b c (x v : nat -> 'M[R]_(n, d)) G w s t i j,
+  [/\ rational_flock a b c x v G w, (0 < s <= t)%N, pprod (P_of G w) t s i j != 0 & pprod (P_of G w) t s j i = 0].
+Definition foot_3 : Prop := forall (R : realFieldType) n (G : rel 'I_n) (c : 'I_n -> R), network G -> model_D G c ->
+  (forall i j, (transition G c i j != 0) = (transition G c j i != 0)) /\ forall i, transition G c i i != 0.
+(* chazelle.kron clauses 1, 2; the rule gives exactly one matrix *)
+Definition is_kron (R : comRingType) m n p q (A : 'M[R]_(m, n)) (B : 'M[R]_(p, q)) (K : 'M[R]_(m * p, n * q)) :=
+  forall (i : 'I_m) (j : 'I_p) (k : 'I_n) (l : 'I_q) (r : 'I_(m * p)) (c : 'I_(n * q)),
+    r = (i * p + j)%N :> nat -> c = (k * q + l)%N :> nat -> K r c = A i k * B j l.
+Definition kron_1 : Prop := forall (R : comRingType) m n p q (A : 'M[R]_(m, n)) (B : 'M[R]_(p, q)), exists! K, is_kron A B K.
+Definition kron_2 : Prop := forall (R : comRingType) m n p q l h (A : 'M[R]_(m, n)) (B : 'M[R]_(p, q)) (C : 'M[R]_(n, l)) (D : 'M[R]_(q, h)) K1 K2,
+  is_kron A B K1 -> is_kron C D K2 -> is_kron (A *m C) (B *m D) (K1 *m K2).
+(* chazelle.modelK.matrix clauses 1, 2; it is the only matrix of the update *)
+Definition modelK_12 : Prop := forall (R : realFieldType) n (G : rel 'I_n), network G ->
+  let c := fun i => (degree G i).+1%:R^-1 : R in let P := 1%:M - diag_mx (\row_i c i) *m laplacian R G in
+  (forall Q : 'M[R]_n, (forall (theta : 'cV[R]_n) i, (Q *m theta) i 0 = (theta i 0 + \sum_(j | G i j) theta j 0) / (degree G i).+1%:R) <-> Q = P) /\
+  forall i j, P i j = if (i == j) || G i j then (degree G i).+1%:R^-1 else 0.
