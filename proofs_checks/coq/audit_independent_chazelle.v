@@ -1,10 +1,10 @@
 (* Clauses of the claims about Chazelle's paper, formalised from their words before the theorems were looked at; the theorems
    prove them. *)
 Set Warnings "-notation-overridden,-ambiguous-paths".
-From mathcomp Require Import all_ssreflect all_algebra zify.
+From mathcomp Require Import all_ssreflect all_algebra zify ring.
 From Flockproof Require Import chazelle_model chazelle_ergodicity chazelle_fixed chazelle_limits chazelle_products chazelle_entries.
 From Flockproof Require chazelle_recurrent chazelle_agreement chazelle_switches chazelle_count chazelle_origins
-  chazelle_stabilisers chazelle_sharp chazelle_network chazelle_bits.
+  chazelle_stabilisers chazelle_sharp chazelle_network chazelle_bits chazelle_spectral chazelle_contraction chazelle_switches chazelle_count.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Import GRing.Theory Num.Theory Order.TTheory.
@@ -843,3 +843,542 @@ Definition modelK_12 : Prop := forall (R : realFieldType) n (G : rel 'I_n), netw
   let c := fun i => (degree G i).+1%:R^-1 : R in let P := 1%:M - diag_mx (\row_i c i) *m laplacian R G in
   (forall Q : 'M[R]_n, (forall (theta : 'cV[R]_n) i, (Q *m theta) i 0 = (theta i 0 + \sum_(j | G i j) theta j 0) / (degree G i).+1%:R) <-> Q = P) /\
   forall i j, P i j = if (i == j) || G i j then (degree G i).+1%:R^-1 else 0.
+
+(* ---- the theorems prove the second part ---- *)
+Lemma foot_3_proved : foot_3.
+Proof.
+move=> R n G c net MD; split=> [i j|i]; rewrite !transition_edge ?eqxx //; by rewrite eq_sym (proj1 net).
+Qed.
+Lemma modelK_12_proved : modelK_12.
+Proof.
+move=> R n G net c P.
+have PE : P = transition G (vicsek R G) by [].
+split=> [Q|i j]; last by rewrite PE (proj2 (model_K_matrix 0 i net)).
+split=> [H|-> theta i]; last by rewrite PE (proj1 (model_K_matrix theta i net)).
+apply/matrixP => i j; have := H (delta_mx j 0) i; rewrite -(proj1 (model_K_matrix _ i net)) -PE.
+by rewrite -!colE !mxE.
+Qed.
+Lemma fiedler_1_proved : fiedler_1.
+Proof.
+exists 2%N => R n G n1 net con lam u ne E; apply: le_trans (fiedler_3_proved n1 net con ne E).
+have n0 : 0 < (n%:R : R) by rewrite ltr0n ltnW.
+have m0 : 0 < (n.-1%:R : R) by rewrite ltr0n; case: n n1 {G net con u ne E n0} => [|[]].
+apply: (@le_trans _ _ (1 / (n%:R * n.-1%:R))); last by rewrite ler_pmul2r ?invr_gt0 ?mulr_gt0 // ler1n.
+rewrite div1r lef_pinv ?posrE ?exprn_gt0 ?mulr_gt0 // expr2 ler_pmul2l // ler_nat; exact: leq_pred.
+Qed.
+(* a 2 x 2 or larger matrix entry by entry *)
+Ltac entries := apply/matrixP => -[[|[|[|[|?]]]] ?] // [[|[|[|[|?]]]] ?] //.
+Ltac sums := rewrite ?mxE ?big_ord_recl ?big_ord0 ?mxE /=.
+Lemma ex4_eig_proved : ex4_eig.
+Proof.
+move=> R; split.
+- apply/eqP => /matrixP/(_ (@Ordinal 4 0 isT) 0); rewrite !mxE /= mulr1 => /eqP; by rewrite invr_eq0 pnatr_eq0.
+- by apply/matrixP => -[[|[|[|[|?]]]] ?] // j; rewrite !mxE !big_ord_recl big_ord0 !mxE /=; field.
+- by apply/matrixP => -[[|[|[|[|?]]]] ?] // j; rewrite !mxE !big_ord_recl big_ord0 !mxE /=; field.
+Qed.
+
+Local Notation second := (lift ord0 ord0).
+Lemma ex15_apply (R : realFieldType) (u : 'cV[R]_2) :
+  (ex15_P R *m u) ord0 ord0 = (12%:R * u ord0 ord0 + 3%:R * u second ord0) / 15%:R /\
+  (ex15_P R *m u) second ord0 = (10%:R * u ord0 ord0 + 5%:R * u second ord0) / 15%:R.
+Proof. by split; rewrite mxE !big_ord_recl big_ord0 !mxE /=; field. Qed.
+Lemma ex15_eigen (R : realFieldType) (u : 'cV[R]_2) lam : ex15_P R *m u = lam *: u <->
+  (12%:R * u ord0 ord0 + 3%:R * u second ord0) / 15%:R = lam * u ord0 ord0 /\
+  (10%:R * u ord0 ord0 + 5%:R * u second ord0) / 15%:R = lam * u second ord0.
+Proof.
+have [A B] := ex15_apply u; split=> [E|[E F]].
+  by rewrite -A -B E !mxE.
+apply/matrixP => i j; rewrite ord1 [RHS]mxE; case: (unliftP ord0 i) => [k|] ->; last by rewrite A E.
+by rewrite (ord1 k) B F.
+Qed.
+Lemma ex15_cases (R : realFieldType) (u : 'cV[R]_2) lam : u != 0 -> ex15_P R *m u = lam *: u ->
+  (lam = 1 \/ lam = 2%:R / 15%:R) /\ (lam != 1 -> u ord0 ord0 != 0 /\ u second ord0 = - (10%:R / 3%:R) * u ord0 ord0).
+Proof.
+move=> u0 /ex15_eigen[]; set x := u ord0 ord0; set y := u second ord0 => E F.
+have nz : ~~ ((x == 0) && (y == 0)).
+  apply/negP => /andP[/eqP x0 /eqP y0]; case/eqP: u0; apply/matrixP => i j; rewrite ord1 mxE.
+  by case: (unliftP ord0 i) => [k|] ->; rewrite ?(ord1 k).
+have E' : (15%:R * lam - 12%:R) * x = 3%:R * y by rewrite mulrBl -mulrA -E; field.
+have F' : (15%:R * lam - 5%:R) * y = 10%:R * x by rewrite mulrBl -mulrA -F; field.
+have x0 : x != 0.
+  by apply: contra nz => /eqP z; rewrite z eqxx /=; move: E'; rewrite z mulr0 => /esym/eqP; rewrite mulf_eq0 pnatr_eq0.
+have Y : y = (15%:R * lam - 12%:R) * x / 3%:R by rewrite E'; field.
+have : (15%:R * (lam - 1)) * (15%:R * lam - 2%:R) = 0.
+  apply: (mulIf x0); rewrite mul0r.
+  transitivity (3%:R * ((15%:R * lam - 5%:R) * y - 10%:R * x)); first by rewrite Y; field.
+  by rewrite F' subrr mulr0.
+move/eqP; rewrite !mulf_eq0 pnatr_eq0 /= => C.
+have C' : lam = 1 \/ lam = 2%:R / 15%:R.
+  case/orP: C => [|]; rewrite subr_eq0 => /eqP h; [by left|right].
+  by rewrite -h; field.
+split=> // l1; split=> //; case: C' => [h|h]; first by rewrite h eqxx in l1.
+by rewrite Y h; field.
+Qed.
+Lemma ex15_2_proved : ex15_2.
+Proof.
+move=> R; exists (2%:R / 15%:R); split.
+  rewrite (_ : _ - _ = 3000%:R^-1); last by field.
+  by rewrite ger0_norm ?invr_ge0 ?ler0n // lef_pinv ?posrE ?ltr0n // ler_nat.
+move=> lam; split=> [[u [u0 E]]|]; first by case: (ex15_cases u0 E).
+have nz (a b : R) : a != 0 -> (\col_(i < 2) (if i == ord0 then a else b)) != 0.
+  by move=> a0; apply: contraNneq a0 => /matrixP/(_ ord0 ord0); rewrite !mxE /= => ->.
+case=> ->; [exists (\col_i (if i == ord0 then 1 else 1))|exists (\col_i (if i == ord0 then 3%:R else - 10%:R))].
+  by split; [apply: nz; rewrite oner_neq0|apply/ex15_eigen; rewrite !mxE /=; split; field].
+by split; [apply: nz; rewrite pnatr_eq0|apply/ex15_eigen; rewrite !mxE /=; split; field].
+Qed.
+Lemma sum2 (R : realFieldType) (u : 'cV[R]_2) : \sum_i u i 0 = u ord0 ord0 + u second ord0.
+Proof. by rewrite !big_ord_recl big_ord0 addr0. Qed.
+Lemma ex15_4_proved : ex15_4.
+Proof.
+move=> R lam u l1 u0 E; have [_ /(_ l1)[x0 Y]] := ex15_cases u0 E; rewrite sum2 Y.
+rewrite (_ : _ + _ = - (7%:R / 3%:R) * u ord0 ord0); last by field.
+by rewrite mulf_neq0 // oppr_eq0 mulf_neq0 ?invr_eq0 ?pnatr_eq0.
+Qed.
+Lemma ex15_5_proved : ex15_5.
+Proof.
+move=> R; exists (\col_i (if i == ord0 then 1 else -1)); split; first by rewrite sum2 !mxE /=; ring.
+rewrite sum2; set u := \col_i _; have [-> ->] := ex15_apply u; rewrite !mxE /=.
+rewrite (_ : _ + _ = 14%:R / 15%:R); last by field.
+by rewrite mulf_neq0 ?invr_eq0 ?pnatr_eq0.
+Qed.
+Lemma ex15_3_proved : ex15_3.
+Proof.
+move=> R; rewrite /norm2 !big_ord_recl big_ord0.
+have [A B] := ex15_apply (col_of 2 [:: 1; 0] : 'cV[R]_2); rewrite !(mxE trmx_key) A B !mxE /=.
+set S := Num.sqrt _; have -> : S = Num.sqrt (244%:R / 225%:R) by rewrite /S; congr Num.sqrt; field.
+have pos (p q r s : nat) : 0 <= (p%:R / (q%:R * r%:R * s%:R) : R) by rewrite divr_ge0 ?mulr_ge0 ?ler0n.
+have below : 51%:R / 49%:R <= Num.sqrt (244%:R / 225%:R) :> R.
+  rewrite -[X in X <= _]ger0_norm ?divr_ge0 ?ler0n // -sqrtr_sqr; apply: ler_wsqrtr; rewrite -subr_ge0.
+  rewrite (_ : _ - _ = 619%:R / (225%:R * 49%:R * 49%:R)); [exact: pos|by field].
+have above : Num.sqrt (244%:R / 225%:R) <= 151%:R / 145%:R :> R.
+  rewrite -[X in _ <= X]ger0_norm ?divr_ge0 ?ler0n // -sqrtr_sqr; apply: ler_wsqrtr; rewrite -subr_ge0.
+  rewrite (_ : _ - _ = 125%:R / (225%:R * 145%:R * 145%:R)); [exact: pos|by field].
+rewrite ler_distl; apply/andP; split.
+  apply: le_trans below; rewrite -subr_ge0 (_ : _ - _ = 31%:R / (49%:R * 2000%:R * 1%:R)); [exact: pos|by field].
+apply: (le_trans above); rewrite -subr_ge0 (_ : _ - _ = 35%:R / (145%:R * 2000%:R * 1%:R)); [exact: pos|by field].
+Qed.
+(* ---- kron ---- *)
+Lemma kron_bound (m p : nat) (i : 'I_m) (j : 'I_p) : (i * p + j < m * p)%N.
+Proof.
+by apply: (@leq_trans (i.+1 * p)); [rewrite mulSn addnC ltn_add2r | rewrite leq_mul2r ltn_ord orbT].
+Qed.
+Definition kron_at m p (i : 'I_m) (j : 'I_p) := Ordinal (kron_bound i j).
+Lemma kron_reach m p (r : 'I_(m * p)) : exists i j, r = @kron_at m p i j.
+Proof.
+case: (posnP p) => [p0|p0]; first by have := ltn_ord r; rewrite {2}p0 muln0.
+have rm : (r %/ p < m)%N by rewrite ltn_divLR.
+exists (Ordinal rm), (Ordinal (ltn_pmod r p0)); apply: val_inj; exact: divn_eq.
+Qed.
+Lemma kron_at_inj m p i j i' j' : @kron_at m p i j = kron_at i' j' -> i = i' /\ j = j'.
+Proof.
+move/(congr1 val) => /= E; have p0 : (0 < p)%N by apply: leq_ltn_trans (leq0n _) (ltn_ord j).
+split; apply: val_inj.
+  by have := congr1 (divn^~ p) E; rewrite !divnMDl // !(divn_small (ltn_ord _)) !addn0.
+by have := congr1 (modn^~ p) E; rewrite !modnMDl !(modn_small (ltn_ord _)).
+Qed.
+Lemma is_kron_at (R : comRingType) m n p q (A : 'M[R]_(m, n)) (B : 'M[R]_(p, q)) K :
+  is_kron A B K <-> forall i j k l, K (kron_at i j) (kron_at k l) = A i k * B j l.
+Proof.
+split=> H i j k l; first exact: H.
+move=> r c re ce; have -> : r = kron_at i j by apply: val_inj.
+have -> : c = kron_at k l by apply: val_inj.
+exact: H.
+Qed.
+Lemma kron_1_proved : kron_1.
+Proof.
+move=> R m n p q A B.
+have [p0|p0] := posnP p.
+  exists 0; split=> [i j|K _]; first by have := ltn_ord j; rewrite {2}p0.
+  by apply/matrixP => r; have := ltn_ord r; rewrite {2}p0 muln0.
+have [q0|q0] := posnP q.
+  exists 0; split=> [i j k l|K _]; first by have := ltn_ord l; rewrite {2}q0.
+  by apply/matrixP => r c; have := ltn_ord c; rewrite {2}q0 muln0.
+pose lo a b (b0 : (0 < b)%N) (r : 'I_(a * b)) : 'I_b := Ordinal (ltn_pmod r b0).
+have hi a b (b0 : (0 < b)%N) (r : 'I_(a * b)) : (r %/ b < a)%N by rewrite ltn_divLR.
+exists (\matrix_(r, c) (A (Ordinal (hi _ _ p0 r)) (Ordinal (hi _ _ q0 c)) * B (lo _ _ p0 r) (lo _ _ q0 c))); split.
+  apply/is_kron_at => i j k l; rewrite mxE; congr (A _ _ * B _ _); apply: val_inj => /=;
+    by rewrite ?divnMDl ?modnMDl // ?(divn_small (ltn_ord _)) ?(modn_small (ltn_ord _)) ?addn0.
+move=> K /is_kron_at H; apply/matrixP => r c; have [i [j ->]] := kron_reach r; have [k [l ->]] := kron_reach c.
+rewrite H mxE; congr (A _ _ * B _ _); apply: val_inj => /=;
+  by rewrite ?divnMDl ?modnMDl // ?(divn_small (ltn_ord _)) ?(modn_small (ltn_ord _)) ?addn0.
+Qed.
+Lemma kron_2_proved : kron_2.
+Proof.
+move=> R m n p q l h A B C D K1 K2 /is_kron_at H1 /is_kron_at H2; apply/is_kron_at => i j k e; rewrite !mxE.
+have S (F : 'I_(n * q) -> R) : \sum_c F c = \sum_i0 \sum_j0 F (kron_at i0 j0).
+  rewrite pair_big /= (reindex (fun ij : 'I_n * 'I_q => kron_at ij.1 ij.2)) //=.
+  apply/onW_bij/inj_card_bij; last by rewrite card_prod !card_ord.
+  by move=> [a b] [a' b'] /= /kron_at_inj[-> ->].
+rewrite S mulr_suml; apply: eq_bigr => a _; rewrite mulr_sumr; apply: eq_bigr => b _.
+by rewrite H1 H2 mulrACA.
+Qed.
+(* ---- the misprinted chi ---- *)
+Lemma no_chi_proved (R : realFieldType) n (i : 'I_n) (chi : 'rV[R]_n) : ~ (chi 0 i = 1 /\ chi 0 i = -1).
+Proof. by case; apply: chi_printed_impossible. Qed.
+(* ---- the exponential ---- *)
+Section Exponential.
+Variables (R : realFieldType) (E : R -> R).
+Hypothesis HE : exponential E.
+Lemma E0 : E 0 = 1.
+Proof.
+have [A B] := HE; have e0 : E 0 != 0 by apply: lt0r_neq0; apply: lt_le_trans (B 0); rewrite addr0 ltr01.
+by apply: (mulfI e0); rewrite -A addr0 mulr1.
+Qed.
+Lemma EN x : E (- x) * E x = 1. Proof. by have [A _] := HE; rewrite -A addNr E0. Qed.
+Lemma E_gt0 x : 0 < E x.
+Proof.
+have [A B] := HE; have Q : E x = E (x / 2%:R) ^+ 2 by rewrite expr2 -A -splitr.
+rewrite Q lt_def sqr_ge0 andbT -Q; apply/eqP => z; have := EN x; rewrite z mulr0 => /esym/eqP; by rewrite oner_eq0.
+Qed.
+Lemma E_power x k : E (k%:R * x) = E x ^+ k.
+Proof.
+elim: k => [|k IH]; first by rewrite mul0r E0.
+have [A _] := HE; by rewrite mulrSr mulrDl mul1r A IH exprSr.
+Qed.
+(* (1 - x)^k <= e^(-k x) *)
+Lemma power_E x k : x <= 1 -> (1 - x) ^+ k <= E (- (k%:R * x)).
+Proof.
+move=> x1; rewrite -mulrN E_power; have [_ B] := HE.
+by apply: ler_expn2r; rewrite ?nnegrE ?subr_ge0 // ltW ?E_gt0.
+Qed.
+Lemma E_small x : 0 < x -> E (- x) < x^-1.
+Proof.
+move=> x0; have [_ B] := HE; have X : x < E x by apply: lt_le_trans (B x); rewrite ltr_addr ltr01.
+have Ex := E_gt0 x; rewrite -[E (- x)](mulfK (lt0r_neq0 Ex)) EN mul1r ltf_pinv //.
+Qed.
+End Exponential.
+Lemma pi_is (R : realFieldType) n (c : 'I_n -> R) i : pi_of c 0 i = stat c i.
+Proof. by rewrite mxE. Qed.
+Lemma eq3_10_proved : eq3_10.
+Proof.
+move=> a; exists (2 * a + 4)%N, (4 * a + 10)%N => R E n G c HE n1 F sw s ss bound.
+have [B1 B2] := short_bounds n1 F sw; case: F => net MD con c0.
+have n0 : (0 < n)%N := ltnW n1; pose i0 := Ordinal n0.
+have N0 : 0 < (n%:R : R) by rewrite ltr0n.
+have N1 : 1 <= (n%:R : R) by rewrite ler1n.
+pose K := (2 * a + 4)%N; have NK : 0 < (n%:R : R) ^+ K by rewrite exprn_gt0.
+have sums x : 1 - \sum_k (stat c k - x) = n%:R * x.
+  by rewrite sumrB (stat_sum c0 i0) sumr_const card_ord -[x *+ n]mulr_natl subKr.
+have bE : bound = n%:R * (n%:R ^+ K * E (- (s%:R / n%:R ^+ K))).
+  by rewrite /bound (eq_bigr (fun k => stat c k - n%:R ^+ K * E (- (s%:R / n%:R ^+ K)))) => [|k _]; rewrite ?pi_is ?sums.
+have [|A _] := @chazelle_network.eq_3_10 R n G c net MD con c0 a n1 B1 B2 s; first by apply: leq_trans ss; rewrite ltnS leq_pexp2l //; lia.
+split.
+  apply: (le_trans A); rewrite sums bE; apply: ler_wpmul2l; first exact: ltW.
+  have Ki : (n%:R ^+ K)^-1 <= 1 :> R by rewrite invf_le1 ?exprn_ege1.
+  apply: ler_pmul; first by rewrite exprn_ge0 // ltW.
+  - by rewrite exprn_ge0 // subr_ge0.
+  - by rewrite ler_weexpn2l // /K; lia.
+  - exact: (power_E HE).
+have s0 : 0 < (s%:R : R) by rewrite ltr0n; apply: leq_ltn_trans ss.
+have x0 : 0 < s%:R / n%:R ^+ K :> R by rewrite divr_gt0.
+rewrite bE mulrA -exprS; apply: (@lt_le_trans _ _ (n%:R ^+ K.+1 * (s%:R / n%:R ^+ K)^-1)).
+  by rewrite ltr_pmul2l ?exprn_gt0 // E_small.
+rewrite invf_div mulrA -exprD ler_pdivr_mulr // mulrC ler_pdivl_mulr ?ltr0n //.
+apply: (@le_trans _ _ (n%:R ^+ (4 * a + 10))); last by rewrite -natrX ler_nat ltnW.
+apply: (@le_trans _ _ (n%:R ^+ (K.+1 + K).+1)).
+  by rewrite exprSr; apply: ler_wpmul2l; rewrite ?exprn_ge0 ?ler_nat ?ler0n.
+by rewrite ler_weexpn2l //; rewrite /K; lia.
+Qed.
+(* ---- the spectral form ---- *)
+Section Halves.
+Variables (R : rcfType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R).
+Hypothesis F : fixed G c.
+Lemma half_neq0 i : Num.sqrt (c i) != 0. Proof. by case: F => _ _ _ c0; rewrite gt_eqF ?sqrtr_gt0. Qed.
+Lemma halfK : half c *m half_inv c = 1%:M.
+Proof.
+rewrite mul_diag_mx; apply/matrixP => i j; rewrite !mxE; case: eqP => [->|_]; rewrite ?mulr1n ?mulfV ?half_neq0 //.
+by rewrite !mulr0n mulr0.
+Qed.
+Lemma half_invK : half_inv c *m half c = 1%:M.
+Proof. exact: mulmx1C halfK. Qed.
+Lemma M_half : half c *m M_of G c = transition G c *m half c.
+Proof. by rewrite /M_of !mulmxA halfK mul1mx. Qed.
+Lemma M_half_inv : M_of G c *m half_inv c = half_inv c *m transition G c.
+Proof. by rewrite /M_of -!mulmxA halfK mulmx1. Qed.
+Lemma MofE i j : M_of G c i j = (Num.sqrt (c i))^-1 * transition G c i j * Num.sqrt (c j).
+Proof. by rewrite /M_of mul_mx_diag mxE mul_diag_mx !mxE. Qed.
+End Halves.
+Lemma M_is (R : rcfType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) : M_of G c = chazelle_spectral.M G c.
+Proof. by apply/matrixP => i j; rewrite MofE !mxE. Qed.
+Lemma eq3_7_1_proved : eq3_7_1.
+Proof.
+move=> R [|m] G c F; first by split; apply/matrixP => -[].
+case: F => net MD con c0; have [A B _ _ _] := chazelle_spectral.eq_3_7 net MD con c0.
+rewrite M_is; split; apply/matrixP => i j; last by rewrite mxE B.
+by rewrite A [RHS]mxE [X in _ = _ + X]mxE mul_mx_diag mxE mul_diag_mx !mxE.
+Qed.
+Lemma eq3_7_3_proved : eq3_7_3.
+Proof.
+move=> R [//|m] G c _ F; have [net MD con c0] := F; move=> u1.
+have [_ _ [A B] S _] := chazelle_spectral.eq_3_7 net MD con c0.
+have u1E i : u1 i 0 = chazelle_spectral.u1 c i by rewrite mxE pi_is.
+split.
+- apply/matrixP => i j; rewrite ord1 u1E -[RHS]A mxE; by apply: eq_bigr => k _; rewrite M_is u1E.
+- by rewrite -[RHS]B; apply: eq_bigr => i _; rewrite u1E.
+move=> u Mu uu.
+have E i : step G c (fun j => Num.sqrt (c j) * u j 0) i = Num.sqrt (c i) * u i 0.
+  rewrite -[RHS]mul1r; apply: (proj1 (S 1 (fun j => u j 0))) => k; rewrite mul1r.
+  by have := congr1 (fun z : 'cV_m.+1 => z k 0) Mu; rewrite mxE M_is.
+have C := chazelle_network.fixed_constant net MD con c0 E.
+pose w := Num.sqrt (trace c)^-1; pose k := Num.sqrt (c ord0) * u ord0 0 / w.
+have w0 : w != 0 by rewrite gt_eqF // sqrtr_gt0 invr_gt0 (trace_gt0 c0 ord0).
+have uk : u = k *: u1.
+  apply/matrixP => i j; rewrite ord1 mxE u1E; apply: (mulfI (half_neq0 F i)); rewrite (C i ord0) mulrCA.
+  by rewrite [Num.sqrt (c i) * _]mulrC (chazelle_spectral.u1_root c0) -/w /k divfK.
+clearbody k; have : k ^+ 2 = 1.
+  rewrite -[RHS]uu uk -[LHS]mulr1 -B mulr_sumr; apply: eq_bigr => i _; by rewrite [in RHS]mxE u1E exprMn.
+by rewrite uk => /eqP; rewrite sqrf_eq1 => /orP[]/eqP ->; [left; rewrite scale1r|right; rewrite scaleN1r].
+Qed.
+Lemma eq3_7_4_proved : eq3_7_4.
+Proof.
+move=> R n G c F; split=> [lam|].
+  split=> -[u [u0 E]].
+    exists (half_inv c *m u); split.
+      by apply: contraNneq u0 => z; rewrite -[u]mul1mx -(halfK F) -mulmxA z mulmx0.
+    by rewrite mulmxA (M_half_inv F) -mulmxA E -scalemxAr.
+  exists (half c *m u); split.
+    by apply: contraNneq u0 => z; rewrite -[u]mul1mx -(half_invK F) -mulmxA z mulmx0.
+  by rewrite mulmxA -(M_half F) -mulmxA E -scalemxAr.
+rewrite /char_poly; set X := char_poly_mx _.
+have -> : char_poly_mx (M_of G c) = map_mx polyC (half_inv c) *m X *m map_mx polyC (half c).
+  rewrite /X /char_poly_mx mulmxBr mulmxBl /M_of !map_mxM; congr (_ - _).
+  by rewrite mul_mx_scalar -scalemxAl -map_mxM (half_invK F) map_mx1 scalemx1.
+rewrite !det_mulmx mulrAC -det_mulmx -map_mxM (half_invK F) map_mx1 det1 mul1r //.
+Qed.
+Lemma eq3_8_2_proved : eq3_8_2.
+Proof.
+move=> R m G c lam u F [O E _] k.
+have u0 : u k != 0 by apply/eqP => z; have /eqP := O k k; rewrite z mulmx0 mxE eqxx eq_sym oner_eq0.
+have [_ sym] := eq3_7_1_proved F; split.
+- by apply: contraNneq u0 => z; rewrite -[u k]mul1mx -(halfK F) -mulmxA z mulmx0.
+- by apply: contraNneq u0 => z; rewrite -[u k]mul1mx -(half_invK F) -mulmxA z mulmx0.
+- rewrite trmx_mul tr_diag_mx -/(half_inv c) -mulmxA -(M_half_inv F) mulmxA -[M_of G c]sym -trmx_mul E.
+  by rewrite linearZ /= -scalemxAl.
+- by rewrite mulmxA -(M_half F) -mulmxA E -scalemxAr.
+Qed.
+(* the first eigenvector may be taken as sqrt pi *)
+Definition signed (R : rcfType) m (c : 'I_m.+1 -> R) (u : 'I_m.+1 -> 'cV[R]_m.+1) : 'M[R]_m.+1 :=
+  \matrix_(i, k) if k == ord0 then chazelle_spectral.u1 c i else u k i 0.
+Section Basis.
+Variables (R : rcfType) (m : nat) (G : rel 'I_m.+1) (c lam : 'I_m.+1 -> R) (u : 'I_m.+1 -> 'cV[R]_m.+1).
+Hypothesis F : fixed G c.
+Hypothesis EB : eigenbasis G c lam u.
+Let U := signed c u.
+Lemma signedE : exists e : R, e ^+ 2 = 1 /\ forall i k, U i k = (if k == ord0 then e else 1) * u k i 0.
+Proof.
+have [O E L] := EB; have [] := eq3_7_3_proved (ltn0Sn m) F; set u1 := \col_i _ => _ _ uniq.
+have [|//||h] := uniq (u ord0).
+- by rewrite E L scale1r.
+- transitivity (((u ord0)^T *m u ord0) 0 0); last by rewrite O eqxx.
+  by rewrite mxE; apply: eq_bigr => i _; rewrite !mxE expr2.
+- move=> h; exists 1; split=> [|i k]; first by rewrite expr1n.
+  by rewrite mxE; case: eqP => [->|_]; rewrite mul1r // h mxE pi_is.
+- exists (-1); split=> [|i k]; first by rewrite sqrrN expr1n.
+  rewrite mxE; case: eqP => [->|_]; rewrite ?mul1r //.
+  by rewrite h [in RHS]mxE mulN1r opprK mxE pi_is.
+Qed.
+Lemma signed_orth : U^T *m U = 1%:M.
+Proof.
+have [e [e2 UE]] := signedE; have [O _ _] := EB; apply/matrixP => k l.
+transitivity ((if k == ord0 then e else 1) * (if l == ord0 then e else 1) * ((u k)^T *m u l) 0 0).
+  by rewrite !mxE mulr_sumr; apply: eq_bigr => i _; rewrite [U^T _ _]mxE !UE [(u k)^T _ _]mxE mulrACA.
+rewrite O !mxE; case: (eqVneq k l) => [->|_]; last by rewrite mulr0.
+by rewrite mulr1; case: eqP => _; rewrite ?mulr1 // -expr2.
+Qed.
+Lemma signed_eig i k : \sum_j chazelle_spectral.M G c i j * U j k = lam k * U i k.
+Proof.
+have [e [e2 UE]] := signedE; have [_ E _] := EB.
+have H := congr1 (fun z : 'cV_m.+1 => z i 0) (E k); rewrite !mxE in H.
+rewrite UE mulrCA -H mulr_sumr; apply: eq_bigr => j _; by rewrite UE M_is mulrCA.
+Qed.
+Lemma signed_first i : U i 0 = chazelle_spectral.u1 c i. Proof. by rewrite mxE. Qed.
+Lemma signed_lam : lam 0 = 1. Proof. by case: EB. Qed.
+Lemma projection k i j : k != ord0 ->
+  (half c *m u k *m (u k)^T *m half_inv c) i j = Num.sqrt (c i) * (U i k * U j k) / Num.sqrt (c j).
+Proof.
+move=> k0; have [e [e2 UE]] := signedE.
+by rewrite mul_mx_diag mxE -mulmxA mul_diag_mx !mxE big_ord1 !mxE (negPf k0).
+Qed.
+Lemma small_lam k : k != ord0 -> `|lam k| < 1 /\ lam k != 1.
+Proof.
+move=> k0; have [net MD con c0] := F.
+have l1 := chazelle_spectral.lam_neq1 net MD con c0 signed_orth signed_eig (signed_first) k0; split=> //.
+have [_ _ _ _ D] := chazelle_spectral.eq_3_7 net MD con c0.
+have [O E _] := EB; have [||h|] := D (lam k) (fun i => u k i 0).
+- by move=> i; have := congr1 (fun z : 'cV_m.+1 => z i 0) (E k); rewrite M_is !mxE.
+- apply: column_nonzero; apply/eqP => z; have /eqP := O k k; by rewrite z mulmx0 mxE eqxx eq_sym oner_eq0.
+- by rewrite h eqxx in l1.
+- by rewrite ltr_norml.
+Qed.
+End Basis.
+Lemma eq3_8_1_proved : eq3_8_1.
+Proof.
+move=> R m G c lam u F EB s; have [net MD con c0] := F; apply/matrixP => i j.
+rewrite (chazelle_spectral.eq_3_8 c0 (signed_orth F EB) (signed_eig F EB) (signed_first c u) (signed_lam EB)).
+rewrite [RHS]mxE mxE big_ord1 mxE mul1r pi_is summxE; congr (_ + _); apply: eq_bigr => k k0.
+by rewrite [RHS]mxE (projection F EB _ _ k0).
+Qed.
+Lemma first_projection (R : rcfType) m (G : rel 'I_m.+1) (c lam : 'I_m.+1 -> R) u : fixed G c -> eigenbasis G c lam u ->
+  half c *m u ord0 *m (u ord0)^T *m half_inv c = const_mx 1 *m pi_of c.
+Proof.
+move=> F EB; have [e [e2 UE]] := signedE F EB; have [_ _ _ c0] := F; apply/matrixP => i j.
+transitivity (stat c j); last by rewrite [RHS]mxE big_ord1 [const_mx _ _ _]mxE mul1r pi_is.
+rewrite -(chazelle_spectral.first_term c0 (signed_first c u) i j) !UE eqxx.
+by rewrite mulrACA -expr2 e2 mul1r mul_mx_diag mxE -mulmxA mul_diag_mx !mxE big_ord1 !mxE.
+Qed.
+Lemma eq3_16_proved : eq3_16.
+Proof.
+split=> [R m u O|R m d G c lam u v1 i F EB].
+  pose U : 'M[R]_(m, m.+1) := \matrix_(i, k) u k i 0.
+  have E : U^T *m U = 1%:M.
+    apply/matrixP => k l; rewrite [RHS]mxE -(O k l) -1?ltnS ?ltn_ord // !mxE; apply: eq_bigr => i _; by rewrite !mxE.
+  have : (\rank (U^T *m U) <= m)%N by apply: leq_trans (mxrankM_maxr _ _) (rank_leq_row _).
+  by rewrite E mxrank1 ltnn.
+have E : Phi c u v1 i ord0 = y_of c v1.
+  rewrite /Phi (first_projection F EB) !mulmxA (_ : _ *m const_mx 1 = 1%:M) ?mul1mx //.
+  by rewrite -rowE; apply/matrixP => a b; rewrite !ord1 !mxE.
+split=> // y0 q; have [_ _ ->] := EB; rewrite subrr scale0r E => z; by rewrite -z eqxx in y0.
+Qed.
+(* ---- a flock among others ---- *)
+Section Flock.
+Variables (R : rcfType) (n m : nat) (f : 'I_m.+1 -> 'I_n) (G : rel 'I_n) (w : 'I_n -> R).
+Hypothesis FL : is_flock f G.
+Hypothesis net : network G.
+Hypothesis MD : model_D G w.
+Hypothesis w0 : forall k, 0 < w (f k).
+Let H := own_network f G.
+Let c k := w (f k).
+Lemma own_degree k : degree H k = degree G (f k).
+Proof.
+have [fi _ cl] := FL; rewrite /degree -(card_image fi); apply: eq_card => j; rewrite inE; apply/imageP/idP.
+  by case=> l; rewrite inE => h ->.
+by move=> h; have [l fl] := cl _ _ h; exists l; rewrite // inE /H /own_network fl.
+Qed.
+Lemma own_fixed : fixed H c.
+Proof.
+have [sy ir] := net; have [_ con _] := FL; split=> //.
+- by split=> [k l|k]; [apply: sy|apply: ir].
+- by move=> k; rewrite own_degree; apply: MD.
+Qed.
+Lemma own_transition d (y : 'M[R]_(n, d)) : own_rows f (transition G w *m y) = transition H c *m own_rows f y.
+Proof.
+have [fi _ cl] := FL; have [_ ir] := net; apply/matrixP => k q; rewrite !mxE.
+rewrite (bigID (fun j => j \in f @: setT)) /= [X in _ + X]big1 ?addr0; last first.
+  move=> j jf; rewrite transitionE //; have fkj : (f k == j) = false.
+    by apply: contraNF jf => /eqP <-; apply: imset_f; rewrite inE.
+  rewrite fkj; case: ifP => Gj; last by rewrite mul0r.
+  by have [l fl] := cl _ _ Gj; move: jf; rewrite -fl imset_f ?inE.
+rewrite big_imset /=; last by move=> a b _ _; apply: fi.
+apply: eq_big => [l|l _]; first by rewrite inE.
+rewrite [own_rows f y l q]mxE !transitionE //; last by move=> a; apply: ir.
+by rewrite (inj_eq fi) own_degree.
+Qed.
+End Flock.
+Section Closed.
+Variables (R : rcfType) (n d m : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) (t1 : nat).
+Variables (f : 'I_m.+1 -> 'I_n) (lam : 'I_m.+1 -> R) (u : 'I_m.+1 -> 'cV[R]_m.+1).
+Hypothesis MO : motion_D x v G w.
+Hypothesis t10 : (0 < t1)%N.
+Hypothesis FL : is_flock f (G t1).
+Hypothesis w0 : forall k, 0 < w t1 (f k).
+Let c k := w t1 (f k).
+Let H := own_network f (G t1).
+Let v1 := own_rows f (v t1.+1).
+Hypothesis EB : eigenbasis H c lam u.
+Let P := transition H c.
+Let vv s := mpow P (s - t1.+1) *m v1.
+Let xx s := own_rows f (x t1) + (\sum_(r < s - t1) mpow P r) *m v1.
+Let F : fixed H c.
+Proof. by have [/(_ t1 t10)[net MD] _ _] := MO; apply: own_fixed. Qed.
+Lemma xx_step t : (t1 <= t)%N -> xx t.+1 = xx t + vv t.+1.
+Proof. by move=> tt; rewrite /xx /vv subSn // big_ord_recr /= mulmxDl addrA subSS. Qed.
+Lemma vv_step t : (t1 < t)%N -> vv t.+1 = P *m vv t.
+Proof. by move=> tt; rewrite /vv subSn // mulmxA. Qed.
+Lemma xx_is t : (t1 <= t)%N -> unchanged G w t1 t -> own_rows f (x t) = xx t.
+Proof.
+have [MDn Hx Hv] := MO.
+have OD (a b : 'M[R]_(n, d)) : own_rows f (a + b) = own_rows f a + own_rows f b by apply/matrixP => i j; rewrite !mxE.
+have W s : (forall r, (t1 <= r <= t1 + s)%N -> (forall i j, G r i j = G t1 i j) /\ forall i, w r i = w t1 i) ->
+    own_rows f (v (t1 + s).+1) = mpow P s *m v1.
+  elim: s => [|s IH] un; first by rewrite addn0 mul1mx.
+  have pos : (0 < t1 + s.+1)%N by rewrite addnS.
+  rewrite addnS Hv ?addnS // /P_of -addnS.
+  have [eG ew] := un (t1 + s.+1)%N ltac:(by rewrite leq_addr leqnn).
+  have -> : transition (G (t1 + s.+1)) (w (t1 + s.+1)%N) = transition (G t1) (w t1).
+    apply/matrixP => i j; have [_ ir] := proj1 (MDn _ pos); have [_ ir1] := proj1 (MDn _ t10).
+    rewrite !transitionE // eG ew; congr (if _ then _ - _ * _%:R else _).
+    by apply: eq_card => k; rewrite !inE eG.
+  have [net1 _] := MDn t1 t10; rewrite own_transition // addnS IH /= ?mulmxA // => r /andP[r1 r2]; apply: un.
+  by rewrite r1 addnS (leq_trans r2).
+move=> tt un; rewrite -(subnKC tt) in un *; elim: (t - t1)%N un => [|s IH] un.
+  by rewrite addn0 /xx subnn big_ord0 mul0mx addr0.
+rewrite addnS Hx OD xx_step ?leq_addr // IH; last by move=> r /andP[r1 r2]; apply: un; rewrite r1 addnS (ltn_trans r2).
+congr (_ + _); rewrite /vv subSS addKn; apply: W => r /andP[r1 r2]; apply: un; by rewrite r1 addnS ltnS.
+Qed.
+Lemma drift_is q : chazelle_spectral.drift c vv t1 q = y_of c v1 0 q.
+Proof.
+rewrite /chazelle_spectral.drift [RHS]mxE; apply: eq_bigr => k _; by rewrite pi_is /vv subnn mul1mx.
+Qed.
+Lemma Phi_is i k q : k != ord0 -> chazelle_spectral.Phi c (signed c u) vv t1 i k q = Phi c u v1 i k 0 q.
+Proof.
+move=> k0; rewrite /Phi -rowE [RHS]mxE; apply: eq_bigr => j _; rewrite [row _ _ _ _]mxE (projection F EB) //.
+by rewrite /vv subnn mul1mx.
+Qed.
+Lemma xi_row t i : (t1 <= t)%N -> unchanged G w t1 t -> row (f i) (x t) = row (f i) (x t1) + (t - t1)%:R *: y_of c v1
+    + \sum_(k | k != ord0) ((1 - lam k ^+ (t - t1)) / (1 - lam k)) *: Phi c u v1 i k.
+Proof.
+move=> tt un; have [net MD con c0] := F; apply/matrixP => z q; rewrite (ord1 z).
+have -> : row (f i) (x t) 0 q = xx t i q by rewrite -xx_is // !mxE.
+rewrite -{1}(subnKC tt).
+rewrite (chazelle_spectral.xi_closed net MD con c0 (signed_orth F EB) (signed_eig F EB) (signed_first c u) (signed_lam EB) xx_step vv_step).
+rewrite drift_is [RHS]mxE [X in _ = X + _]mxE [X in _ = X + _ + _]mxE [X in _ = _ + X + _]mxE summxE; congr (_ + _ + _).
+- by rewrite /xx subnn big_ord0 mul0mx addr0 mxE.
+- by rewrite mulr_natl.
+by apply: eq_bigr => k k0; rewrite [RHS]mxE Phi_is.
+Qed.
+Lemma Gamma_row t i : (t1 <= t)%N -> unchanged G w t1 t -> row (f i) (x t) = row (f i) (x t1) + row i (Gamma_of H c *m v1)
+    + (t - t1)%:R *: y_of c v1 - \sum_(k | k != ord0) lam k ^+ (t - t1) *: ((1 - lam k)^-1 *: Phi c u v1 i k).
+Proof.
+move=> tt un; have [net MD con c0] := F; apply/matrixP => z q; rewrite (ord1 z).
+have -> : row (f i) (x t) 0 q = xx t i q by rewrite -xx_is // !mxE.
+rewrite -{1}(subnKC tt).
+rewrite (chazelle_spectral.eq_3_16 net MD con c0 (signed_orth F EB) (signed_eig F EB) (signed_first c u) (signed_lam EB) xx_step vv_step).
+rewrite drift_is Gamma_is (_ : vv t1.+1 = v1); last by rewrite /vv subnn mul1mx.
+rewrite [RHS]mxE [X in _ = X + _]mxE [X in _ = X + _ + _]mxE [X in _ = _ + X + _]mxE [X in _ = X + _ + _ + _]mxE [X in _ = _ + _ + _ + X]mxE.
+rewrite [X in _ = _ + X + _ + _]mxE summxE; congr (_ + _ + _ - _).
+- by rewrite /xx subnn big_ord0 mul0mx addr0 mxE.
+- by rewrite mulr_natl.
+by apply: eq_bigr => k k0; rewrite [RHS]mxE [X in _ = _ * X]mxE Phi_is // [(1 - lam k)^-1 * _]mulrC.
+Qed.
+End Closed.
+Lemma xi_closed_proved : xi_closed.
+Proof.
+move=> R n d m x v G w t1 t f lam u i MO /andP[t10 tt] un FL w0 c v1 EB; exact: (xi_row MO t10 FL w0 EB).
+Qed.
+Lemma eigen_of_P (R : rcfType) m (G : rel 'I_m.+1) (c lam : 'I_m.+1 -> R) u k : fixed G c -> eigenbasis G c lam u ->
+  is_eigenvalue (transition G c) (lam k).
+Proof. by move=> F EB; have [_ A _ B] := eq3_8_2_proved F EB k; exists (half c *m u k). Qed.
+Lemma eq3_17_proved : eq3_17.
+Proof.
+move=> R n d m m' x v G w t1 f g lam u lam' u' i j MO t10 FL FL' w0 w0' c c' Gf Gg v1 v1' B A EB EB'.
+have [/(_ t1 t10)[net MD] _ _] := MO.
+have F : fixed Gf c by apply: own_fixed.
+have F' : fixed Gg c' by apply: own_fixed.
+pose T1 := [seq (lam k, (1 - lam k)^-1 *: Phi c u v1 i k) | k <- enum [pred k : 'I_m.+1 | k != ord0]].
+pose T2 := [seq (lam' k, - ((1 - lam' k)^-1 *: Phi c' u' v1' j k)) | k <- enum [pred k : 'I_m'.+1 | k != ord0]].
+pose falling := fun p q : R * 'rV[R]_d => q.1 <= p.1.
+have tot : total falling by move=> p q; rewrite /falling; apply: le_total.
+exists (sort falling (T1 ++ T2)); split; first exact: sort_sorted.
+- move=> p; rewrite mem_sort mem_cat => /orP[]/mapP[k]; rewrite mem_enum inE => k0 -> /=.
+    by split; [case: (small_lam F EB k0)|left; apply: eigen_of_P EB].
+  by split; [case: (small_lam F' EB' k0)|right; apply: eigen_of_P EB'].
+move=> t tt un; rewrite (Gamma_row MO t10 FL w0 EB i tt un) (Gamma_row MO t10 FL' w0' EB' j tt un).
+have E1 : \sum_(p <- T1) p.1 ^+ (t - t1) *: p.2 = \sum_(k | k != ord0) lam k ^+ (t - t1) *: ((1 - lam k)^-1 *: Phi c u v1 i k).
+  by rewrite big_map big_enum /=; apply: eq_bigl => k; rewrite inE.
+have E2 : \sum_(p <- T2) p.1 ^+ (t - t1) *: p.2 = - \sum_(k | k != ord0) lam' k ^+ (t - t1) *: ((1 - lam' k)^-1 *: Phi c' u' v1' j k).
+  rewrite big_map big_enum /= -sumrN; apply: eq_big => [k|k _]; [by rewrite inE|by rewrite scalerN].
+rewrite (perm_big (T1 ++ T2)) ?perm_sort //= big_cat /= E1 E2 /A /B scalerBr -/c -/c' -/v1 -/v1' -/Gf -/Gg.
+have Z (S S' a a' b b' r r' : 'rV[R]_d) : r + a + b - S - (r' + a' + b' - S') = r - r' + (a - a') + (b - b') - (S - S').
+  by apply/matrixP => p q; rewrite !mxE; ring.
+exact: Z.
+Qed.
