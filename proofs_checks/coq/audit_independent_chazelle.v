@@ -1382,3 +1382,210 @@ have Z (S S' a a' b b' r r' : 'rV[R]_d) : r + a + b - S - (r' + a' + b' - S') = 
   by apply/matrixP => p q; rewrite !mxE; ring.
 exact: Z.
 Qed.
+(* ---- stabilisers ---- *)
+Section Stabilisers.
+Variables (R : realFieldType) (n : nat) (P : nat -> 'M[R]_n).
+Hypothesis SP : forall t, (0 < t)%N -> stochastic (P t).
+Hypothesis dg : forall t i, (0 < t)%N -> 0 < P t i i.
+Hypothesis sy : forall t i j, (0 < t)%N -> (P t i j != 0) = (P t j i != 0).
+Variables (s : nat) (r : 'I_n) (T : nat -> nat) (V : nat -> {set 'I_n}).
+Hypothesis s0 : (0 < s)%N.
+Hypothesis ST : stabilisers P s r T V.
+Let P' t := P t.-1.+1.
+Lemma span_later a k : (0 < a)%N -> span P a k = span P' a k.
+Proof. by move=> a0; apply: span_ext => t at_; rewrite /P' prednK // (leq_trans a0). Qed.
+Lemma later_ge0 a k i j : (0 < a)%N -> 0 <= span P a k i j.
+Proof. by move=> a0; rewrite span_later //; apply: span_ge0 => t p q; case: (SP (ltn0Sn t.-1)). Qed.
+Lemma T_later k : (T k < T k.+1)%N. Proof. by case: ST => _ _ /(_ k)[[]]. Qed.
+Lemma T_mono k l : (k <= l)%N -> (T k <= T l)%N.
+Proof. by move=> kl; rewrite -(subnKC kl); elim: (l - k)%N => [|m IH]; rewrite ?addn0 // addnS (leq_trans IH) // ltnW // T_later. Qed.
+Lemma diag_later a k i : (0 < a)%N -> 0 < span P a k i i.
+Proof.
+move=> a0; elim: k => [|k IH] /=; first by rewrite mxE eqxx ltr01.
+have [P0 _] := SP (ltn_addr k a0).
+apply: lt_le_trans (@mul_ge_term R n (P (a + k)%N) (span P a k) i i i P0 _); last by move=> p q; apply: later_ge0.
+by rewrite mulr_gt0 // dg // ltn_addr.
+Qed.
+Lemma r_in k : r \in V k.
+Proof.
+have [_ V0 N] := ST; elim: k => [|k IH]; first by rewrite V0 inE.
+by have [_ _ ->] := N k; rewrite inE IH /= lt0r_neq0 // diag_later.
+Qed.
+Lemma V_nested k : V k.+1 \subset V k.
+Proof. by have [_ _ /(_ k)[_ _ ->]] := ST; apply/subsetP => i; rewrite inE => /andP[]. Qed.
+(* a one of the column stays, and no other comes *)
+Lemma column_is k t i : (T k.+1 <= t)%N -> i \in V k -> (pprod P t (T k).+1 i r != 0) = (i \in V k.+1).
+Proof.
+have [_ _ /(_ k)[[_ st] _ ->]] := ST; rewrite inE leq_eqVlt => /orP[/eqP <- ->//|tt iV].
+by rewrite iV (st t i r tt iV) // r_in.
+Qed.
+Lemma cut_off k t i j : (T k < t)%N -> i \in V k -> j \notin V k -> P t i j = 0.
+Proof.
+elim: k i j => [|k IH] i j tt; first by have [_ -> _] := ST; rewrite !inE.
+have t0 : (0 < t)%N by apply: leq_ltn_trans tt.
+move=> iV jV; have iVk := subsetP (V_nested k) i iV; have tk := ltn_trans (T_later k) tt.
+have [jVk|] := boolP (j \in V k); last exact: IH.
+apply/eqP; rewrite -[_ == _]negbK sy //; apply: contra jV => pz.
+have col u l : (T k.+1 <= u)%N -> l \in V k -> (pprod P u (T k).+1 l r != 0) = (l \in V k.+1) by apply: column_is.
+rewrite -(col t j (ltnW tt) jVk); apply: lt0r_neq0.
+have tE : t = t.-1.+1 by rewrite prednK.
+have t1 : (T k.+1 <= t.-1)%N by rewrite -ltnS -tE.
+have pos : 0 < pprod P t.-1 (T k).+1 i r.
+  by rewrite lt_def later_ge0 // andbT (col _ _ t1 iVk).
+have E : pprod P t (T k).+1 = P t *m pprod P t.-1 (T k).+1.
+  by rewrite [in LHS]tE pprod_next ?prednK //; apply: leq_trans (T_later k) t1.
+rewrite E.
+have [P0 _] := SP t0.
+apply: lt_le_trans (@mul_ge_term R n (P t) (pprod P t.-1 (T k).+1) j i r P0 _); last by move=> p q; apply: later_ge0.
+by rewrite mulr_gt0 // lt_def pz P0.
+Qed.
+Lemma block_is k a u i j : (T k < a)%N -> i \in V k -> chazelle_stabilisers.block P' (V k) a u i j = span P a u i j.
+Proof.
+move=> ta; elim: u i => [|u IH] i iV /=; first by rewrite mxE.
+have ta' : (T k < a + u)%N by rewrite ltn_addr.
+rewrite mxE [RHS](bigID (fun l => l \in V k)) /= [X in _ = _ + X]big1 ?addr0 => [|l lV]; last by rewrite (cut_off ta') ?mul0r.
+by apply: eq_bigr => l lV; rewrite IH // /P' prednK // (leq_ltn_trans _ ta').
+Qed.
+Lemma pprod_span k t : (T k < t)%N -> pprod P t (T k).+1 = span P (T k).+1 (t - T k).
+Proof. by move=> tt; rewrite /pprod subnSK. Qed.
+Lemma V_next k i : (i \in V k.+1) = (i \in V k) && (chazelle_stabilisers.block P' (V k) (T k).+1 (T k.+1 - T k) i r != 0).
+Proof.
+have [_ _ /(_ k)[_ _ ->]] := ST; rewrite inE; case iV: (i \in V k) => //=.
+by rewrite block_is // -pprod_span // T_later.
+Qed.
+Lemma V_stable k t i : (T k.+1 <= t)%N -> i \in V k ->
+  chazelle_stabilisers.block P' (V k) (T k).+1 (t - T k) i r != 0 -> i \in V k.+1.
+Proof.
+move=> tt iV; rewrite block_is // -pprod_span ?column_is //; exact: leq_trans (T_later k) tt.
+Qed.
+Lemma SP' t : stochastic (P' t). Proof. exact: SP. Qed.
+Lemma dg' t i : 0 < P' t i i. Proof. exact: dg. Qed.
+Lemma sy' t i j : (P' t i j != 0) = (P' t j i != 0). Proof. exact: sy. Qed.
+Lemma V0' : V 0%N = setT. Proof. by case: ST. Qed.
+Lemma T0' : (T 0%N).+1 = s. Proof. by case: ST. Qed.
+End Stabilisers.
+Section FromModel.
+Variables (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R).
+Hypothesis MD : in_model_D G w.
+Lemma of_stochastic t : (0 < t)%N -> stochastic (P_of G w t).
+Proof. by move=> t0; have [net D] := MD t0; case: (model_D_stochastic net D). Qed.
+Lemma of_diag t i : (0 < t)%N -> 0 < P_of G w t i i.
+Proof. by move=> t0; have [net D] := MD t0; case: (model_D_stochastic net D). Qed.
+Lemma of_edge t i j : (0 < t)%N -> (P_of G w t i j != 0) = (i == j) || G t i j.
+Proof. by move=> t0; have [net D] := MD t0; apply: transition_edge. Qed.
+Lemma of_sym t i j : (0 < t)%N -> (P_of G w t i j != 0) = (P_of G w t j i != 0).
+Proof. by move=> t0; rewrite !of_edge // eq_sym; have [[-> _] _] := MD t0. Qed.
+End FromModel.
+Lemma stab_123_proved : stab_123.
+Proof.
+move=> R n G w s r T V s0 MD ST; have SP := of_stochastic MD; have dg := of_diag MD; have sy := of_sym MD.
+split=> [k|t i j tt iV jV|k i iV].
+- exact: (V_nested ST).
+- have t0 : (0 < t)%N by apply: leq_ltn_trans tt.
+  have z : P_of G w t i j = 0 := cut_off SP dg sy ST tt iV jV.
+  have z' : P_of G w t j i = 0 by apply/eqP; rewrite -[_ == _]negbK sy // z eqxx.
+  have := of_edge MD i j t0; have := of_edge MD j i t0; rewrite z z' !eqxx /= => /esym/norP[_ a] /esym/norP[_ b].
+  by split.
+split; first exact: (r_in SP dg ST).
+rewrite lt_def (later_ge0 SP) // andbT (column_is SP dg ST) //; exact: subsetP (V_nested ST k) _ iV.
+Qed.
+Lemma max_on_le (R : realFieldType) (I : finType) (Q : pred I) (F : I -> R) c : 0 <= c -> (forall i, Q i -> F i <= c) ->
+  \big[Num.max/0]_(i | Q i) F i <= c.
+Proof. by move=> c0 H; elim/big_rec: _ => // i y Qi yc; rewrite le_maxl H. Qed.
+Lemma max_on_ub (R : realFieldType) (I : finType) (Q : pred I) (F : I -> R) i : Q i -> F i <= \big[Num.max/0]_(j | Q j) F j.
+Proof.
+move=> Qi; have : i \in index_enum I by rewrite mem_index_enum.
+elim: (index_enum I) => [//|j l IH]; rewrite inE big_cons => /orP[/eqP <-|/IH h]; first by rewrite Qi le_maxr lexx.
+by case: ifP => _ //; rewrite le_maxr h orbT.
+Qed.
+Lemma max_on_ge0 (R : realFieldType) (I : finType) (Q : pred I) (F : I -> R) : 0 <= \big[Num.max/0]_(j | Q j) F j.
+Proof. by elim/big_rec: _ => // i y _ y0; rewrite le_maxr y0 orbT. Qed.
+Lemma max_restrict (R : realFieldType) n (V : {set 'I_n}) (F : 'I_n -> 'I_n -> R) (H : 'I_#|V| -> 'I_#|V| -> R) :
+  (forall i j, H i j = F (enum_val i) (enum_val j)) ->
+  \big[Num.max/0]_(ij : 'I_n * 'I_n | (ij.1 \in V) && (ij.2 \in V)) F ij.1 ij.2 = \big[Num.max/0]_(ij : 'I_#|V| * 'I_#|V|) H ij.1 ij.2.
+Proof.
+move=> E; apply/eqP; rewrite eq_le; apply/andP; split.
+  apply: max_on_le => [|[i j] /= /andP[iV jV]]; first exact: max_ge0.
+  have := max_ub (fun ij : 'I_#|V| * 'I_#|V| => H ij.1 ij.2) (enum_rank_in iV i, enum_rank_in jV j).
+  by rewrite /= E !enum_rankK_in.
+apply: max_le => [|[i j] /=]; first exact: max_on_ge0.
+rewrite E; apply: (max_on_ub (fun ij : 'I_n * 'I_n => F ij.1 ij.2) (i := (enum_val i, enum_val j))).
+by rewrite /= !enum_valP.
+Qed.
+Lemma tau1_on_is (R : rcfType) n (V W : {set 'I_n}) (A : 'M[R]_n) (B : 'I_n -> 'I_n -> R) :
+  (forall i j, i \in V -> j \in W -> A i j = B i j) -> tau1_on V W A = tau1 (chazelle_contraction.restrict V W B).
+Proof.
+move=> AB; apply: (@max_restrict R n V (fun i j => 2%:R^-1 * \sum_(k in W) `|A i k - A j k|) (dist1 (chazelle_contraction.restrict V W B))) => i j.
+rewrite /dist1 chazelle_contraction.sum_enum; congr (_ * _); apply: eq_bigr => k _; by rewrite !mxE !AB ?enum_valP.
+Qed.
+Lemma tau2_on_is (R : rcfType) n (V W : {set 'I_n}) (A : 'M[R]_n) (B : 'I_n -> 'I_n -> R) :
+  (forall i j, i \in V -> j \in W -> A i j = B i j) -> tau2_on V W A = tau2 (chazelle_contraction.restrict V W B).
+Proof.
+move=> AB; pose X := chazelle_contraction.restrict V W B.
+apply: (@max_restrict R n V (fun i j => Num.sqrt (\sum_(k in W) (A i k - A j k) ^+ 2)) (fun i j => norm2 (row i X - row j X))) => i j.
+rewrite /norm2 chazelle_contraction.sum_enum; congr Num.sqrt; apply: eq_bigr => k _; by rewrite !mxE !AB ?enum_valP.
+Qed.
+Section Contraction.
+Variables (R : rcfType) (n : nat) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) (s : nat) (r : 'I_n).
+Variables (T : nat -> nat) (V : nat -> {set 'I_n}) (k t : nat).
+Hypothesis s0 : (0 < s)%N.
+Hypothesis MD : in_model_D G w.
+Hypothesis ST : stabilisers (P_of G w) s r T V.
+Hypothesis tt : (T k < t)%N.
+Let P := P_of G w.
+Let P' u := P u.-1.+1.
+Let SP := of_stochastic MD.
+Let dg := of_diag MD.
+Let sy := of_sym MD.
+Let a1 : forall u, stochastic (P' u) := SP' SP.
+Let a2 : forall u i, 0 < P' u i i := dg' dg.
+Let a3 : forall u i j, (P' u i j != 0) = (P' u j i != 0) := sy' sy.
+Let a4 := V0' ST.
+Let a5 := T_later ST.
+Let a6 := V_next SP dg sy ST.
+Let a7 := V_stable SP dg sy ST.
+Lemma right_is : right_side P T V k t = Num.sqrt 2%:R * (tau1 (chazelle_contraction.last_factor P' T V k (t - T k)) *
+  \prod_(i < k) tau1 (chazelle_contraction.factor P' T V i)).
+Proof.
+rewrite /right_side -mulrA; congr (_ * (_ * _)).
+  apply: tau1_on_is => i j iV _; by rewrite (block_is SP dg sy ST) // (pprod_span P tt).
+apply: eq_bigr => i _; apply: tau1_on_is => p q pV _.
+by rewrite (block_is SP dg sy ST) // ?(pprod_span P (a5 i)) // (subsetP (V_nested ST i)).
+Qed.
+Lemma left_is : tau2_on (V k) (V 0%N) (pprod P t s) = tau2 (chazelle_contraction.whole P' T V k (t - T k)).
+Proof.
+rewrite a4; apply: tau2_on_is => i j _ _; have T0 : (T 0%N <= T k)%N by apply: (T_mono ST).
+rewrite -(T0' ST) (pprod_span P (leq_ltn_trans T0 tt)) (span_later P) //; congr (span _ _ _ _ _); lia.
+Qed.
+Lemma contraction_1 : tau2_on (V k) (V 0%N) (pprod P t s) <= right_side P T V k t.
+Proof.
+rewrite left_is right_is (chazelle_contraction.whole_split a1 a2 a3 a4 a5 a6 a7).
+have SL := chazelle_contraction.last_stochastic a1 a2 a3 a4 a5 a6 a7 k (t - T k).
+have S := chazelle_contraction.tower_stochastic a1 a2 a3 a4 a5 a6 a7 k.
+apply: le_trans (lemma_2_4 SL S) _; rewrite [X in _ <= X]mulrCA; apply: ler_wpmul2l; first exact: tau1_ge0.
+have [h1 h2] := tau2_le_tau1 S; apply: le_trans (le_trans h1 h2) _; apply: ler_wpmul2l; first exact: sqrtr_ge0.
+exact: (chazelle_contraction.tower_tau1 a1 a2 a3 a4 a5 a6 a7).
+Qed.
+Lemma contraction_2 (alpha : R) : 0 < alpha -> (forall u i j, (0 < u)%N -> 0 < P u i j -> alpha <= P u i j) ->
+  right_side P T V k t <= Num.sqrt 2%:R * (1 - alpha ^+ n.-1) ^+ k.
+Proof.
+move=> al fl; rewrite right_is; apply: ler_wpmul2l; first exact: sqrtr_ge0.
+apply: (chazelle_contraction.contraction_product a1 a2 a3 a4 a5 a6 a7 al) => u i j h.
+by apply: fl => //; apply: nonneg_entries h; apply: SP.
+Qed.
+End Contraction.
+Lemma eq3_6_1_proved : eq3_6_1.
+Proof. move=> R n G w s r T V k t s0 MD ST tt; exact: (contraction_1 s0 MD ST tt). Qed.
+Lemma eq3_6_2_proved : eq3_6_2.
+Proof.
+move=> a; exists a => R E n nu G w s r T V k t HE n1 nnu s0 MD fl ST tt.
+have N1 : 1 <= (nu%:R : R) by rewrite ler1n; apply: leq_trans nnu; apply: ltnW.
+have N0 : 0 < (nu%:R : R) by apply: lt_le_trans N1.
+have al : 0 < (nu%:R ^+ a)^-1 :> R by rewrite invr_gt0 exprn_gt0.
+apply: (le_trans (contraction_2 MD ST tt al fl)); apply: ler_wpmul2l; first exact: sqrtr_ge0.
+have a1 : (nu%:R ^+ a)^-1 <= 1 :> R by rewrite invf_le1 ?exprn_ege1 // exprn_gt0.
+have x1 : (nu%:R ^+ (a * nu ^ 2))^-1 <= 1 :> R by rewrite invf_le1 ?exprn_ege1 // exprn_gt0.
+apply: le_trans (power_E HE k x1); apply: ler_expn2r; rewrite ?nnegrE ?subr_ge0 ?exprn_ile1 // ?(ltW al) //.
+rewrite ler_add2l ler_opp2 exprVn -exprM lef_pinv ?posrE ?exprn_gt0 // ler_weexpn2l // leq_mul2l; apply/orP; right.
+apply: leq_trans (leq_pred n) _; apply: (leq_trans nnu); rewrite expnS expn1 leq_pmulr //; apply: leq_trans nnu; exact: ltnW.
+Qed.
