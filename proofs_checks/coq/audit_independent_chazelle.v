@@ -4,7 +4,7 @@ Set Warnings "-notation-overridden,-ambiguous-paths".
 From mathcomp Require Import all_ssreflect all_algebra zify ring.
 From Flockproof Require Import chazelle_model chazelle_ergodicity chazelle_fixed chazelle_limits chazelle_products chazelle_entries.
 From Flockproof Require chazelle_recurrent chazelle_agreement chazelle_switches chazelle_count chazelle_origins
-  chazelle_stabilisers chazelle_sharp chazelle_network chazelle_bits chazelle_spectral chazelle_contraction chazelle_switches chazelle_count.
+  chazelle_stabilisers chazelle_sharp chazelle_network chazelle_bits chazelle_spectral chazelle_contraction.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Import GRing.Theory Num.Theory Order.TTheory.
@@ -1588,4 +1588,244 @@ have x1 : (nu%:R ^+ (a * nu ^ 2))^-1 <= 1 :> R by rewrite invf_le1 ?exprn_ege1 /
 apply: le_trans (power_E HE k x1); apply: ler_expn2r; rewrite ?nnegrE ?subr_ge0 ?exprn_ile1 // ?(ltW al) //.
 rewrite ler_add2l ler_opp2 exprVn -exprM lef_pinv ?posrE ?exprn_gt0 // ler_weexpn2l // leq_mul2l; apply/orP; right.
 apply: leq_trans (leq_pred n) _; apply: (leq_trans nnu); rewrite expnS expn1 leq_pmulr //; apply: leq_trans nnu; exact: ltnW.
+Qed.
+(* ---- small matrices, entry by entry ---- *)
+Lemma degree_count n (G : rel 'I_n) i : degree G i = (\sum_j G i j)%N.
+Proof. by rewrite /degree -sum1_card big_mkcond; apply: eq_bigr => j _; rewrite inE; case: (G i j). Qed.
+Definition near3 : rel 'I_3 := fun i j => (i + j == 1)%N.
+Definition path3 : rel 'I_3 := fun i j => (i.+1 == j)%N || (j.+1 == i)%N.
+Lemma path_network n : network (fun i j : 'I_n => (i.+1 == j)%N || (j.+1 == i)%N).
+Proof. by split=> [i j|i]; [rewrite orbC|rewrite orbb; apply/eqP => e; have := ltnSn i; rewrite {2}e ltnn]. Qed.
+Lemma near3_network : network near3.
+Proof. by split=> [i j|i]; rewrite /near3 1?addnC //; case: i => [[|[|[|?]]] ?]. Qed.
+Section AB.
+Variable R : realFieldType.
+Lemma AB_A : exists (G : rel 'I_3) (c : 'I_3 -> R),
+  [/\ network G, forall i, (0 < degree G i)%N -> c i * (degree G i)%:R = 1 & exAB_A R = transition G c].
+Proof.
+exists near3, (fun=> 1); split; first exact: near3_network.
+  by move=> i; rewrite degree_count !big_ord_recl big_ord0; case: i => [[|[|[|?]]] ?] //=; rewrite mulr1.
+have [_ ir] := near3_network; apply/matrixP => i j; rewrite transitionE // degree_count !big_ord_recl big_ord0 mxE.
+by case: i => [[|[|[|?]]] ?] //; case: j => [[|[|[|?]]] ?] //=; rewrite ?mulr1 ?mulr0 ?subrr ?subr0.
+Qed.
+Lemma AB_B : exists (G : rel 'I_3) (c : 'I_3 -> R),
+  [/\ network G, forall i, (0 < degree G i)%N -> c i * (degree G i)%:R = 1 & exAB_B R = transition G c].
+Proof.
+exists path3, (fun i => if i == 1%N :> nat then 2%:R^-1 else 1); split; first exact: path_network.
+  move=> i; rewrite degree_count !big_ord_recl big_ord0; case: i => [[|[|[|?]]] ?] //= _; rewrite ?mulr1 //.
+  by rewrite mulVf ?pnatr_eq0.
+have [_ ir] := path_network 3; apply/matrixP => i j; rewrite transitionE // degree_count !big_ord_recl big_ord0 !mxE.
+by case: i => [[|[|[|?]]] ?] //; case: j => [[|[|[|?]]] ?] //=; field.
+Qed.
+Lemma AB_product k : let P t := if odd t then exAB_B R else exAB_A R in span P 1 (2 * k) = mpow (exAB_A R *m exAB_B R) k.
+Proof.
+move=> P; elim: k => [//|k IH]; rewrite mulnS /= IH mulmxA; congr (_ *m _ *m _).
+  by rewrite /P /= mul2n odd_double.
+by rewrite /P /= mul2n odd_double.
+Qed.
+Definition AB_table (q : R) := rows_of 3 [:: [:: q; 1 - 2%:R * q; q]; [:: 0; 1; 0]; [:: 0; 1; 0]] : 'M[R]_3.
+Lemma AB_step q : exAB_A R *m exAB_B R *m AB_table q = AB_table (2%:R^-1 * q).
+Proof.
+rewrite -mulmxA; apply/matrixP => i j; rewrite mxE !big_ord_recl big_ord0 !mxE !big_ord_recl !big_ord0 !mxE.
+by case: i => [[|[|[|?]]] ?] //; case: j => [[|[|[|?]]] ?] //=; field.
+Qed.
+Lemma AB_closed k : mpow (exAB_A R *m exAB_B R) k.+1 = AB_table (2%:R ^+ k.+1)^-1.
+Proof.
+elim: k => [|k IH]; last first.
+  have -> : forall A : 'M[R]_3, mpow A k.+2 = A *m mpow A k.+1 by [].
+  by rewrite IH AB_step [in RHS]exprS invfM.
+rewrite /= mulmx1; apply/matrixP => i j; rewrite mxE !big_ord_recl big_ord0 !mxE expr1.
+by case: i => [[|[|[|?]]] ?] //; case: j => [[|[|[|?]]] ?] //=; field.
+Qed.
+End AB.
+Lemma exAB_proved : exAB.
+Proof.
+move=> R; split=> [A [->|->]|k k0 P]; [exact: AB_A|exact: AB_B|].
+have E : pprod P (2 * k) 1 = mpow (exAB_A R *m exAB_B R) k.
+  by rewrite /pprod subn1 prednK ?muln_gt0 // AB_product.
+rewrite E; split=> //; case: k k0 {E} => // k _; exact: AB_closed.
+Qed.
+(* ---- the four birds ---- *)
+Definition path4 : rel 'I_4 := fun i j => (i.+1 == j)%N || (j.+1 == i)%N.
+Lemma path4_network : network path4.
+Proof. by split=> [i j|i]; rewrite /path4 1?orbC // orbb; apply/eqP => e; have := ltnSn i; rewrite {2}e ltnn. Qed.
+Definition pairs4 : rel 'I_4 := fun i j => path4 i j && ((i < 2) == (j < 2))%N.
+Lemma pairs4_network : network pairs4.
+Proof. by have [sy ir] : network path4 := path4_network; split=> [i j|i]; rewrite /pairs4 ?ir // sy eq_sym. Qed.
+Section Four.
+Variable R : realFieldType.
+Lemma path4_matrix : transition path4 (lazy R path4) = ex4_path R.
+Proof.
+have [_ ir] : network path4 := path4_network; apply/matrixP => i j; rewrite transitionE // /lazy degree_count !big_ord_recl big_ord0 !mxE.
+by case: i => [[|[|[|[|?]]]] ?] //; case: j => [[|[|[|[|?]]]] ?] //=; field.
+Qed.
+Lemma pairs4_matrix : transition pairs4 (lazy R pairs4) = ex4_two R.
+Proof.
+have [_ ir] := pairs4_network; apply/matrixP => i j; rewrite transitionE // /lazy degree_count !big_ord_recl big_ord0 !mxE.
+by case: i => [[|[|[|[|?]]]] ?] //; case: j => [[|[|[|[|?]]]] ?] //=; field.
+Qed.
+Definition four t := if odd t then pairs4 else path4.
+Lemma four_matrix t : transition (four t) (lazy R (four t)) = if odd t then ex4_two R else ex4_path R.
+Proof. by rewrite /four; case: (odd t); [apply: pairs4_matrix|apply: path4_matrix]. Qed.
+Let g t : R := (- 3%:R^-1) ^+ t.
+Let X t : 'cV[R]_4 := ex4_x0 R + (3%:R / 4%:R * (1 - g t)) *: ex4_v1 R.
+Lemma g_sign t : if odd t then (-1 <= 3%:R * g t) && (g t < 0) else (0 < g t) && (g t <= 1).
+Proof.
+have i3 : 0 < (3%:R^-1 : R) by rewrite invr_gt0 ltr0n.
+have i31 : (3%:R^-1 : R) <= 1 by rewrite invf_le1 ?ltr0n ?ler1n.
+elim: t => [|t] /=; first by rewrite /g expr0 ltr01 lexx.
+have -> : g t.+1 = - (3%:R^-1 * g t) by rewrite /g exprS mulNr.
+case: (odd t) => /= /andP[a b].
+  rewrite oppr_gt0 pmulr_rlt0 // b /= ler_oppl -(ler_pmul2l (ltr0Sn R 2)) mulrA mulfV ?pnatr_eq0 // mul1r.
+  apply: (@le_trans _ _ (-1)); first by rewrite mulrN1 ler_opp2 ler1n.
+  apply: (le_trans a); rewrite -subr_le0 (_ : _ - _ = 2%:R * g t); last by ring.
+  by rewrite pmulr_rle0 ?ltr0n // ltW.
+by rewrite oppr_lt0 mulr_gt0 // andbT mulrN mulrA mulfV ?pnatr_eq0 // mul1r ler_opp2.
+Qed.
+Let a4 : 'cV[R]_4 := col_of 4 [:: 0; 8%:R; 21%:R; 29%:R].
+Let s4 : 'cV[R]_4 := col_of 4 [:: 1; -1; 1; -1].
+Lemma X_gap t i j : X t i 0 - X t j 0 = (a4 i 0 - a4 j 0 + 3%:R / 2%:R * (1 - g t) * (s4 i 0 - s4 j 0)) / 16%:R.
+Proof.
+have E k : X t k 0 = 16%:R^-1 * a4 k 0 + 3%:R / 4%:R * (1 - g t) * (8%:R^-1 * s4 k 0) by rewrite !mxE.
+by rewrite !E; field.
+Qed.
+Lemma near_16 (z y : R) : y = z -> (`|y / 16%:R| <= 1) = (- 16%:R <= z <= 16%:R).
+Proof. by move=> ->; rewrite normrM [ `|16%:R^-1|]gtr0_norm ?invr_gt0 ?ltr0n // ler_pdivr_mulr ?ltr0n // mul1r ler_norml. Qed.
+Lemma X_near t i j : (i != j) && (`|X t i 0 - X t j 0| <= 1) = four t i j.
+Proof.
+have S : forall a b : 'I_4, (a < b)%N -> (`|X t a 0 - X t b 0| <= 1) = four t a b.
+  have H := g_sign t; rewrite /four; have Q : -1 <= 3%:R * g t <= 3%:R.
+    case: (odd t) H => /andP[a b]; first by rewrite a /= (@le_trans _ _ 0) ?ler0n // pmulr_rle0 ?ltr0n // ltW.
+    by rewrite -[X in _ && (_ <= X)]mulr1 ler_pmul2l ?ltr0n // b andbT (@le_trans _ _ 0) ?lerN10 // mulr_ge0 ?ler0n // ltW.
+  have sub a b : (a <= b :> R) = (0 <= b - a) by rewrite subr_ge0.
+  have /andP[q1 q2] := Q; rewrite sub in q1; rewrite sub in q2.
+  move=> a b; rewrite X_gap !mxE; case: a => [[|[|[|[|?]]]] ?] //; case: b => [[|[|[|[|?]]]] ?] //= _.
+  - rewrite (@near_16 (- (5%:R + 3%:R * g t))); last by field.
+    transitivity true; last by case: (odd t).
+    rewrite ler_opp2; apply/andP; split; rewrite sub.
+      rewrite (_ : _ - _ = 3%:R - 3%:R * g t + 8%:R); [by apply: addr_ge0; rewrite ?ler0n|by ring].
+    rewrite (_ : _ - _ = 3%:R * g t - -1 + 20%:R); [by apply: addr_ge0; rewrite ?ler0n|by ring].
+  - rewrite (@near_16 (- 21%:R)); last by field.
+    transitivity false; last by case: (odd t).
+    by rewrite ler_opp2 ler_nat.
+  - rewrite (@near_16 (- (26%:R + 3%:R * g t))); last by field.
+    transitivity false; last by case: (odd t).
+    rewrite ler_opp2; apply/negbTE; rewrite negb_and -!ltNge; apply/orP; left.
+    rewrite -subr_gt0 (_ : _ - _ = 3%:R * g t - -1 + 9%:R); [by apply: ltr_paddl; rewrite ?ltr0n|by ring].
+  - rewrite (@near_16 (- (16%:R - 3%:R * g t))); last by field.
+    rewrite ler_opp2; have -> : - (16%:R - 3%:R * g t) <= 16%:R.
+      rewrite sub [X in 0 <= X](_ : _ = 3%:R - 3%:R * g t + 29%:R); [by apply: addr_ge0; rewrite ?ler0n|by ring].
+    rewrite andbT ger_addl oppr_le0 pmulr_rge0 ?ltr0n //.
+    case: (odd t) H => /andP[u v]; [by rewrite leNgt v|by rewrite ltW].
+  - rewrite (@near_16 (- 21%:R)); last by field.
+    transitivity false; last by case: (odd t).
+    by rewrite ler_opp2 ler_nat.
+  - rewrite (@near_16 (- (5%:R + 3%:R * g t))); last by field.
+    transitivity true; last by case: (odd t).
+    rewrite ler_opp2; apply/andP; split; rewrite sub.
+      rewrite (_ : _ - _ = 3%:R - 3%:R * g t + 8%:R); [by apply: addr_ge0; rewrite ?ler0n|by ring].
+    rewrite (_ : _ - _ = 3%:R * g t - -1 + 20%:R); [by apply: addr_ge0; rewrite ?ler0n|by ring].
+have [sy ir] : network (four t) by rewrite /four; case: (odd t); [apply: pairs4_network|apply: path4_network].
+case: (ltngtP i j) => [h|h|/val_inj ->]; last by rewrite eqxx ir.
+  by rewrite -val_eqE ltn_eqF //= S.
+by rewrite -val_eqE gtn_eqF //= distrC S // sy.
+Qed.
+Lemma transition_ext (G H : rel 'I_4) : (forall i j, G i j = H i j) -> transition G (lazy R G) = transition H (lazy R H).
+Proof.
+move=> E; have D i : degree G i = degree H i by apply: eq_card => j; rewrite !inE E.
+have L : laplacian R G = laplacian R H by apply/matrixP => i j; rewrite !mxE D E.
+have C : \row_i lazy R G i = \row_i lazy R H i by apply/matrixP => i j; rewrite !mxE /lazy D.
+by rewrite /transition L C.
+Qed.
+Lemma X_step t : X t.+1 = X t + g t *: ex4_v1 R.
+Proof.
+rewrite /X -addrA -scalerDl (_ : g t.+1 = - 3%:R^-1 * g t) /g ?exprS //.
+by rewrite (_ : 3%:R / 4%:R * (1 - - 3%:R^-1 * _) = 3%:R / 4%:R * (1 - (- 3%:R^-1) ^+ t) + (- 3%:R^-1) ^+ t) //; field.
+Qed.
+Lemma four_eigen t : transition (four t) (lazy R (four t)) *m ex4_v1 R = (- 3%:R^-1) *: ex4_v1 R.
+Proof. by rewrite four_matrix; have [_ a b] := ex4_eig_proved R; case: (odd t). Qed.
+Lemma four_flight (x v : nat -> 'cV[R]_4) G : ex4 x v G -> forall t,
+  [/\ x t = X t, v t.+1 = g t *: ex4_v1 R & forall i j, G t i j = four t i j].
+Proof.
+move=> [x0 v1 HG Hx Hv] t; elim: t => [|t [IHx IHv _]].
+  have E : x 0%N = X 0%N by rewrite x0 /X /g expr0 subrr mulr0 scale0r addr0.
+  by split; rewrite ?v1 /g ?expr0 ?scale1r // => i j; rewrite HG E X_near.
+have E : x t.+1 = X t.+1 by rewrite Hx IHx IHv X_step.
+have N i j : G t.+1 i j = four t.+1 i j by rewrite HG E X_near.
+split=> //; rewrite Hv // (transition_ext N) IHv -scalemxAr four_eigen scalerA; congr (_ *: _).
+by rewrite /g exprSr.
+Qed.
+Lemma four_exists : exists (x v : nat -> 'cV[R]_4) G, ex4 x v G.
+Proof.
+exists X, (fun t => g t.-1 *: ex4_v1 R), four; split.
+- by rewrite /X /g expr0 subrr mulr0 scale0r addr0.
+- by rewrite /g expr0 scale1r.
+- by move=> t i j; rewrite X_near.
+- exact: X_step.
+- by move=> [//|t] _ /=; rewrite -scalemxAr four_eigen [RHS]scalerA /g exprSr.
+Qed.
+End Four.
+Lemma ex4_motion_proved : ex4_motion.
+Proof.
+move=> R x v G H; have F := four_flight H; split=> [t|t t0 gap]; first by case: (F t).
+have [xt _ _] := F t; pose g : R := (- 3%:R^-1) ^+ t.-1; rewrite -/g.
+have gt : (- 3%:R^-1 : R) ^+ t = - 3%:R^-1 * g by rewrite -[in LHS](prednK t0) exprS.
+have e (k : nat) (k4 : (k < 4)%N) : inord k = Ordinal k4 by apply: val_inj; rewrite /= inordK.
+have g0 : gap 0%N = 16%:R^-1 * (5%:R - g) by rewrite /gap (e 1%N isT) (e 0%N isT) xt gt !mxE /=; field.
+have g1 : gap 1%N = 1 + 16%:R^-1 * g by rewrite /gap (e 2%N isT) (e 1%N isT) xt gt !mxE /=; field.
+have g2 : gap 2%N = 16%:R^-1 * (5%:R - g) by rewrite /gap (e 3%N isT) (e 2%N isT) xt gt !mxE /=; field.
+have B : 4%:R^-1 <= 16%:R^-1 * (5%:R - g) <= 2%:R^-1.
+  have S := g_sign R t.-1; have [a b] : g <= 1 /\ -1 <= 3%:R * g.
+    case: (odd _) S => /andP[p q]; [split=> //; apply/ltW/(lt_trans q); exact: ltr01|split=> //].
+    by rewrite (@le_trans _ _ 0) ?lerN10 // mulr_ge0 ?ler0n // ltW.
+  apply/andP; split; rewrite -subr_ge0.
+    rewrite [X in 0 <= X](_ : _ = (1 - g) / 16%:R); [by rewrite divr_ge0 ?ler0n ?subr_ge0|by field].
+  rewrite [X in 0 <= X](_ : _ = (3%:R * g - -1 + 8%:R) / 48%:R); last by field.
+  by rewrite divr_ge0 ?ler0n // addr_ge0 ?ler0n // subr_ge0.
+by rewrite g0 g1 g2.
+Qed.
+Lemma path4_components : n_comp path4 predT = 1%N.
+Proof.
+have [sy _] : network path4 := path4_network; have cs : connect_sym path4 := sym_connect_sym sy.
+transitivity (n_comp path4 (connect path4 (ord0 : 'I_4))); last exact: n_comp_connect.
+apply: eq_n_comp_r => i; rewrite inE; apply/esym.
+have step (a b : 'I_4) : path4 a b -> connect path4 a b by apply: connect1.
+pose o k (h : (k < 4)%N) := Ordinal h.
+have a : connect path4 ord0 (o 1%N isT) by apply: step.
+have b : connect path4 ord0 (o 2%N isT) by apply: connect_trans a (step _ _ _).
+have c : connect path4 ord0 (o 3%N isT) by apply: connect_trans b (step _ _ _).
+have K (j : 'I_4) : connect path4 ord0 j; last exact: K.
+case: j => [[|[|[|[|//]]]] h].
+- by rewrite (_ : Ordinal h = ord0) ?connect0 //; apply: val_inj.
+- by rewrite (_ : Ordinal h = o 1%N isT) //; apply: val_inj.
+- by rewrite (_ : Ordinal h = o 2%N isT) //; apply: val_inj.
+by rewrite (_ : Ordinal h = o 3%N isT) //; apply: val_inj.
+Qed.
+Lemma pairs4_components : n_comp pairs4 predT = 2%N.
+Proof.
+have [sy _] := pairs4_network; have cs : connect_sym pairs4 := sym_connect_sym sy.
+have cl : closed pairs4 [pred i : 'I_4 | (i < 2)%N] by move=> a b /andP[_ /eqP h]; rewrite !inE.
+pose o k (h : (k < 4)%N) := Ordinal h.
+have C0 i : connect pairs4 ord0 i = (i < 2)%N.
+  apply/idP/idP => [/(closed_connect cl)|]; first by rewrite !inE => <-.
+  case: i => [[|[|//]] h] _.
+    by rewrite (_ : Ordinal h = ord0) ?connect0 //; apply: val_inj.
+  by rewrite (_ : Ordinal h = o 1%N isT); [apply: connect1|apply: val_inj].
+have C2 i : connect pairs4 (o 2%N isT) i = ~~ (i < 2)%N.
+  apply/idP/idP => [/(closed_connect cl)|]; first by rewrite !inE => <-.
+  case: i => [[|[|[|[|//]]]] h] // _.
+    by rewrite (_ : Ordinal h = o 2%N isT) ?connect0 //; apply: val_inj.
+  by rewrite (_ : Ordinal h = o 3%N isT); [apply: connect1|apply: val_inj].
+rewrite (n_compC (connect pairs4 ord0)) n_comp_connect // (_ : n_comp _ [predC _] = n_comp pairs4 (connect pairs4 (o 2%N isT))).
+  by rewrite n_comp_connect.
+by apply: eq_n_comp_r => i; rewrite !inE C0 C2.
+Qed.
+Lemma ex4_alt_proved : ex4_alt.
+Proof.
+move=> R; split; first exact: four_exists.
+move=> x v G H t; have F := four_flight H.
+have N u : n_comp (G u) predT = if odd u then 2%N else 1%N.
+  have [_ _ E] := F u; rewrite (eq_n_comp (e' := four u)); last by apply: eq_connect.
+  by rewrite /four; case: (odd u); [apply: pairs4_components|apply: path4_components].
+have [_ _ E] := F t; rewrite !N (transition_ext R E) four_matrix /=; case: (odd t) => /=; split=> //; by [right|left].
 Qed.
