@@ -1829,3 +1829,307 @@ have N u : n_comp (G u) predT = if odd u then 2%N else 1%N.
   by rewrite /four; case: (odd u); [apply: pairs4_components|apply: path4_components].
 have [_ _ E] := F t; rewrite !N (transition_ext R E) four_matrix /=; case: (odd t) => /=; split=> //; by [right|left].
 Qed.
+(* ---- flocks on the line ---- *)
+Lemma norm2_line (R : rcfType) n (y : 'cV[R]_n) i j : norm2 (row i y - row j y) = `|y i 0 - y j 0|.
+Proof. by rewrite /norm2 big_ord_recl big_ord0 addr0 !mxE sqrtr_sqr; congr `|y i _ - y j _|; apply: ord1. Qed.
+Lemma norm2_speed (R : rcfType) n (y : 'cV[R]_n) i : norm2 (row i y) = `|y i 0|.
+Proof. by rewrite /norm2 big_ord_recl big_ord0 addr0 !mxE sqrtr_sqr; congr `|y i _|; apply: ord1. Qed.
+(* the three birds of chazelle_count: the second and the third part at t = 2 *)
+Section Parting.
+Variable R : rcfType.
+Let x := @chazelle_count.xs R.
+Let v := @chazelle_count.vs R.
+Let G := chazelle_count.Gs.
+Let w := @chazelle_count.cs R.
+Let P := P_of G w.
+Lemma parting_entries t i j : 0 < transition (G t) (w t) i j -> (3%:R ^+ 2)^-1 <= transition (G t) (w t) i j.
+Proof.
+have [_ ir] := chazelle_count.Gs_network t; rewrite transitionE //.
+have L : (3%:R ^+ 2)^-1 <= 4%:R^-1 :> R by rewrite lef_pinv ?posrE ?exprn_gt0 ?ltr0n // -natrX ler_nat.
+have q1 : (4%:R^-1 : R) <= 1 by rewrite invf_le1 ?ltr0n ?ler1n.
+case: (i == j); last by case: ifP => [_ _|_]; rewrite ?ltxx // /w /chazelle_count.cs.
+move=> _; rewrite chazelle_count.degreeE /w /chazelle_count.cs; case: (_ && _); last by rewrite mulr0 subr0 (le_trans L).
+rewrite mulr1 (_ : 1 - 4%:R^-1 = 3%:R / 4%:R); last by field.
+by apply: (le_trans L); rewrite ler_pmull ?invr_gt0 ?ltr0n // ler1n.
+Qed.
+Lemma parting_flock : flock_D 2 2 x v G w.
+Proof.
+have e1 : 0 < ((3%:R ^+ (3 ^ 4))^-1 : R) <= 1 by rewrite invr_gt0 exprn_gt0 ?ltr0n // invf_le1 ?exprn_ege1 ?exprn_gt0 ?ltr0n ?ler1n.
+have [A B C D E] := chazelle_count.is_flock e1; split=> [i j|t i j|//|t t0].
+- rewrite norm2_line; exact: A.
+- rewrite !norm2_line; exact: B.
+split=> //; [exact: E|exact: parting_entries|].
+move=> i; rewrite norm2_speed mxE normrM normr_nat [ `|2%:R^-1|]ger0_norm ?invr_ge0 ?ler0n // ler_pdivr_mulr ?ltr0n //.
+rewrite -natrX -natrM ler_nat; case: t t0 => [//|[|t]] _; by case: i => [[|[|[|?]]] ?].
+Qed.
+Lemma parting_rational : rational_flock 2 3 2 x v G w.
+Proof.
+split; first exact: parting_flock.
+- exists (fun (i : 'I_3) (_ : 'I_1) => (nth 0%N [:: 0; 22; 20]%N (i : nat))%:Z), (fun _ _ => 2%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|[|?]]] ?].
+- exists (fun (i : 'I_3) (_ : 'I_1) => (nth 0%N [:: 0; 6; 10]%N (i : nat))%:Z), (fun _ _ => 2%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|[|?]]] ?].
+- by move=> t _; exists (fun _ => 1%N), (fun _ => 4%N) => i; split=> //; rewrite /w /chazelle_count.cs div1r.
+by [].
+Qed.
+Lemma parting_still t : (1 < t)%N -> P t = 1%:M.
+Proof.
+move=> t1; have [_ ir] := chazelle_count.Gs_network t; apply/matrixP=> i j; rewrite /P /P_of transitionE //.
+by rewrite chazelle_count.degreeE /G chazelle_count.GsE ltnNge t1 /= mulr0 subr0 mxE; case: eqP.
+Qed.
+Lemma parting_product a k : (1 < a)%N -> span P a k = 1%:M.
+Proof. by move=> a1; elim: k => [//|k IH] /=; rewrite IH parting_still ?mul1mx // ltn_addr. Qed.
+Let V k : {set 'I_3} := if k is 0%N then setT else [set ord0].
+Lemma parting_stabilisers : stabilisers P 1 ord0 id V.
+Proof.
+split=> // k; split.
+- split=> // t i j kt iV jV; congr (_ != 0); case: k kt iV jV => [|k] kt iV jV.
+    rewrite pprod_self /pprod subn1 prednK ?(ltn_trans _ kt) //; case: t kt => [//|t] _.
+    by rewrite chazelle_count.span_still /= mulmx1.
+  by rewrite /pprod !parting_product.
+- by move=> T' [].
+apply/setP => i; rewrite !inE pprod_self /P /P_of chazelle_count.column_b pnatr_eq0 eqb0 negbK.
+by case: k => [|k] /=; rewrite !inE ?andbb.
+Qed.
+End Parting.
+Lemma count_1_proved : count_1.
+Proof.
+move=> R; exists 3%N, 1%N, 2%N, 3%N, 2%N, (@chazelle_count.xs R), (@chazelle_count.vs R), chazelle_count.Gs, (@chazelle_count.cs R), 1%N, ord0, id.
+exists (fun k => if k is 0%N then setT else [set ord0]), 1%N, 1%N; split=> //.
+- exact: parting_rational.
+- by split=> //; apply: parting_stabilisers.
+- by move=> i j t t'; rewrite !inE => /eqP-> /eqP-> _ _; rewrite chazelle_count.GsE eqxx !andbF.
+rewrite cards1 /= addn0 lt0b; apply/existsP; exists (@Ordinal 3 1 isT); by apply/existsP; exists (@Ordinal 3 2 isT).
+Qed.
+Lemma chi_1_proved : chi_1.
+Proof.
+split=> [R n i chi|R e He]; first exact: no_chi_proved.
+exists 3%N, 1%N, 2%N, 3%N, 2%N, (@chazelle_count.xs R), (@chazelle_count.vs R), chazelle_count.Gs, (@chazelle_count.cs R).
+exists (@Ordinal 3 1 isT), (@Ordinal 3 2 isT), 2%N; split=> //; first exact: parting_rational.
+have E : pprod (P_of chazelle_count.Gs (@chazelle_count.cs R)) 2.-1 1 *m (@chazelle_count.vs R) 1%N = (@chazelle_count.vs R) 2%N.
+  by rewrite pprod_self; have [_ _ _ /(_ 1%N isT)[_ -> _ _]] := parting_flock R.
+rewrite -mulmxA E -scalemxAl -rowE => /matrixP/(_ 0 0); rewrite !mxE /= => /eqP; rewrite -subr_eq0; apply/negP.
+case: He => ->.
+  by rewrite [X in X != _](_ : _ = - (9%:R / 2%:R)); [rewrite oppr_eq0 mulf_neq0 ?invr_eq0 ?pnatr_eq0|field].
+by rewrite [X in X != _](_ : _ = 5%:R / 2%:R); [rewrite mulf_neq0 ?invr_eq0 ?pnatr_eq0|field].
+Qed.
+(* three birds in units of 1/36: the first comes near the second at t = 2, near the third at t = 3; from t = 4 on they fly together *)
+Section Meeting.
+Variable R : rcfType.
+Definition meet_place (t i : nat) : nat := (if t is u.+3 then nth 0 [:: 45 + 5 * u; 69 + 5 * u; 81 + 5 * u] i
+  else nth 0 (nth [::] [:: [:: 0; 63; 81]; [:: 18; 63; 81]; [:: 36; 63; 81]] t) i)%N.
+Definition meet_speed (t i : nat) : nat := 
+  (if t is u.+4 then 5 else nth 0 (nth [::] [:: [:: 18; 0; 0]; [:: 18; 0; 0]; [:: 18; 0; 0]; [:: 9; 6; 0]] t) i)%N.
+Definition meet_G t : rel 'I_3 := fun i j => (i != j) && (nth 0%N [:: 0; 2; 3; 0]%N (i + j)%N <= t)%N.
+Let x t : 'cV[R]_3 := \col_i ((meet_place t i)%:R / 36%:R).
+Let v t : 'cV[R]_3 := \col_i ((meet_speed t i)%:R / 36%:R).
+Let w t := vicsek R (meet_G t).
+Let P := P_of meet_G w.
+Lemma meet_network t : network (meet_G t).
+Proof. by split=> [i j|i]; rewrite /meet_G ?eqxx // eq_sym addnC. Qed.
+Lemma meet_near t i j : (i != j) && (`|x t i 0 - x t j 0| <= 1) = meet_G t i j.
+Proof.
+have N (p q : nat) : (`|p%:R / 36%:R - q%:R / 36%:R| <= 1 :> R) = (p <= q + 36)%N && (q <= p + 36)%N.
+  rewrite -mulrBl normrM [ `|36%:R^-1| ]gtr0_norm ?invr_gt0 ?ltr0n // ler_pdivr_mulr ?ltr0n // mul1r.
+  by rewrite ler_distl ler_subl_addr -!natrD !ler_nat andbC.
+rewrite /meet_G; case: (eqVneq i j) => //= ij; rewrite !mxE N.
+by case: t => [|[|[|u]]]; case: i ij => [[|[|[|?]]] ?] //; case: j => [[|[|[|?]]] ?] //= _; apply/idP/idP; lia.
+Qed.
+Lemma meet_degree t i : (degree (meet_G t) i <= 2)%N.
+Proof.
+by rewrite degree_count !big_ord_recl big_ord0 /meet_G; case: t => [|[|[|t]]]; case: i => [[|[|[|?]]] ?].
+Qed.
+Lemma meet_flock : flock_D 1 0 x v meet_G w.
+Proof.
+split=> [i j|t i j|t|t t0].
+- by rewrite norm2_line meet_near.
+- rewrite !norm2_line andb_orr meet_near; case E: (meet_G t.+1 i j) => //=; apply/esym/negbTE.
+  rewrite negb_and -implybE; apply/implyP => ij; rewrite negb_and; apply/orP; left; apply: contraFN E.
+  by rewrite /meet_G => /andP[-> h] /=; apply: leqW.
+- apply/colP => i; rewrite !mxE -mulrDl -natrD; congr (_%:R / _).
+  by case: t => [|[|[|[|u]]]]; case: i => [[|[|[|?]]] ?] //=; lia.
+have net := meet_network t; split.
+- exact: vicsek_model_D.
+- apply/colP => i; rewrite (proj1 (model_K_matrix _ i net)) big_mkcond degree_count !big_ord_recl !big_ord0 !mxE.
+  by case: t t0 {net} => [//|[|[|[|u]]]] _; case: i => [[|[|[|?]]] ?] //=; field.
+- move=> i j; rewrite (proj2 (model_K_matrix (0 : 'cV_3) i net)); case: ifP => [_ _|_]; last by rewrite ltxx.
+  by rewrite expr1 lef_pinv ?posrE ?ltr0n // ler_nat ltnS meet_degree.
+move=> i; rewrite norm2_speed mxE normrM normr_nat [ `|36%:R^-1|]ger0_norm ?invr_ge0 ?ler0n // ler_pdivr_mulr ?ltr0n //.
+rewrite expr0 mul1r ler_nat; by case: t t0 {net} => [//|[|[|[|t]]]] _; case: i => [[|[|[|?]]] ?].
+Qed.
+Lemma meet_rational : rational_flock 1 4 0 x v meet_G w.
+Proof.
+split; first exact: meet_flock.
+- exists (fun (i : 'I_3) (_ : 'I_1) => (meet_place 0 i)%:Z), (fun _ _ => 36%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|[|?]]] ?].
+- exists (fun (i : 'I_3) (_ : 'I_1) => (meet_speed 1 i)%:Z), (fun _ _ => 36%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|[|?]]] ?].
+- move=> t _; exists (fun _ => 1%N), (fun i => (degree (meet_G t) i).+1) => i; split=> //; first by rewrite div1r.
+  by rewrite expn1 ltnS meet_degree.
+move=> s t _ _ E i; rewrite /w /vicsek; congr (_.+1%:R^-1); apply: eq_card => j; by rewrite !inE E.
+Qed.
+Lemma meet_edge t i j : (P t i j != 0) = (i == j) || meet_G t i j.
+Proof. by apply: transition_edge; [apply: meet_network|apply: vicsek_model_D]. Qed.
+Lemma meet_ge0 t i j : 0 <= P t i j.
+Proof. by have [[]] := model_D_stochastic (meet_network t) (@vicsek_model_D R 3 (meet_G t)). Qed.
+Lemma meet_product s t i j : (s <= t)%N -> (pprod P t.+1 s i j != 0) = [exists l, (P t.+1 i l != 0) && (pprod P t s l j != 0)].
+Proof.
+move=> st; rewrite pprod_next //; have Q0 : forall k l, 0 <= pprod P t s k l by apply: span_ge0; apply: meet_ge0.
+apply/idP/existsP => [nz|[l /andP[a b]]].
+  apply/existsP; apply: contraNT nz => /existsPn H; rewrite mxE big1 // => l _; have := H l.
+  by rewrite negb_and !negbK => /orP[]/eqP ->; rewrite ?mul0r ?mulr0.
+apply: lt0r_neq0; apply: lt_le_trans (mul_ge_term i l j (meet_ge0 t.+1) Q0).
+by rewrite mulr_gt0 // lt_def ?a ?b ?meet_ge0 ?Q0.
+Qed.
+Lemma meet_column t i : (0 < t)%N -> (pprod P t 1 i ord0 != 0) = (i < t)%N.
+Proof.
+case: t => // t _; elim: t i => [|t IH] i.
+  by rewrite pprod_self meet_edge; case: i => [[|[|[|?]]] ?].
+rewrite meet_product //; apply/existsP/idP => [[l]|].
+  rewrite meet_edge IH /meet_G; case: t {IH} => [|[|t]]; case: i => [[|[|[|?]]] ?] //; by case: l => [[|[|[|?]]] ?].
+move=> it; have [i0|i0] := boolP (i < t.+1)%N; first by exists i; rewrite meet_edge eqxx IH.
+exists ord0; rewrite meet_edge IH /meet_G; case: t it i0 {IH} => [|[|t]]; by case: i => [[|[|[|?]]] ?].
+Qed.
+Lemma meet_weight t : (0 < t)%N -> column_weight P 1 t = ((0 < t) + ((1 < t) + ((2 < t) + 0)))%N.
+Proof.
+by move=> t0; rewrite /column_weight -sum1_card big_mkcond !big_ord_recl big_ord0 /= !inE !meet_column.
+Qed.
+Lemma meet_growth : growth_times P 1 [:: 2; 3]%N.
+Proof.
+split=> // t; rewrite !inE; case: t => [|[|[|[|t]]]] //=; rewrite !meet_weight //.
+Qed.
+End Meeting.
+Lemma Nts_1_proved : Nts_1.
+Proof.
+split=> [R n P t|R]; first by rewrite /N_open subSnn.
+exists 2%N, 1%N, 1%N, 4%N, 0%N; do 2 eexists; exists meet_G; eexists; exists 1%N, [:: 2; 3]%N, 0%N.
+by split=> //; [apply: meet_rational|apply: meet_growth].
+Qed.
+Lemma Nts_2_proved : Nts_2.
+Proof.
+move=> R; exists 2%N, 1%N, 1%N, 4%N, 0%N; do 2 eexists; exists meet_G; eexists; exists 1%N, [:: 2; 3]%N.
+split=> //; [exact: meet_rational|exact: meet_growth|].
+rewrite !big_ord_recl big_ord0 /N_open /=; case: existsP => // -[]; exists ord0; apply/existsP; exists (@Ordinal 3 1 isT).
+by rewrite !meet_edge.
+Qed.
+Lemma foot_2_proved : foot_2.
+Proof.
+move=> R; exists 3%N, 1%N, 1%N, 4%N, 0%N; do 2 eexists; exists meet_G; eexists; exists 1%N, 2%N, ord0, (@Ordinal 3 2 isT).
+split=> //; [exact: meet_rational| |].
+  rewrite meet_product //; apply/existsP; exists (@Ordinal 3 1 isT); by rewrite pprod_self !meet_edge.
+by apply/eqP; rewrite -[_ == _]negbK meet_column.
+Qed.
+(* two birds in units of 1/16, c_i = 1/4: joined up to t = 2, ever farther apart from t = 3 on *)
+Section Leaving.
+Variable R : rcfType.
+Definition leave_place (t i : nat) : nat := (if t is u.+3 then nth 0 [:: 5 + 3 * u; 23 + 5 * u] i
+  else nth 0 (nth [::] [:: [:: 0; 4]; [:: 0; 12]; [:: 2; 18]] t) i)%N.
+Definition leave_speed (t i : nat) : nat := (if t is u.+3 then nth 0 [:: 3; 5] i
+  else nth 0 (nth [::] [:: [:: 0; 8]; [:: 0; 8]; [:: 2; 6]] t) i)%N.
+Definition leave_G t : rel 'I_2 := fun i j => (i != j) && (t <= 2)%N.
+Let x t : 'cV[R]_2 := \col_i ((leave_place t i)%:R / 16%:R).
+Let v t : 'cV[R]_2 := \col_i ((leave_speed t i)%:R / 16%:R).
+Let w (t : nat) (i : 'I_2) : R := 4%:R^-1.
+Let P := P_of leave_G w.
+Lemma leave_network t : network (leave_G t).
+Proof. by split=> [i j|i]; rewrite /leave_G ?eqxx // eq_sym. Qed.
+Lemma leave_near t i j : (i != j) && (`|x t i 0 - x t j 0| <= 1) = leave_G t i j.
+Proof.
+have N (p q : nat) : (`|p%:R / 16%:R - q%:R / 16%:R| <= 1 :> R) = (p <= q + 16)%N && (q <= p + 16)%N.
+  rewrite -mulrBl normrM [ `|16%:R^-1| ]gtr0_norm ?invr_gt0 ?ltr0n // ler_pdivr_mulr ?ltr0n // mul1r.
+  by rewrite ler_distl ler_subl_addr -!natrD !ler_nat andbC.
+rewrite /leave_G; case: (eqVneq i j) => //= ij; rewrite !mxE N.
+by case: t => [|[|[|u]]]; case: i ij => [[|[|?]] ?] //; case: j => [[|[|?]] ?] //= _; apply/idP/idP; lia.
+Qed.
+Lemma leave_degree t i : degree (leave_G t) i = (t <= 2)%N.
+Proof. by rewrite degree_count !big_ord_recl big_ord0 /leave_G; case: (t <= 2)%N; case: i => [[|[|?]] ?]. Qed.
+Lemma leave_entries t i j : P t i j = if (t <= 2)%N then (if i == j then 3%:R / 4%:R else 4%:R^-1) else (i == j)%:R.
+Proof.
+have [_ ir] := leave_network t; rewrite /P /P_of transitionE // leave_degree /leave_G /w; case: (t <= 2)%N => /=.
+  by case: (i == j) => //; field.
+by rewrite mulr0 subr0 andbF; case: (i == j).
+Qed.
+Lemma leave_flock : flock_D 2 0 x v leave_G w.
+Proof.
+have e1 : (2%:R ^+ (2 ^ 4))^-1 <= 8%:R^-1 :> R.
+  by rewrite lef_pinv ?posrE ?exprn_gt0 ?ltr0n // (_ : 8%:R = 2%:R ^+ 3) ?ler_weexpn2l ?ler1n // -natrX.
+split=> [i j|t i j|t|t t0].
+- by rewrite norm2_line leave_near.
+- rewrite !norm2_line andb_orr leave_near; case E: (leave_G t.+1 i j) => //=; apply/esym/negbTE.
+  move: E; rewrite /leave_G; case: (eqVneq i j) => //= ij; case: t => [|[|[|t]]] //= _; rewrite ?andbF //.
+  rewrite -leNgt; apply: (le_trans e1).
+  have D : `|x 3 i 0 - x 3 j 0| = 18%:R / 16%:R :> R.
+    by rewrite !mxE -mulrBl normrM [ `|16%:R^-1|]gtr0_norm ?invr_gt0 ?ltr0n //; case: i ij => [[|[|?]] ?] //; case: j => [[|[|?]] ?] //= _;
+      [rewrite distrC|]; rewrite -natrB // normr_nat.
+  have D' : `|x 2 i 0 - x 2 j 0| = 1 :> R.
+    rewrite !mxE -mulrBl normrM [ `|16%:R^-1|]gtr0_norm ?invr_gt0 ?ltr0n //; case: i ij {D} => [[|[|?]] ?] //; case: j => [[|[|?]] ?] //= _;
+      [rewrite distrC|]; by rewrite -natrB // normr_nat mulfV ?pnatr_eq0.
+  by rewrite D D' (_ : _ - 1 = 8%:R^-1) ?ger0_norm ?invr_ge0 ?ler0n //; field.
+- apply/colP => i; rewrite !mxE -mulrDl -natrD; congr (_%:R / _).
+  by case: t => [|[|[|u]]]; case: i => [[|[|?]] ?] //=; lia.
+have i4 : (4%:R^-1 : R) <= 1 by rewrite invf_le1 ?ltr0n ?ler1n.
+split.
+- move=> i; rewrite leave_degree; case: (t <= 2)%N => // _; by rewrite mulr1 invr_gt0 ltr0n invf_lt1 ?ltr0n // ltr1n.
+- apply/colP => i; rewrite [RHS]mxE !big_ord_recl big_ord0 -/(P_of leave_G w t) -/P !leave_entries !mxE.
+  by case: t t0 => [//|[|[|u]]] _; case: i => [[|[|?]] ?] //=; field.
+- move=> i j; rewrite -/(P_of leave_G w t) -/P leave_entries -natrX; case: (t <= 2)%N; case: (i == j); rewrite ?ltxx // => _.
+  by rewrite ler_pmull ?invr_gt0 ?ltr0n // ler1n.
+move=> i; rewrite norm2_speed mxE normrM normr_nat [ `|16%:R^-1|]ger0_norm ?invr_ge0 ?ler0n // ler_pdivr_mulr ?ltr0n //.
+rewrite expr0 mul1r ler_nat; by case: t t0 => [//|[|[|t]]] _; case: i => [[|[|?]] ?].
+Qed.
+Lemma leave_rational : rational_flock 2 4 0 x v leave_G w.
+Proof.
+split; first exact: leave_flock.
+- exists (fun (i : 'I_2) (_ : 'I_1) => (leave_place 0 i)%:Z), (fun _ _ => 16%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|?]] ?].
+- exists (fun (i : 'I_2) (_ : 'I_1) => (leave_speed 1 i)%:Z), (fun _ _ => 16%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|?]] ?].
+- by move=> t _; exists (fun _ => 1%N), (fun _ => 4%N) => i; split=> //; rewrite /w div1r.
+by [].
+Qed.
+Lemma leave_still a k : (2 < a)%N -> span P a k = 1%:M.
+Proof.
+move=> a2; elim: k => [//|k IH] /=; rewrite IH mulmx1; apply/matrixP => i j; rewrite leave_entries !mxE.
+by rewrite leqNgt (leq_trans a2 (leq_addr k a)).
+Qed.
+Lemma leave_positive a k i j : (0 < a <= 2)%N -> 0 < span P a k.+1 i j.
+Proof.
+have P0 t p q : 0 <= P t p q by rewrite leave_entries; case: (t <= 2)%N; case: (p == q); rewrite ?divr_ge0 ?invr_ge0 ?ler0n.
+have Pd t p : 0 < P t p p by rewrite leave_entries eqxx; case: (t <= 2)%N; rewrite ?divr_gt0 ?ltr0n ?ltr01.
+case/andP=> a0 a2; elim: k => [|k IH]; first by rewrite /= mulmx1 addn0 leave_entries a2; case: eqP => _; rewrite ?divr_gt0 ?invr_gt0 ?ltr0n.
+apply: lt_le_trans (@mul_ge_term R 2 (P (a + k.+1)%N) (span P a k.+1) i i j (P0 _) _); first by rewrite mulr_gt0.
+exact: span_ge0.
+Qed.
+Let V k : {set 'I_2} := if (k <= 2)%N then setT else [set ord0].
+Lemma leave_stabilisers : stabilisers P 1 ord0 id V.
+Proof.
+split=> // k; split.
+- split=> // t i j kt _ _; have [k1|k1] := leqP k.+1 2.
+    by rewrite /pprod !lt0r_neq0 ?leave_positive.
+  by rewrite /pprod !leave_still.
+- by move=> T' [].
+apply/setP => i; rewrite !inE pprod_self leave_entries /V.
+case: k => [|[|[|k]]] /=; rewrite !inE ?pnatr_eq0 ?eqb0 ?negbK ?andbb //=; case: (i == ord0);
+  by rewrite ?mulf_eq0 ?invr_eq0 ?pnatr_eq0.
+Qed.
+Lemma leave_printed : block (V 3) (V 0%N) (pprod P 4 1) <> printed_product P id V 1 4.
+Proof.
+pose Q : 'M[R]_2 := \matrix_(i, j) if i == j then 3%:R / 4%:R else 4%:R^-1.
+have P1 t : (t <= 2)%N -> P t = Q by move=> h; apply/matrixP => i j; rewrite leave_entries h mxE.
+have P3 t : (2 < t)%N -> P t = 1%:M by move=> h; have := leave_still 1 h; rewrite /= mulmx1 addn0.
+have E : pprod P 4 1 = Q *m Q by rewrite /pprod /= (P3 (1 + 3)%N) // (P3 (1 + 2)%N) // (P1 (1 + 1)%N) // (P1 (1 + 0)%N) // !mul1mx mulmx1.
+rewrite /printed_product /= E !pprod_self (P3 4%N) // (P3 3%N) // (P1 2%N) // (P1 1%N) // mulmx1 => /matrixP/(_ ord0 ord0).
+have b33 : block (V 3) (V 3) (1%:M : 'M[R]_2) = delta_mx ord0 ord0.
+  by apply/matrixP => i j; rewrite !mxE !inE; case: i => [[|[|?]] ?] //; case: j => [[|[|?]] ?].
+have b32 : (delta_mx ord0 ord0 : 'M[R]_2) *m block (V 3) (V 2) (1%:M : 'M[R]_2) = delta_mx ord0 ord0.
+  apply/matrixP => i j; rewrite mxE !big_ord_recl big_ord0 !mxE !inE.
+  by case: i => [[|[|?]] ?] //; case: j => [[|[|?]] ?] //=; rewrite ?mulr1 ?mulr0 ?mul0r ?addr0.
+rewrite b33 b32 !mxE !big_ord_recl !big_ord0 !mxE !big_ord_recl !big_ord0 !mxE !inE /= => /eqP; rewrite -subr_eq0; apply/negP.
+by rewrite [X in X != _](_ : _ = 16%:R^-1); [rewrite invr_eq0 pnatr_eq0|field].
+Qed.
+End Leaving.
+Lemma eq3_5_proved : eq3_5.
+Proof.
+move=> R; exists 2%N, 1%N, 2%N, 4%N, 0%N; do 2 eexists; exists leave_G; eexists; exists 1%N, ord0, id; eexists; exists 1%N, 4%N.
+split; [exact: leave_rational|by []|exact: leave_stabilisers|by []|exact: leave_printed].
+Qed.
