@@ -1,10 +1,10 @@
 (* Clauses of the claims about Chazelle's paper, formalised from their words before the theorems were looked at; the theorems
    prove them. *)
 Set Warnings "-notation-overridden,-ambiguous-paths".
-From mathcomp Require Import all_ssreflect all_algebra zify.
+From mathcomp Require Import all_ssreflect all_algebra zify ring.
 From Flockproof Require Import chazelle_model chazelle_ergodicity chazelle_fixed chazelle_limits chazelle_products chazelle_entries.
 From Flockproof Require chazelle_recurrent chazelle_agreement chazelle_switches chazelle_count chazelle_origins
-  chazelle_stabilisers chazelle_sharp chazelle_network chazelle_bits.
+  chazelle_stabilisers chazelle_sharp chazelle_network chazelle_bits chazelle_spectral chazelle_contraction.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Import GRing.Theory Num.Theory Order.TTheory.
@@ -623,4 +623,1697 @@ have N1 : 1 <= (n%:R : R) by rewrite ler1n ltnW.
 rewrite [one_pi c i j]mxE; apply: (le_trans (chazelle_network.eq_3_9 net MD con c0 n1 B1 B2 s i j)).
 apply: ler_wpmul2r; last by rewrite ler_weexpn2l //; lia.
 by rewrite exprn_ge0 // subr_ge0 invf_le1 ?exprn_ege1 // exprn_gt0 // (lt_le_trans ltr01 N1).
+Qed.
+
+(* ==== the second part: formalised from the words alike, before the theorems were looked at ==== *)
+
+(* a flock whose inputs and weights are rationals with numerators and denominators at most n^b, n^a; weights change only when the network does *)
+Definition rational_flock (R : rcfType) n d a b c (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :=
+  [/\ flock_D a c x v G w, short_input b (x 0%N), short_input b (v 1%N),
+      forall t, (0 < t)%N -> short_weights a (w t) &
+      forall s t, (0 < s)%N -> (0 < t)%N -> (forall i j, G s i j = G t i j) -> forall i, w s i = w t i].
+(* the transition matrix of each time *)
+Definition P_of (R : realFieldType) n (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) u := transition (G u) (w u).
+(* N(t,s) as printed: the u with s < u < t; the weight of the first column of P(t,s); the times t_1 < ... < t_l after s at which it grows *)
+Definition N_open (R : realFieldType) n (P : nat -> 'M[R]_n) t s :=
+  count (fun u => [exists i, exists j, (P u i j != 0) != (P u.-1 i j != 0)]) (iota s.+1 (t - s).-1).
+Definition column_weight (R : realFieldType) m (P : nat -> 'M[R]_m.+1) s t := #|[set i | pprod P t s i ord0 != 0]|.
+Definition growth_times (R : realFieldType) m (P : nat -> 'M[R]_m.+1) s (ts : seq nat) := sorted ltn ts /\
+  forall t, (t \in ts) = (s < t)%N && (column_weight P s t.-1 < column_weight P s t)%N.
+(* chazelle.Nts clause 1, refuted: N(t + 1, t) = 0 always, and in some flock the column does grow at two times running *)
+Definition Nts_1 : Prop :=
+  (forall (R : realFieldType) n (P : nat -> 'M[R]_n) t, N_open P t.+1 t = 0%N) /\
+  forall R : rcfType, exists m d a b c (x v : nat -> 'M[R]_(m.+1, d)) G w s ts k,
+    [/\ rational_flock a b c x v G w, (0 < s)%N, growth_times (P_of G w) s ts, (k.+1 < size ts)%N &
+        nth 0%N ts k.+1 = (nth 0%N ts k).+1].
+(* chazelle.Nts clause 2, refuted: in some flock N(t_l, s) is not the sum, with t_0 = s *)
+Definition Nts_2 : Prop := forall R : rcfType, exists m d a b c (x v : nat -> 'M[R]_(m.+1, d)) G w s ts,
+  [/\ rational_flock a b c x v G w, (0 < s)%N, growth_times (P_of G w) s ts &
+      N_open (P_of G w) (last s ts) s <> (\sum_(k < size ts) N_open (P_of G w) (nth 0 (s :: ts) k.+1) (nth 0 (s :: ts) k))%N].
+(* chazelle.chi clause 1, refuted: no vector is so, and neither of the two that obey one of the two equations fits the formula in all flocks *)
+Definition chi_1 : Prop :=
+  (forall (R : realFieldType) n (i : 'I_n) (chi : 'rV[R]_n), ~ (chi 0 i = 1 /\ chi 0 i = -1)) /\
+  forall (R : rcfType) (e : R), e = 1 \/ e = -1 -> exists n d a b c (x v : nat -> 'M[R]_(n, d)) G w (i j : 'I_n) t,
+    [/\ rational_flock a b c x v G w, i != j, (1 < t)%N &
+        row i (v t) - row j (v t) <> (e *: delta_mx 0 i : 'rV_n) *m pprod (P_of G w) t.-1 1 *m v 1%N].
+
+(* stabilisers: T_0 = s - 1, V_0 = all birds; T_(k+1) is least so that the footprint of P(t, T_k + 1) on V_k x V_k is that of P(T_(k+1), T_k + 1)
+   for all t after it, V_(k+1) are the ones of its column of bird r *)
+Definition stable_from (R : realFieldType) n (P : nat -> 'M[R]_n) (V : {set 'I_n}) s T := (s <= T)%N /\
+  forall t i j, (T < t)%N -> i \in V -> j \in V -> (pprod P t s i j != 0) = (pprod P T s i j != 0).
+Definition stabilisers (R : realFieldType) n (P : nat -> 'M[R]_n) s r (T : nat -> nat) (V : nat -> {set 'I_n}) :=
+  [/\ (T 0%N).+1 = s, V 0%N = setT &
+    forall k, [/\ stable_from P (V k) (T k).+1 (T k.+1), forall T', stable_from P (V k) (T k).+1 T' -> (T k.+1 <= T')%N &
+      V k.+1 = [set i in V k | pprod P (T k.+1) (T k).+1 i r != 0]]].
+(* networks and weights of model D at the times 1, 2, ... *)
+Definition in_model_D (R : realFieldType) n (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :=
+  forall t, (0 < t)%N -> network (G t) /\ model_D (G t) (w t).
+(* chazelle.stab clauses 1, 2, 3 *)
+Definition stab_123 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) s r T V,
+  (0 < s)%N -> in_model_D G w -> stabilisers (P_of G w) s r T V ->
+  [/\ forall k, V k.+1 \subset V k,
+      forall t i j, (T 1%N < t)%N -> i \in V 1%N -> j \notin V 1%N ->
+        [/\ ~~ G t i j, ~~ G t j i, P_of G w t i j = 0 & P_of G w t j i = 0] &
+      forall k i, i \in V k.+1 -> r \in V k /\ 0 < pprod (P_of G w) (T k.+1) (T k).+1 i r].
+(* chazelle.eq3.5 clause 1, refuted; the submatrix A_{|V x W} with zeros around it, so that products of submatrices are products of these.
+   The factors P_{|V_i x V_(i-1)}(T_i, T_(i-1) + 1) for i = k, ..., 3, k = j + 2, and the printed product *)
+Definition block (R : realFieldType) n (V W : {set 'I_n}) (A : 'M[R]_n) : 'M[R]_n :=
+  \matrix_(i, j) if (i \in V) && (j \in W) then A i j else 0.
+Fixpoint middle_factors (R : realFieldType) n (P : nat -> 'M[R]_n) (T : nat -> nat) (V : nat -> {set 'I_n}) j : 'M[R]_n :=
+  if j is j'.+1 then block (V j'.+3) (V j'.+2) (pprod P (T j'.+3) (T j'.+2).+1) *m middle_factors P T V j' else 1%:M.
+Definition printed_product (R : realFieldType) n (P : nat -> 'M[R]_n) T V j t := let k := j.+2 in
+  block (V k) (V k) (pprod P t (T k).+1) *m middle_factors P T V j *m block (V 2%N) (V k) (pprod P (T 2%N) (T 1%N).+1)
+    *m block (V k) (V 0%N) (pprod P (T 1%N) (T 0%N).+1).
+Definition eq3_5 : Prop := forall R : rcfType, exists n d a b c (x v : nat -> 'M[R]_(n, d)) G w s r T V j t,
+  [/\ rational_flock a b c x v G w, (0 < s)%N, stabilisers (P_of G w) s r T V, (T j.+2 < t)%N &
+      block (V j.+2) (V 0%N) (pprod (P_of G w) t s) <> printed_product (P_of G w) T V j t].
+(* chazelle.eq3.6 clauses 1, 2; the ergodicity coefficients of the submatrix A_{|V x W}; the one function with these two properties is e^x *)
+Definition tau1_on (R : rcfType) n (V W : {set 'I_n}) (A : 'M[R]_n) : R :=
+  \big[Num.max/0]_(ij : 'I_n * 'I_n | (ij.1 \in V) && (ij.2 \in V)) (2%:R^-1 * \sum_(k in W) `|A ij.1 k - A ij.2 k|).
+Definition tau2_on (R : rcfType) n (V W : {set 'I_n}) (A : 'M[R]_n) : R :=
+  \big[Num.max/0]_(ij : 'I_n * 'I_n | (ij.1 \in V) && (ij.2 \in V)) Num.sqrt (\sum_(k in W) (A ij.1 k - A ij.2 k) ^+ 2).
+Definition exponential (R : realFieldType) (E : R -> R) := (forall x y, E (x + y) = E x * E y) /\ forall x, 1 + x <= E x.
+Definition right_side (R : rcfType) n (P : nat -> 'M[R]_n) T V k t : R :=
+  Num.sqrt 2%:R * tau1_on (V k) (V k) (pprod P t (T k).+1) * \prod_(i < k) tau1_on (V i.+1) (V i) (pprod P (T i.+1) (T i).+1).
+Definition eq3_6_1 : Prop := forall (R : rcfType) n (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) s r T V k t,
+  (0 < s)%N -> in_model_D G w -> stabilisers (P_of G w) s r T V -> (T k < t)%N ->
+  tau2_on (V k) (V 0%N) (pprod (P_of G w) t s) <= right_side (P_of G w) T V k t.
+Definition eq3_6_2 : Prop := forall a, exists K, forall (R : rcfType) (E : R -> R) n nu (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) s r T V k t,
+  exponential E -> (1 < n)%N -> (n <= nu)%N -> (0 < s)%N -> in_model_D G w ->
+  (forall t i j, (0 < t)%N -> 0 < P_of G w t i j -> (nu%:R ^+ a)^-1 <= P_of G w t i j) ->
+  stabilisers (P_of G w) s r T V -> (T k < t)%N ->
+  right_side (P_of G w) T V k t <= Num.sqrt 2%:R * E (- (k%:R * (nu%:R ^+ (K * nu ^ 2))^-1)).
+(* chazelle.lem3.1.count clause 1, refuted: birds of V_k that are joined later than T_k always remain so, yet more network changes follow *)
+Definition count_1 : Prop := forall R : rcfType, exists n d a b c (x v : nat -> 'M[R]_(n, d)) G w s r T V k U,
+  [/\ rational_flock a b c x v G w, (0 < k)%N, s = 1%N /\ stabilisers (P_of G w) s r T V,
+      forall i j t t', i \in V k -> j \in V k -> (T k < t)%N -> (t <= t')%N -> G t i j -> G t' i j &
+      ('C(#|V k|, 2) < count (differs G) (iota (T k).+1 U))%N].
+
+(* ---- a fixed connected network, continued ---- *)
+Definition half (R : rcfType) n (c : 'I_n -> R) : 'M[R]_n := diag_mx (\row_i Num.sqrt (c i)).
+Definition half_inv (R : rcfType) n (c : 'I_n -> R) : 'M[R]_n := diag_mx (\row_i (Num.sqrt (c i))^-1).
+Definition M_of (R : rcfType) n (G : rel 'I_n) (c : 'I_n -> R) := half_inv c *m transition G c *m half c.
+Definition pi_of (R : realFieldType) n (c : 'I_n -> R) : 'rV[R]_n := \row_j ((\sum_i (c i)^-1)^-1 * (c j)^-1).
+Definition is_eigenvalue (R : realFieldType) n (A : 'M[R]_n) lam := exists u : 'cV[R]_n, u != 0 /\ A *m u = lam *: u.
+(* chazelle.eq3.7 clauses 1, 3, 4; the unit eigenvector is unique up to its sign, the eigenvalues are the same also with multiplicities *)
+Definition eq3_7_1 : Prop := forall (R : rcfType) n (G : rel 'I_n) (c : 'I_n -> R), fixed G c ->
+  M_of G c = 1%:M - half c *m laplacian R G *m half c /\ (M_of G c)^T = M_of G c.
+Definition eq3_7_3 : Prop := forall (R : rcfType) n (G : rel 'I_n) (c : 'I_n -> R), (0 < n)%N -> fixed G c ->
+  let u1 : 'cV[R]_n := \col_i Num.sqrt (pi_of c 0 i) in
+  [/\ M_of G c *m u1 = u1, \sum_i u1 i 0 ^+ 2 = 1 &
+      forall u : 'cV[R]_n, M_of G c *m u = u -> \sum_i u i 0 ^+ 2 = 1 -> u = u1 \/ u = - u1].
+Definition eq3_7_4 : Prop := forall (R : rcfType) n (G : rel 'I_n) (c : 'I_n -> R), fixed G c ->
+  (forall lam, is_eigenvalue (transition G c) lam <-> is_eigenvalue (M_of G c) lam) /\ char_poly (transition G c) = char_poly (M_of G c).
+(* orthonormal eigenvectors u_1, ..., u_n of M with eigenvalues lambda_1 = 1, lambda_2, ..., lambda_n, here counted from 0 *)
+Definition eigenbasis (R : rcfType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) (lam : 'I_m.+1 -> R) (u : 'I_m.+1 -> 'cV[R]_m.+1) :=
+  [/\ forall k l, ((u k)^T *m u l) 0 0 = (k == l)%:R, forall k, M_of G c *m u k = lam k *: u k & lam ord0 = 1].
+(* chazelle.eq3.8 clauses 1, 2; and that there are such eigenvectors *)
+Definition eq3_8_1 : Prop := forall (R : rcfType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) lam u, fixed G c -> eigenbasis G c lam u ->
+  forall s, mpow (transition G c) s = const_mx 1 *m pi_of c + \sum_(k | k != ord0) lam k ^+ s *: (half c *m u k *m (u k)^T *m half_inv c).
+Definition eq3_8_2 : Prop := forall (R : rcfType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) lam u, fixed G c -> eigenbasis G c lam u ->
+  forall k, [/\ half_inv c *m u k != 0, half c *m u k != 0,
+    (half_inv c *m u k)^T *m transition G c = lam k *: (half_inv c *m u k)^T &
+    transition G c *m (half c *m u k) = lam k *: (half c *m u k)].
+Definition eq3_8_basis : Prop := forall (R : rcfType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R), fixed G c -> exists lam u, eigenbasis G c lam u.
+(* chazelle.eq3.10 clauses 1, 2, with one n^O(1) and one constant c_0 for both *)
+Definition eq3_10 : Prop := forall a, exists K c0, forall (R : rcfType) (E : R -> R) n (G : rel 'I_n) (c : 'I_n -> R),
+  exponential E -> (1 < n)%N -> fixed G c -> short_weights a c -> forall s, (n ^ c0 < s)%N ->
+  let bound := 1 - \sum_k (pi_of c 0 k - n%:R ^+ K * E (- (s%:R / n%:R ^+ K))) in
+  tau1 (mpow (transition G c) s) <= bound /\ bound < 2%:R^-1.
+(* a flock of network G: the birds f 0, ..., f m, connected, with no edge to any other; its network, its weights, its velocities *)
+Definition own_network n m (f : 'I_m -> 'I_n) (G : rel 'I_n) : rel 'I_m := fun k l => G (f k) (f l).
+Definition is_flock n m (f : 'I_m.+1 -> 'I_n) (G : rel 'I_n) :=
+  [/\ injective f, forall k l, connect (own_network f G) k l & forall k j, G (f k) j -> exists l, f l = j].
+Definition own_rows (R : realFieldType) n m d (f : 'I_m -> 'I_n) (y : 'M[R]_(n, d)) : 'M[R]_(m, d) := \matrix_(k, q) y (f k) q.
+Definition unchanged (R : realFieldType) n (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) t1 t :=
+  forall u, (t1 <= u < t)%N -> (forall i j, G u i j = G t1 i j) /\ forall i, w u i = w t1 i.
+Definition motion_D (R : realFieldType) n d (x v : nat -> 'M[R]_(n, d)) G w := [/\ in_model_D G w, forall t, x t.+1 = x t + v t.+1 &
+  forall t, (0 < t)%N -> v t.+1 = P_of G w t *m v t].
+Definition y_of (R : realFieldType) m d (c : 'I_m.+1 -> R) (v1 : 'M[R]_(m.+1, d)) : 'rV[R]_d := pi_of c *m v1.
+Definition Phi (R : rcfType) m d (c : 'I_m.+1 -> R) (u : 'I_m.+1 -> 'cV[R]_m.+1) (v1 : 'M[R]_(m.+1, d)) i k : 'rV[R]_d :=
+  (delta_mx 0 i : 'rV_m.+1) *m (half c *m u k *m (u k)^T *m half_inv c) *m v1.
+(* chazelle.xi.closed *)
+Definition xi_closed : Prop := forall (R : rcfType) n d m (x v : nat -> 'M[R]_(n, d)) G w t1 t (f : 'I_m.+1 -> 'I_n) lam u i,
+  motion_D x v G w -> (0 < t1 <= t)%N -> unchanged G w t1 t -> is_flock f (G t1) -> (forall k, 0 < w t1 (f k)) ->
+  let c := fun k => w t1 (f k) in let v1 := own_rows f (v t1.+1) in eigenbasis (own_network f (G t1)) c lam u ->
+  row (f i) (x t) = row (f i) (x t1) + (t - t1)%:R *: y_of c v1
+    + \sum_(k | k != ord0) ((1 - lam k ^+ (t - t1)) / (1 - lam k)) *: Phi c u v1 i k.
+(* chazelle.eq3.16 clause 1, refuted: there are no u_0, ..., u_m; the summand of k = 1 is Phi_1/(1 - 1), no vector unless Phi_1 = y = 0 *)
+Definition eq3_16 : Prop :=
+  (forall (R : realFieldType) m (u : nat -> 'cV[R]_m),
+    ~ forall k l, (k <= m)%N -> (l <= m)%N -> ((u k)^T *m u l) 0 0 = (k == l)%:R) /\
+  forall (R : rcfType) m d (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) lam u (v1 : 'M[R]_(m.+1, d)) i, fixed G c -> eigenbasis G c lam u ->
+    Phi c u v1 i ord0 = y_of c v1 /\ (y_of c v1 != 0 -> forall q : 'rV[R]_d, (1 - lam ord0) *: q <> Phi c u v1 i ord0).
+(* chazelle.eq3.17; birds i and j of flocks f and g, which may be one; the summands in the order of falling mu, each mu an eigenvalue
+   of one of the two flocks; A as the text gives it *)
+Definition eq3_17 : Prop := forall (R : rcfType) n d m m' (x v : nat -> 'M[R]_(n, d)) G w t1
+  (f : 'I_m.+1 -> 'I_n) (g : 'I_m'.+1 -> 'I_n) lam u lam' u' i j,
+  motion_D x v G w -> (0 < t1)%N -> is_flock f (G t1) -> is_flock g (G t1) ->
+  (forall k, 0 < w t1 (f k)) -> (forall k, 0 < w t1 (g k)) ->
+  let c := fun k => w t1 (f k) in let c' := fun k => w t1 (g k) in
+  let Gf := own_network f (G t1) in let Gg := own_network g (G t1) in
+  let v1 := own_rows f (v t1.+1) in let v1' := own_rows g (v t1.+1) in
+  let B := y_of c v1 - y_of c' v1' in
+  let A := row (f i) (x t1) - row (g j) (x t1) + (row i (Gamma_of Gf c *m v1) - row j (Gamma_of Gg c' *m v1')) in
+  eigenbasis Gf c lam u -> eigenbasis Gg c' lam' u' ->
+  exists terms : seq (R * 'rV[R]_d), [/\ sorted (fun p q : R * 'rV[R]_d => q.1 <= p.1) terms,
+    forall p, p \in terms -> `|p.1| < 1 /\ (is_eigenvalue (transition Gf c) p.1 \/ is_eigenvalue (transition Gg c') p.1) &
+    forall t, (t1 <= t)%N -> unchanged G w t1 t ->
+      row (f i) (x t) - row (g j) (x t) = A + (t - t1)%:R *: B - \sum_(p <- terms) p.1 ^+ (t - t1) *: p.2].
+
+(* ---- examples and matrices ---- *)
+Definition rows_of (R : realFieldType) n (rows : seq (seq R)) : 'M[R]_n := \matrix_(i, j) nth 0 (nth [::] rows i) j.
+Definition col_of (R : realFieldType) n (r : seq R) : 'cV[R]_n := \col_i nth 0 r i.
+(* chazelle.ex15 clauses 2, 3, 4, 5; decimals to half a unit of their last place *)
+Definition ex15_P (R : realFieldType) : 'M[R]_2 := 15%:R^-1 *: rows_of 2 [:: [:: 12%:R; 3%:R]; [:: 10%:R; 5%:R]].
+Definition ex15_2 : Prop := forall R : realFieldType, exists mu : R,
+  `|mu - 133%:R / 1000%:R| <= 2000%:R^-1 /\ forall lam, is_eigenvalue (ex15_P R) lam <-> lam = 1 \/ lam = mu.
+Definition ex15_3 : Prop := forall R : rcfType,
+  `|norm2 ((ex15_P R *m col_of 2 [:: 1; 0])^T) - 1041%:R / 1000%:R| <= 2000%:R^-1.
+Definition ex15_4 : Prop := forall (R : realFieldType) lam (u : 'cV[R]_2), lam != 1 -> u != 0 -> ex15_P R *m u = lam *: u -> \sum_i u i 0 != 0.
+Definition ex15_5 : Prop := forall R : realFieldType, exists u : 'cV[R]_2, \sum_i u i 0 = 0 /\ \sum_i (ex15_P R *m u) i 0 != 0.
+(* chazelle.ex4birds.eig *)
+Definition ex4_two (R : realFieldType) : 'M[R]_4 := 3%:R^-1 *: rows_of 4 [:: [:: 1; 2%:R; 0; 0]; [:: 2%:R; 1; 0; 0]; [:: 0; 0; 1; 2%:R]; [:: 0; 0; 2%:R; 1]].
+Definition ex4_path (R : realFieldType) : 'M[R]_4 := 3%:R^-1 *: rows_of 4 [:: [:: 1; 2%:R; 0; 0]; [:: 1; 1; 1; 0]; [:: 0; 1; 1; 1]; [:: 0; 0; 2%:R; 1]].
+Definition ex4_v1 (R : realFieldType) : 'cV[R]_4 := 8%:R^-1 *: col_of 4 [:: 1; -1; 1; -1].
+Definition ex4_x0 (R : realFieldType) : 'cV[R]_4 := 16%:R^-1 *: col_of 4 [:: 0; 8%:R; 21%:R; 29%:R].
+Definition ex4_eig : Prop := forall R : realFieldType, [/\ ex4_v1 R != 0,
+  ex4_two R *m ex4_v1 R = (- 3%:R^-1) *: ex4_v1 R & ex4_path R *m ex4_v1 R = (- 3%:R^-1) *: ex4_v1 R].
+(* the example flies without hysteresis, and with the weights 2/(3 d_i) of the two printed matrices *)
+Definition ex4 (R : realFieldType) (x v : nat -> 'cV[R]_4) (G : nat -> rel 'I_4) := [/\ x 0%N = ex4_x0 R, v 1%N = ex4_v1 R,
+  forall t i j, G t i j = (i != j) && (`|x t i 0 - x t j 0| <= 1), forall t, x t.+1 = x t + v t.+1 &
+  forall t, (0 < t)%N -> v t.+1 = transition (G t) (lazy R (G t)) *m v t].
+(* chazelle.ex4birds.alt; also that the transition matrices are the two printed ones *)
+Definition ex4_alt : Prop := forall R : realFieldType, (exists x v G, @ex4 R x v G) /\
+  forall (x v : nat -> 'cV[R]_4) G, ex4 x v G -> forall t,
+    ((n_comp (G t) predT = 1%N /\ n_comp (G t.+1) predT = 2%N) \/ (n_comp (G t) predT = 2%N /\ n_comp (G t.+1) predT = 1%N)) /\
+    transition (G t) (lazy R (G t)) = if n_comp (G t) predT == 1%N then ex4_path R else ex4_two R.
+(* chazelle.ex4birds.eq3.14 clauses 1, 2, 3, 4 *)
+Definition ex4_motion : Prop := forall (R : realFieldType) (x v : nat -> 'cV[R]_4) G, ex4 x v G ->
+  (forall t, x t = ex4_x0 R + (3%:R / 4%:R * (1 - (- 3%:R^-1) ^+ t)) *: ex4_v1 R) /\
+  forall t, (0 < t)%N -> let gap i := x t (inord i.+1) 0 - x t (inord i) 0 in
+    [/\ gap 0%N = 16%:R^-1 * (5%:R - (- 3%:R^-1) ^+ t.-1), gap 2%N = 16%:R^-1 * (5%:R - (- 3%:R^-1) ^+ t.-1),
+        4%:R^-1 <= gap 0%N <= 2%:R^-1 /\ 4%:R^-1 <= gap 2%N <= 2%:R^-1 & gap 1%N = 1 + 16%:R^-1 * (- 3%:R^-1) ^+ t.-1].
+(* chazelle.exAB, t = 2 k; A and B are I - C L of networks with c_i d_i = 1 *)
+Definition exAB_A (R : realFieldType) : 'M[R]_3 := rows_of 3 [:: [:: 0; 1; 0]; [:: 1; 0; 0]; [:: 0; 0; 1]].
+Definition exAB_B (R : realFieldType) : 'M[R]_3 := 2%:R^-1 *: rows_of 3 [:: [:: 0; 2%:R; 0]; [:: 1; 0; 1]; [:: 0; 2%:R; 0]].
+Definition exAB : Prop := forall R : realFieldType,
+  (forall A, A = exAB_A R \/ A = exAB_B R -> exists (G : rel 'I_3) (c : 'I_3 -> R),
+    [/\ network G, forall i, (0 < degree G i)%N -> c i * (degree G i)%:R = 1 & A = transition G c]) /\
+  forall k, (0 < k)%N -> let P t := if odd t then exAB_B R else exAB_A R in
+    pprod P (2 * k)%N 1 = mpow (exAB_A R *m exAB_B R) k /\
+    pprod P (2 * k)%N 1 = rows_of 3 [:: [:: (2%:R ^+ k)^-1; 1 - 2%:R / 2%:R ^+ k; (2%:R ^+ k)^-1]; [:: 0; 1; 0]; [:: 0; 1; 0]].
+(* chazelle.fiedler.rate clause 1; every eigenvalue of the Laplacian but the 0 of the constant vectors *)
+Definition fiedler_1 : Prop := exists K, forall (R : realFieldType) n (G : rel 'I_n), (1 < n)%N -> network G -> (forall i j, connect G i j) ->
+  forall (lam : R) (u : 'cV[R]_n), (exists i j, u i 0 != u j 0) -> laplacian R G *m u = lam *: u -> (n%:R ^+ K)^-1 <= lam.
+(* chazelle.foot.mono clauses 2, 3 *)
+Definition foot_2 : Prop := forall R : rcfType, exists n d a b c (x v : nat -> 'M[R]_(n, d)) G w s t i j,
+  [/\ rational_flock a b c x v G w, (0 < s <= t)%N, pprod (P_of G w) t s i j != 0 & pprod (P_of G w) t s j i = 0].
+Definition foot_3 : Prop := forall (R : realFieldType) n (G : rel 'I_n) (c : 'I_n -> R), network G -> model_D G c ->
+  (forall i j, (transition G c i j != 0) = (transition G c j i != 0)) /\ forall i, transition G c i i != 0.
+(* chazelle.kron clauses 1, 2; the rule gives exactly one matrix *)
+Definition is_kron (R : comRingType) m n p q (A : 'M[R]_(m, n)) (B : 'M[R]_(p, q)) (K : 'M[R]_(m * p, n * q)) :=
+  forall (i : 'I_m) (j : 'I_p) (k : 'I_n) (l : 'I_q) (r : 'I_(m * p)) (c : 'I_(n * q)),
+    r = (i * p + j)%N :> nat -> c = (k * q + l)%N :> nat -> K r c = A i k * B j l.
+Definition kron_1 : Prop := forall (R : comRingType) m n p q (A : 'M[R]_(m, n)) (B : 'M[R]_(p, q)), exists! K, is_kron A B K.
+Definition kron_2 : Prop := forall (R : comRingType) m n p q l h (A : 'M[R]_(m, n)) (B : 'M[R]_(p, q)) (C : 'M[R]_(n, l)) (D : 'M[R]_(q, h)) K1 K2,
+  is_kron A B K1 -> is_kron C D K2 -> is_kron (A *m C) (B *m D) (K1 *m K2).
+(* chazelle.modelK.matrix clauses 1, 2; it is the only matrix of the update *)
+Definition modelK_12 : Prop := forall (R : realFieldType) n (G : rel 'I_n), network G ->
+  let c := fun i => (degree G i).+1%:R^-1 : R in let P := 1%:M - diag_mx (\row_i c i) *m laplacian R G in
+  (forall Q : 'M[R]_n, (forall (theta : 'cV[R]_n) i, (Q *m theta) i 0 = (theta i 0 + \sum_(j | G i j) theta j 0) / (degree G i).+1%:R) <-> Q = P) /\
+  forall i j, P i j = if (i == j) || G i j then (degree G i).+1%:R^-1 else 0.
+
+(* ---- the theorems prove the second part ---- *)
+Lemma foot_3_proved : foot_3.
+Proof.
+move=> R n G c net MD; split=> [i j|i]; rewrite !transition_edge ?eqxx //; by rewrite eq_sym (proj1 net).
+Qed.
+Lemma modelK_12_proved : modelK_12.
+Proof.
+move=> R n G net c P.
+have PE : P = transition G (vicsek R G) by [].
+split=> [Q|i j]; last by rewrite PE (proj2 (model_K_matrix 0 i net)).
+split=> [H|-> theta i]; last by rewrite PE (proj1 (model_K_matrix theta i net)).
+apply/matrixP => i j; have := H (delta_mx j 0) i; rewrite -(proj1 (model_K_matrix _ i net)) -PE.
+by rewrite -!colE !mxE.
+Qed.
+Lemma fiedler_1_proved : fiedler_1.
+Proof.
+exists 2%N => R n G n1 net con lam u ne E; apply: le_trans (fiedler_3_proved n1 net con ne E).
+have n0 : 0 < (n%:R : R) by rewrite ltr0n ltnW.
+have m0 : 0 < (n.-1%:R : R) by rewrite ltr0n; case: n n1 {G net con u ne E n0} => [|[]].
+apply: (@le_trans _ _ (1 / (n%:R * n.-1%:R))); last by rewrite ler_pmul2r ?invr_gt0 ?mulr_gt0 // ler1n.
+rewrite div1r lef_pinv ?posrE ?exprn_gt0 ?mulr_gt0 // expr2 ler_pmul2l // ler_nat; exact: leq_pred.
+Qed.
+(* a 2 x 2 or larger matrix entry by entry *)
+Ltac entries := apply/matrixP => -[[|[|[|[|?]]]] ?] // [[|[|[|[|?]]]] ?] //.
+Ltac sums := rewrite ?mxE ?big_ord_recl ?big_ord0 ?mxE /=.
+Lemma ex4_eig_proved : ex4_eig.
+Proof.
+move=> R; split.
+- apply/eqP => /matrixP/(_ (@Ordinal 4 0 isT) 0); rewrite !mxE /= mulr1 => /eqP; by rewrite invr_eq0 pnatr_eq0.
+- by apply/matrixP => -[[|[|[|[|?]]]] ?] // j; rewrite !mxE !big_ord_recl big_ord0 !mxE /=; field.
+- by apply/matrixP => -[[|[|[|[|?]]]] ?] // j; rewrite !mxE !big_ord_recl big_ord0 !mxE /=; field.
+Qed.
+
+Local Notation second := (lift ord0 ord0).
+Lemma ex15_apply (R : realFieldType) (u : 'cV[R]_2) :
+  (ex15_P R *m u) ord0 ord0 = (12%:R * u ord0 ord0 + 3%:R * u second ord0) / 15%:R /\
+  (ex15_P R *m u) second ord0 = (10%:R * u ord0 ord0 + 5%:R * u second ord0) / 15%:R.
+Proof. by split; rewrite mxE !big_ord_recl big_ord0 !mxE /=; field. Qed.
+Lemma ex15_eigen (R : realFieldType) (u : 'cV[R]_2) lam : ex15_P R *m u = lam *: u <->
+  (12%:R * u ord0 ord0 + 3%:R * u second ord0) / 15%:R = lam * u ord0 ord0 /\
+  (10%:R * u ord0 ord0 + 5%:R * u second ord0) / 15%:R = lam * u second ord0.
+Proof.
+have [A B] := ex15_apply u; split=> [E|[E F]].
+  by rewrite -A -B E !mxE.
+apply/matrixP => i j; rewrite ord1 [RHS]mxE; case: (unliftP ord0 i) => [k|] ->; last by rewrite A E.
+by rewrite (ord1 k) B F.
+Qed.
+Lemma ex15_cases (R : realFieldType) (u : 'cV[R]_2) lam : u != 0 -> ex15_P R *m u = lam *: u ->
+  (lam = 1 \/ lam = 2%:R / 15%:R) /\ (lam != 1 -> u ord0 ord0 != 0 /\ u second ord0 = - (10%:R / 3%:R) * u ord0 ord0).
+Proof.
+move=> u0 /ex15_eigen[]; set x := u ord0 ord0; set y := u second ord0 => E F.
+have nz : ~~ ((x == 0) && (y == 0)).
+  apply/negP => /andP[/eqP x0 /eqP y0]; case/eqP: u0; apply/matrixP => i j; rewrite ord1 mxE.
+  by case: (unliftP ord0 i) => [k|] ->; rewrite ?(ord1 k).
+have E' : (15%:R * lam - 12%:R) * x = 3%:R * y by rewrite mulrBl -mulrA -E; field.
+have F' : (15%:R * lam - 5%:R) * y = 10%:R * x by rewrite mulrBl -mulrA -F; field.
+have x0 : x != 0.
+  by apply: contra nz => /eqP z; rewrite z eqxx /=; move: E'; rewrite z mulr0 => /esym/eqP; rewrite mulf_eq0 pnatr_eq0.
+have Y : y = (15%:R * lam - 12%:R) * x / 3%:R by rewrite E'; field.
+have : (15%:R * (lam - 1)) * (15%:R * lam - 2%:R) = 0.
+  apply: (mulIf x0); rewrite mul0r.
+  transitivity (3%:R * ((15%:R * lam - 5%:R) * y - 10%:R * x)); first by rewrite Y; field.
+  by rewrite F' subrr mulr0.
+move/eqP; rewrite !mulf_eq0 pnatr_eq0 /= => C.
+have C' : lam = 1 \/ lam = 2%:R / 15%:R.
+  case/orP: C => [|]; rewrite subr_eq0 => /eqP h; [by left|right].
+  by rewrite -h; field.
+split=> // l1; split=> //; case: C' => [h|h]; first by rewrite h eqxx in l1.
+by rewrite Y h; field.
+Qed.
+Lemma ex15_2_proved : ex15_2.
+Proof.
+move=> R; exists (2%:R / 15%:R); split.
+  rewrite (_ : _ - _ = 3000%:R^-1); last by field.
+  by rewrite ger0_norm ?invr_ge0 ?ler0n // lef_pinv ?posrE ?ltr0n // ler_nat.
+move=> lam; split=> [[u [u0 E]]|]; first by case: (ex15_cases u0 E).
+have nz (a b : R) : a != 0 -> (\col_(i < 2) (if i == ord0 then a else b)) != 0.
+  by move=> a0; apply: contraNneq a0 => /matrixP/(_ ord0 ord0); rewrite !mxE /= => ->.
+case=> ->; [exists (\col_i (if i == ord0 then 1 else 1))|exists (\col_i (if i == ord0 then 3%:R else - 10%:R))].
+  by split; [apply: nz; rewrite oner_neq0|apply/ex15_eigen; rewrite !mxE /=; split; field].
+by split; [apply: nz; rewrite pnatr_eq0|apply/ex15_eigen; rewrite !mxE /=; split; field].
+Qed.
+Lemma sum2 (R : realFieldType) (u : 'cV[R]_2) : \sum_i u i 0 = u ord0 ord0 + u second ord0.
+Proof. by rewrite !big_ord_recl big_ord0 addr0. Qed.
+Lemma ex15_4_proved : ex15_4.
+Proof.
+move=> R lam u l1 u0 E; have [_ /(_ l1)[x0 Y]] := ex15_cases u0 E; rewrite sum2 Y.
+rewrite (_ : _ + _ = - (7%:R / 3%:R) * u ord0 ord0); last by field.
+by rewrite mulf_neq0 // oppr_eq0 mulf_neq0 ?invr_eq0 ?pnatr_eq0.
+Qed.
+Lemma ex15_5_proved : ex15_5.
+Proof.
+move=> R; exists (\col_i (if i == ord0 then 1 else -1)); split; first by rewrite sum2 !mxE /=; ring.
+rewrite sum2; set u := \col_i _; have [-> ->] := ex15_apply u; rewrite !mxE /=.
+rewrite (_ : _ + _ = 14%:R / 15%:R); last by field.
+by rewrite mulf_neq0 ?invr_eq0 ?pnatr_eq0.
+Qed.
+Lemma ex15_3_proved : ex15_3.
+Proof.
+move=> R; rewrite /norm2 !big_ord_recl big_ord0.
+have [A B] := ex15_apply (col_of 2 [:: 1; 0] : 'cV[R]_2); rewrite !(mxE trmx_key) A B !mxE /=.
+set S := Num.sqrt _; have -> : S = Num.sqrt (244%:R / 225%:R) by rewrite /S; congr Num.sqrt; field.
+have pos (p q r s : nat) : 0 <= (p%:R / (q%:R * r%:R * s%:R) : R) by rewrite divr_ge0 ?mulr_ge0 ?ler0n.
+have below : 51%:R / 49%:R <= Num.sqrt (244%:R / 225%:R) :> R.
+  rewrite -[X in X <= _]ger0_norm ?divr_ge0 ?ler0n // -sqrtr_sqr; apply: ler_wsqrtr; rewrite -subr_ge0.
+  rewrite (_ : _ - _ = 619%:R / (225%:R * 49%:R * 49%:R)); [exact: pos|by field].
+have above : Num.sqrt (244%:R / 225%:R) <= 151%:R / 145%:R :> R.
+  rewrite -[X in _ <= X]ger0_norm ?divr_ge0 ?ler0n // -sqrtr_sqr; apply: ler_wsqrtr; rewrite -subr_ge0.
+  rewrite (_ : _ - _ = 125%:R / (225%:R * 145%:R * 145%:R)); [exact: pos|by field].
+rewrite ler_distl; apply/andP; split.
+  apply: le_trans below; rewrite -subr_ge0 (_ : _ - _ = 31%:R / (49%:R * 2000%:R * 1%:R)); [exact: pos|by field].
+apply: (le_trans above); rewrite -subr_ge0 (_ : _ - _ = 35%:R / (145%:R * 2000%:R * 1%:R)); [exact: pos|by field].
+Qed.
+(* ---- kron ---- *)
+Lemma kron_bound (m p : nat) (i : 'I_m) (j : 'I_p) : (i * p + j < m * p)%N.
+Proof.
+by apply: (@leq_trans (i.+1 * p)); [rewrite mulSn addnC ltn_add2r | rewrite leq_mul2r ltn_ord orbT].
+Qed.
+Definition kron_at m p (i : 'I_m) (j : 'I_p) := Ordinal (kron_bound i j).
+Lemma kron_reach m p (r : 'I_(m * p)) : exists i j, r = @kron_at m p i j.
+Proof.
+case: (posnP p) => [p0|p0]; first by have := ltn_ord r; rewrite {2}p0 muln0.
+have rm : (r %/ p < m)%N by rewrite ltn_divLR.
+exists (Ordinal rm), (Ordinal (ltn_pmod r p0)); apply: val_inj; exact: divn_eq.
+Qed.
+Lemma kron_at_inj m p i j i' j' : @kron_at m p i j = kron_at i' j' -> i = i' /\ j = j'.
+Proof.
+move/(congr1 val) => /= E; have p0 : (0 < p)%N by apply: leq_ltn_trans (leq0n _) (ltn_ord j).
+split; apply: val_inj.
+  by have := congr1 (divn^~ p) E; rewrite !divnMDl // !(divn_small (ltn_ord _)) !addn0.
+by have := congr1 (modn^~ p) E; rewrite !modnMDl !(modn_small (ltn_ord _)).
+Qed.
+Lemma is_kron_at (R : comRingType) m n p q (A : 'M[R]_(m, n)) (B : 'M[R]_(p, q)) K :
+  is_kron A B K <-> forall i j k l, K (kron_at i j) (kron_at k l) = A i k * B j l.
+Proof.
+split=> H i j k l; first exact: H.
+move=> r c re ce; have -> : r = kron_at i j by apply: val_inj.
+have -> : c = kron_at k l by apply: val_inj.
+exact: H.
+Qed.
+Lemma kron_1_proved : kron_1.
+Proof.
+move=> R m n p q A B.
+have [p0|p0] := posnP p.
+  exists 0; split=> [i j|K _]; first by have := ltn_ord j; rewrite {2}p0.
+  by apply/matrixP => r; have := ltn_ord r; rewrite {2}p0 muln0.
+have [q0|q0] := posnP q.
+  exists 0; split=> [i j k l|K _]; first by have := ltn_ord l; rewrite {2}q0.
+  by apply/matrixP => r c; have := ltn_ord c; rewrite {2}q0 muln0.
+pose lo a b (b0 : (0 < b)%N) (r : 'I_(a * b)) : 'I_b := Ordinal (ltn_pmod r b0).
+have hi a b (b0 : (0 < b)%N) (r : 'I_(a * b)) : (r %/ b < a)%N by rewrite ltn_divLR.
+exists (\matrix_(r, c) (A (Ordinal (hi _ _ p0 r)) (Ordinal (hi _ _ q0 c)) * B (lo _ _ p0 r) (lo _ _ q0 c))); split.
+  apply/is_kron_at => i j k l; rewrite mxE; congr (A _ _ * B _ _); apply: val_inj => /=;
+    by rewrite ?divnMDl ?modnMDl // ?(divn_small (ltn_ord _)) ?(modn_small (ltn_ord _)) ?addn0.
+move=> K /is_kron_at H; apply/matrixP => r c; have [i [j ->]] := kron_reach r; have [k [l ->]] := kron_reach c.
+rewrite H mxE; congr (A _ _ * B _ _); apply: val_inj => /=;
+  by rewrite ?divnMDl ?modnMDl // ?(divn_small (ltn_ord _)) ?(modn_small (ltn_ord _)) ?addn0.
+Qed.
+Lemma kron_2_proved : kron_2.
+Proof.
+move=> R m n p q l h A B C D K1 K2 /is_kron_at H1 /is_kron_at H2; apply/is_kron_at => i j k e; rewrite !mxE.
+have S (F : 'I_(n * q) -> R) : \sum_c F c = \sum_i0 \sum_j0 F (kron_at i0 j0).
+  rewrite pair_big /= (reindex (fun ij : 'I_n * 'I_q => kron_at ij.1 ij.2)) //=.
+  apply/onW_bij/inj_card_bij; last by rewrite card_prod !card_ord.
+  by move=> [a b] [a' b'] /= /kron_at_inj[-> ->].
+rewrite S mulr_suml; apply: eq_bigr => a _; rewrite mulr_sumr; apply: eq_bigr => b _.
+by rewrite H1 H2 mulrACA.
+Qed.
+(* ---- the misprinted chi ---- *)
+Lemma no_chi_proved (R : realFieldType) n (i : 'I_n) (chi : 'rV[R]_n) : ~ (chi 0 i = 1 /\ chi 0 i = -1).
+Proof. by case; apply: chi_printed_impossible. Qed.
+(* ---- the exponential ---- *)
+Section Exponential.
+Variables (R : realFieldType) (E : R -> R).
+Hypothesis HE : exponential E.
+Lemma E0 : E 0 = 1.
+Proof.
+have [A B] := HE; have e0 : E 0 != 0 by apply: lt0r_neq0; apply: lt_le_trans (B 0); rewrite addr0 ltr01.
+by apply: (mulfI e0); rewrite -A addr0 mulr1.
+Qed.
+Lemma EN x : E (- x) * E x = 1. Proof. by have [A _] := HE; rewrite -A addNr E0. Qed.
+Lemma E_gt0 x : 0 < E x.
+Proof.
+have [A B] := HE; have Q : E x = E (x / 2%:R) ^+ 2 by rewrite expr2 -A -splitr.
+rewrite Q lt_def sqr_ge0 andbT -Q; apply/eqP => z; have := EN x; rewrite z mulr0 => /esym/eqP; by rewrite oner_eq0.
+Qed.
+Lemma E_power x k : E (k%:R * x) = E x ^+ k.
+Proof.
+elim: k => [|k IH]; first by rewrite mul0r E0.
+have [A _] := HE; by rewrite mulrSr mulrDl mul1r A IH exprSr.
+Qed.
+(* (1 - x)^k <= e^(-k x) *)
+Lemma power_E x k : x <= 1 -> (1 - x) ^+ k <= E (- (k%:R * x)).
+Proof.
+move=> x1; rewrite -mulrN E_power; have [_ B] := HE.
+by apply: ler_expn2r; rewrite ?nnegrE ?subr_ge0 // ltW ?E_gt0.
+Qed.
+Lemma E_small x : 0 < x -> E (- x) < x^-1.
+Proof.
+move=> x0; have [_ B] := HE; have X : x < E x by apply: lt_le_trans (B x); rewrite ltr_addr ltr01.
+have Ex := E_gt0 x; rewrite -[E (- x)](mulfK (lt0r_neq0 Ex)) EN mul1r ltf_pinv //.
+Qed.
+End Exponential.
+Lemma pi_is (R : realFieldType) n (c : 'I_n -> R) i : pi_of c 0 i = stat c i.
+Proof. by rewrite mxE. Qed.
+Lemma eq3_10_proved : eq3_10.
+Proof.
+move=> a; exists (2 * a + 4)%N, (4 * a + 10)%N => R E n G c HE n1 F sw s ss bound.
+have [B1 B2] := short_bounds n1 F sw; case: F => net MD con c0.
+have n0 : (0 < n)%N := ltnW n1; pose i0 := Ordinal n0.
+have N0 : 0 < (n%:R : R) by rewrite ltr0n.
+have N1 : 1 <= (n%:R : R) by rewrite ler1n.
+pose K := (2 * a + 4)%N; have NK : 0 < (n%:R : R) ^+ K by rewrite exprn_gt0.
+have sums x : 1 - \sum_k (stat c k - x) = n%:R * x.
+  by rewrite sumrB (stat_sum c0 i0) sumr_const card_ord -[x *+ n]mulr_natl subKr.
+have bE : bound = n%:R * (n%:R ^+ K * E (- (s%:R / n%:R ^+ K))).
+  by rewrite /bound (eq_bigr (fun k => stat c k - n%:R ^+ K * E (- (s%:R / n%:R ^+ K)))) => [|k _]; rewrite ?pi_is ?sums.
+have [|A _] := @chazelle_network.eq_3_10 R n G c net MD con c0 a n1 B1 B2 s; first by apply: leq_trans ss; rewrite ltnS leq_pexp2l //; lia.
+split.
+  apply: (le_trans A); rewrite sums bE; apply: ler_wpmul2l; first exact: ltW.
+  have Ki : (n%:R ^+ K)^-1 <= 1 :> R by rewrite invf_le1 ?exprn_ege1.
+  apply: ler_pmul; first by rewrite exprn_ge0 // ltW.
+  - by rewrite exprn_ge0 // subr_ge0.
+  - by rewrite ler_weexpn2l // /K; lia.
+  - exact: (power_E HE).
+have s0 : 0 < (s%:R : R) by rewrite ltr0n; apply: leq_ltn_trans ss.
+have x0 : 0 < s%:R / n%:R ^+ K :> R by rewrite divr_gt0.
+rewrite bE mulrA -exprS; apply: (@lt_le_trans _ _ (n%:R ^+ K.+1 * (s%:R / n%:R ^+ K)^-1)).
+  by rewrite ltr_pmul2l ?exprn_gt0 // E_small.
+rewrite invf_div mulrA -exprD ler_pdivr_mulr // mulrC ler_pdivl_mulr ?ltr0n //.
+apply: (@le_trans _ _ (n%:R ^+ (4 * a + 10))); last by rewrite -natrX ler_nat ltnW.
+apply: (@le_trans _ _ (n%:R ^+ (K.+1 + K).+1)).
+  by rewrite exprSr; apply: ler_wpmul2l; rewrite ?exprn_ge0 ?ler_nat ?ler0n.
+by rewrite ler_weexpn2l //; rewrite /K; lia.
+Qed.
+(* ---- the spectral form ---- *)
+Section Halves.
+Variables (R : rcfType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R).
+Hypothesis F : fixed G c.
+Lemma half_neq0 i : Num.sqrt (c i) != 0. Proof. by case: F => _ _ _ c0; rewrite gt_eqF ?sqrtr_gt0. Qed.
+Lemma halfK : half c *m half_inv c = 1%:M.
+Proof.
+rewrite mul_diag_mx; apply/matrixP => i j; rewrite !mxE; case: eqP => [->|_]; rewrite ?mulr1n ?mulfV ?half_neq0 //.
+by rewrite !mulr0n mulr0.
+Qed.
+Lemma half_invK : half_inv c *m half c = 1%:M.
+Proof. exact: mulmx1C halfK. Qed.
+Lemma M_half : half c *m M_of G c = transition G c *m half c.
+Proof. by rewrite /M_of !mulmxA halfK mul1mx. Qed.
+Lemma M_half_inv : M_of G c *m half_inv c = half_inv c *m transition G c.
+Proof. by rewrite /M_of -!mulmxA halfK mulmx1. Qed.
+Lemma MofE i j : M_of G c i j = (Num.sqrt (c i))^-1 * transition G c i j * Num.sqrt (c j).
+Proof. by rewrite /M_of mul_mx_diag mxE mul_diag_mx !mxE. Qed.
+End Halves.
+Lemma M_is (R : rcfType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) : M_of G c = chazelle_spectral.M G c.
+Proof. by apply/matrixP => i j; rewrite MofE !mxE. Qed.
+Lemma eq3_7_1_proved : eq3_7_1.
+Proof.
+move=> R [|m] G c F; first by split; apply/matrixP => -[].
+case: F => net MD con c0; have [A B _ _ _] := chazelle_spectral.eq_3_7 net MD con c0.
+rewrite M_is; split; apply/matrixP => i j; last by rewrite mxE B.
+by rewrite A [RHS]mxE [X in _ = _ + X]mxE mul_mx_diag mxE mul_diag_mx !mxE.
+Qed.
+Lemma eq3_7_3_proved : eq3_7_3.
+Proof.
+move=> R [//|m] G c _ F; have [net MD con c0] := F; move=> u1.
+have [_ _ [A B] S _] := chazelle_spectral.eq_3_7 net MD con c0.
+have u1E i : u1 i 0 = chazelle_spectral.u1 c i by rewrite mxE pi_is.
+split.
+- apply/matrixP => i j; rewrite ord1 u1E -[RHS]A mxE; by apply: eq_bigr => k _; rewrite M_is u1E.
+- by rewrite -[RHS]B; apply: eq_bigr => i _; rewrite u1E.
+move=> u Mu uu.
+have E i : step G c (fun j => Num.sqrt (c j) * u j 0) i = Num.sqrt (c i) * u i 0.
+  rewrite -[RHS]mul1r; apply: (proj1 (S 1 (fun j => u j 0))) => k; rewrite mul1r.
+  by have := congr1 (fun z : 'cV_m.+1 => z k 0) Mu; rewrite mxE M_is.
+have C := chazelle_network.fixed_constant net MD con c0 E.
+pose w := Num.sqrt (trace c)^-1; pose k := Num.sqrt (c ord0) * u ord0 0 / w.
+have w0 : w != 0 by rewrite gt_eqF // sqrtr_gt0 invr_gt0 (trace_gt0 c0 ord0).
+have uk : u = k *: u1.
+  apply/matrixP => i j; rewrite ord1 mxE u1E; apply: (mulfI (half_neq0 F i)); rewrite (C i ord0) mulrCA.
+  by rewrite [Num.sqrt (c i) * _]mulrC (chazelle_spectral.u1_root c0) -/w /k divfK.
+clearbody k; have : k ^+ 2 = 1.
+  rewrite -[RHS]uu uk -[LHS]mulr1 -B mulr_sumr; apply: eq_bigr => i _; by rewrite [in RHS]mxE u1E exprMn.
+by rewrite uk => /eqP; rewrite sqrf_eq1 => /orP[]/eqP ->; [left; rewrite scale1r|right; rewrite scaleN1r].
+Qed.
+Lemma eq3_7_4_proved : eq3_7_4.
+Proof.
+move=> R n G c F; split=> [lam|].
+  split=> -[u [u0 E]].
+    exists (half_inv c *m u); split.
+      by apply: contraNneq u0 => z; rewrite -[u]mul1mx -(halfK F) -mulmxA z mulmx0.
+    by rewrite mulmxA (M_half_inv F) -mulmxA E -scalemxAr.
+  exists (half c *m u); split.
+    by apply: contraNneq u0 => z; rewrite -[u]mul1mx -(half_invK F) -mulmxA z mulmx0.
+  by rewrite mulmxA -(M_half F) -mulmxA E -scalemxAr.
+rewrite /char_poly; set X := char_poly_mx _.
+have -> : char_poly_mx (M_of G c) = map_mx polyC (half_inv c) *m X *m map_mx polyC (half c).
+  rewrite /X /char_poly_mx mulmxBr mulmxBl /M_of !map_mxM; congr (_ - _).
+  by rewrite mul_mx_scalar -scalemxAl -map_mxM (half_invK F) map_mx1 scalemx1.
+rewrite !det_mulmx mulrAC -det_mulmx -map_mxM (half_invK F) map_mx1 det1 mul1r //.
+Qed.
+Lemma eq3_8_2_proved : eq3_8_2.
+Proof.
+move=> R m G c lam u F [O E _] k.
+have u0 : u k != 0 by apply/eqP => z; have /eqP := O k k; rewrite z mulmx0 mxE eqxx eq_sym oner_eq0.
+have [_ sym] := eq3_7_1_proved F; split.
+- by apply: contraNneq u0 => z; rewrite -[u k]mul1mx -(halfK F) -mulmxA z mulmx0.
+- by apply: contraNneq u0 => z; rewrite -[u k]mul1mx -(half_invK F) -mulmxA z mulmx0.
+- rewrite trmx_mul tr_diag_mx -/(half_inv c) -mulmxA -(M_half_inv F) mulmxA -[M_of G c]sym -trmx_mul E.
+  by rewrite linearZ /= -scalemxAl.
+- by rewrite mulmxA -(M_half F) -mulmxA E -scalemxAr.
+Qed.
+(* the first eigenvector may be taken as sqrt pi *)
+Definition signed (R : rcfType) m (c : 'I_m.+1 -> R) (u : 'I_m.+1 -> 'cV[R]_m.+1) : 'M[R]_m.+1 :=
+  \matrix_(i, k) if k == ord0 then chazelle_spectral.u1 c i else u k i 0.
+Section Basis.
+Variables (R : rcfType) (m : nat) (G : rel 'I_m.+1) (c lam : 'I_m.+1 -> R) (u : 'I_m.+1 -> 'cV[R]_m.+1).
+Hypothesis F : fixed G c.
+Hypothesis EB : eigenbasis G c lam u.
+Let U := signed c u.
+Lemma signedE : exists e : R, e ^+ 2 = 1 /\ forall i k, U i k = (if k == ord0 then e else 1) * u k i 0.
+Proof.
+have [O E L] := EB; have [] := eq3_7_3_proved (ltn0Sn m) F; set u1 := \col_i _ => _ _ uniq.
+have [|//||h] := uniq (u ord0).
+- by rewrite E L scale1r.
+- transitivity (((u ord0)^T *m u ord0) 0 0); last by rewrite O eqxx.
+  by rewrite mxE; apply: eq_bigr => i _; rewrite !mxE expr2.
+- move=> h; exists 1; split=> [|i k]; first by rewrite expr1n.
+  by rewrite mxE; case: eqP => [->|_]; rewrite mul1r // h mxE pi_is.
+- exists (-1); split=> [|i k]; first by rewrite sqrrN expr1n.
+  rewrite mxE; case: eqP => [->|_]; rewrite ?mul1r //.
+  by rewrite h [in RHS]mxE mulN1r opprK mxE pi_is.
+Qed.
+Lemma signed_orth : U^T *m U = 1%:M.
+Proof.
+have [e [e2 UE]] := signedE; have [O _ _] := EB; apply/matrixP => k l.
+transitivity ((if k == ord0 then e else 1) * (if l == ord0 then e else 1) * ((u k)^T *m u l) 0 0).
+  by rewrite !mxE mulr_sumr; apply: eq_bigr => i _; rewrite [U^T _ _]mxE !UE [(u k)^T _ _]mxE mulrACA.
+rewrite O !mxE; case: (eqVneq k l) => [->|_]; last by rewrite mulr0.
+by rewrite mulr1; case: eqP => _; rewrite ?mulr1 // -expr2.
+Qed.
+Lemma signed_eig i k : \sum_j chazelle_spectral.M G c i j * U j k = lam k * U i k.
+Proof.
+have [e [e2 UE]] := signedE; have [_ E _] := EB.
+have H := congr1 (fun z : 'cV_m.+1 => z i 0) (E k); rewrite !mxE in H.
+rewrite UE mulrCA -H mulr_sumr; apply: eq_bigr => j _; by rewrite UE M_is mulrCA.
+Qed.
+Lemma signed_first i : U i 0 = chazelle_spectral.u1 c i. Proof. by rewrite mxE. Qed.
+Lemma signed_lam : lam 0 = 1. Proof. by case: EB. Qed.
+Lemma projection k i j : k != ord0 ->
+  (half c *m u k *m (u k)^T *m half_inv c) i j = Num.sqrt (c i) * (U i k * U j k) / Num.sqrt (c j).
+Proof.
+move=> k0; have [e [e2 UE]] := signedE.
+by rewrite mul_mx_diag mxE -mulmxA mul_diag_mx !mxE big_ord1 !mxE (negPf k0).
+Qed.
+Lemma small_lam k : k != ord0 -> `|lam k| < 1 /\ lam k != 1.
+Proof.
+move=> k0; have [net MD con c0] := F.
+have l1 := chazelle_spectral.lam_neq1 net MD con c0 signed_orth signed_eig (signed_first) k0; split=> //.
+have [_ _ _ _ D] := chazelle_spectral.eq_3_7 net MD con c0.
+have [O E _] := EB; have [||h|] := D (lam k) (fun i => u k i 0).
+- by move=> i; have := congr1 (fun z : 'cV_m.+1 => z i 0) (E k); rewrite M_is !mxE.
+- apply: column_nonzero; apply/eqP => z; have /eqP := O k k; by rewrite z mulmx0 mxE eqxx eq_sym oner_eq0.
+- by rewrite h eqxx in l1.
+- by rewrite ltr_norml.
+Qed.
+End Basis.
+Lemma eq3_8_1_proved : eq3_8_1.
+Proof.
+move=> R m G c lam u F EB s; have [net MD con c0] := F; apply/matrixP => i j.
+rewrite (chazelle_spectral.eq_3_8 c0 (signed_orth F EB) (signed_eig F EB) (signed_first c u) (signed_lam EB)).
+rewrite [RHS]mxE mxE big_ord1 mxE mul1r pi_is summxE; congr (_ + _); apply: eq_bigr => k k0.
+by rewrite [RHS]mxE (projection F EB _ _ k0).
+Qed.
+Lemma first_projection (R : rcfType) m (G : rel 'I_m.+1) (c lam : 'I_m.+1 -> R) u : fixed G c -> eigenbasis G c lam u ->
+  half c *m u ord0 *m (u ord0)^T *m half_inv c = const_mx 1 *m pi_of c.
+Proof.
+move=> F EB; have [e [e2 UE]] := signedE F EB; have [_ _ _ c0] := F; apply/matrixP => i j.
+transitivity (stat c j); last by rewrite [RHS]mxE big_ord1 [const_mx _ _ _]mxE mul1r pi_is.
+rewrite -(chazelle_spectral.first_term c0 (signed_first c u) i j) !UE eqxx.
+by rewrite mulrACA -expr2 e2 mul1r mul_mx_diag mxE -mulmxA mul_diag_mx !mxE big_ord1 !mxE.
+Qed.
+Lemma eq3_16_proved : eq3_16.
+Proof.
+split=> [R m u O|R m d G c lam u v1 i F EB].
+  pose U : 'M[R]_(m, m.+1) := \matrix_(i, k) u k i 0.
+  have E : U^T *m U = 1%:M.
+    apply/matrixP => k l; rewrite [RHS]mxE -(O k l) -1?ltnS ?ltn_ord // !mxE; apply: eq_bigr => i _; by rewrite !mxE.
+  have : (\rank (U^T *m U) <= m)%N by apply: leq_trans (mxrankM_maxr _ _) (rank_leq_row _).
+  by rewrite E mxrank1 ltnn.
+have E : Phi c u v1 i ord0 = y_of c v1.
+  rewrite /Phi (first_projection F EB) !mulmxA (_ : _ *m const_mx 1 = 1%:M) ?mul1mx //.
+  by rewrite -rowE; apply/matrixP => a b; rewrite !ord1 !mxE.
+split=> // y0 q; have [_ _ ->] := EB; rewrite subrr scale0r E => z; by rewrite -z eqxx in y0.
+Qed.
+(* ---- a flock among others ---- *)
+Section Flock.
+Variables (R : rcfType) (n m : nat) (f : 'I_m.+1 -> 'I_n) (G : rel 'I_n) (w : 'I_n -> R).
+Hypothesis FL : is_flock f G.
+Hypothesis net : network G.
+Hypothesis MD : model_D G w.
+Hypothesis w0 : forall k, 0 < w (f k).
+Let H := own_network f G.
+Let c k := w (f k).
+Lemma own_degree k : degree H k = degree G (f k).
+Proof.
+have [fi _ cl] := FL; rewrite /degree -(card_image fi); apply: eq_card => j; rewrite inE; apply/imageP/idP.
+  by case=> l; rewrite inE => h ->.
+by move=> h; have [l fl] := cl _ _ h; exists l; rewrite // inE /H /own_network fl.
+Qed.
+Lemma own_fixed : fixed H c.
+Proof.
+have [sy ir] := net; have [_ con _] := FL; split=> //.
+- by split=> [k l|k]; [apply: sy|apply: ir].
+- by move=> k; rewrite own_degree; apply: MD.
+Qed.
+Lemma own_transition d (y : 'M[R]_(n, d)) : own_rows f (transition G w *m y) = transition H c *m own_rows f y.
+Proof.
+have [fi _ cl] := FL; have [_ ir] := net; apply/matrixP => k q; rewrite !mxE.
+rewrite (bigID (fun j => j \in f @: setT)) /= [X in _ + X]big1 ?addr0; last first.
+  move=> j jf; rewrite transitionE //; have fkj : (f k == j) = false.
+    by apply: contraNF jf => /eqP <-; apply: imset_f; rewrite inE.
+  rewrite fkj; case: ifP => Gj; last by rewrite mul0r.
+  by have [l fl] := cl _ _ Gj; move: jf; rewrite -fl imset_f ?inE.
+rewrite big_imset /=; last by move=> a b _ _; apply: fi.
+apply: eq_big => [l|l _]; first by rewrite inE.
+rewrite [own_rows f y l q]mxE !transitionE //; last by move=> a; apply: ir.
+by rewrite (inj_eq fi) own_degree.
+Qed.
+End Flock.
+Section Closed.
+Variables (R : rcfType) (n d m : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) (t1 : nat).
+Variables (f : 'I_m.+1 -> 'I_n) (lam : 'I_m.+1 -> R) (u : 'I_m.+1 -> 'cV[R]_m.+1).
+Hypothesis MO : motion_D x v G w.
+Hypothesis t10 : (0 < t1)%N.
+Hypothesis FL : is_flock f (G t1).
+Hypothesis w0 : forall k, 0 < w t1 (f k).
+Let c k := w t1 (f k).
+Let H := own_network f (G t1).
+Let v1 := own_rows f (v t1.+1).
+Hypothesis EB : eigenbasis H c lam u.
+Let P := transition H c.
+Let vv s := mpow P (s - t1.+1) *m v1.
+Let xx s := own_rows f (x t1) + (\sum_(r < s - t1) mpow P r) *m v1.
+Let F : fixed H c.
+Proof. by have [/(_ t1 t10)[net MD] _ _] := MO; apply: own_fixed. Qed.
+Lemma xx_step t : (t1 <= t)%N -> xx t.+1 = xx t + vv t.+1.
+Proof. by move=> tt; rewrite /xx /vv subSn // big_ord_recr /= mulmxDl addrA subSS. Qed.
+Lemma vv_step t : (t1 < t)%N -> vv t.+1 = P *m vv t.
+Proof. by move=> tt; rewrite /vv subSn // mulmxA. Qed.
+Lemma xx_is t : (t1 <= t)%N -> unchanged G w t1 t -> own_rows f (x t) = xx t.
+Proof.
+have [MDn Hx Hv] := MO.
+have OD (a b : 'M[R]_(n, d)) : own_rows f (a + b) = own_rows f a + own_rows f b by apply/matrixP => i j; rewrite !mxE.
+have W s : (forall r, (t1 <= r <= t1 + s)%N -> (forall i j, G r i j = G t1 i j) /\ forall i, w r i = w t1 i) ->
+    own_rows f (v (t1 + s).+1) = mpow P s *m v1.
+  elim: s => [|s IH] un; first by rewrite addn0 mul1mx.
+  have pos : (0 < t1 + s.+1)%N by rewrite addnS.
+  rewrite addnS Hv ?addnS // /P_of -addnS.
+  have [eG ew] := un (t1 + s.+1)%N ltac:(by rewrite leq_addr leqnn).
+  have -> : transition (G (t1 + s.+1)) (w (t1 + s.+1)%N) = transition (G t1) (w t1).
+    apply/matrixP => i j; have [_ ir] := proj1 (MDn _ pos); have [_ ir1] := proj1 (MDn _ t10).
+    rewrite !transitionE // eG ew; congr (if _ then _ - _ * _%:R else _).
+    by apply: eq_card => k; rewrite !inE eG.
+  have [net1 _] := MDn t1 t10; rewrite own_transition // addnS IH /= ?mulmxA // => r /andP[r1 r2]; apply: un.
+  by rewrite r1 addnS (leq_trans r2).
+move=> tt un; rewrite -(subnKC tt) in un *; elim: (t - t1)%N un => [|s IH] un.
+  by rewrite addn0 /xx subnn big_ord0 mul0mx addr0.
+rewrite addnS Hx OD xx_step ?leq_addr // IH; last by move=> r /andP[r1 r2]; apply: un; rewrite r1 addnS (ltn_trans r2).
+congr (_ + _); rewrite /vv subSS addKn; apply: W => r /andP[r1 r2]; apply: un; by rewrite r1 addnS ltnS.
+Qed.
+Lemma drift_is q : chazelle_spectral.drift c vv t1 q = y_of c v1 0 q.
+Proof.
+rewrite /chazelle_spectral.drift [RHS]mxE; apply: eq_bigr => k _; by rewrite pi_is /vv subnn mul1mx.
+Qed.
+Lemma Phi_is i k q : k != ord0 -> chazelle_spectral.Phi c (signed c u) vv t1 i k q = Phi c u v1 i k 0 q.
+Proof.
+move=> k0; rewrite /Phi -rowE [RHS]mxE; apply: eq_bigr => j _; rewrite [row _ _ _ _]mxE (projection F EB) //.
+by rewrite /vv subnn mul1mx.
+Qed.
+Lemma xi_row t i : (t1 <= t)%N -> unchanged G w t1 t -> row (f i) (x t) = row (f i) (x t1) + (t - t1)%:R *: y_of c v1
+    + \sum_(k | k != ord0) ((1 - lam k ^+ (t - t1)) / (1 - lam k)) *: Phi c u v1 i k.
+Proof.
+move=> tt un; have [net MD con c0] := F; apply/matrixP => z q; rewrite (ord1 z).
+have -> : row (f i) (x t) 0 q = xx t i q by rewrite -xx_is // !mxE.
+rewrite -{1}(subnKC tt).
+rewrite (chazelle_spectral.xi_closed net MD con c0 (signed_orth F EB) (signed_eig F EB) (signed_first c u) (signed_lam EB) xx_step vv_step).
+rewrite drift_is [RHS]mxE [X in _ = X + _]mxE [X in _ = X + _ + _]mxE [X in _ = _ + X + _]mxE summxE; congr (_ + _ + _).
+- by rewrite /xx subnn big_ord0 mul0mx addr0 mxE.
+- by rewrite mulr_natl.
+by apply: eq_bigr => k k0; rewrite [RHS]mxE Phi_is.
+Qed.
+Lemma Gamma_row t i : (t1 <= t)%N -> unchanged G w t1 t -> row (f i) (x t) = row (f i) (x t1) + row i (Gamma_of H c *m v1)
+    + (t - t1)%:R *: y_of c v1 - \sum_(k | k != ord0) lam k ^+ (t - t1) *: ((1 - lam k)^-1 *: Phi c u v1 i k).
+Proof.
+move=> tt un; have [net MD con c0] := F; apply/matrixP => z q; rewrite (ord1 z).
+have -> : row (f i) (x t) 0 q = xx t i q by rewrite -xx_is // !mxE.
+rewrite -{1}(subnKC tt).
+rewrite (chazelle_spectral.eq_3_16 net MD con c0 (signed_orth F EB) (signed_eig F EB) (signed_first c u) (signed_lam EB) xx_step vv_step).
+rewrite drift_is Gamma_is (_ : vv t1.+1 = v1); last by rewrite /vv subnn mul1mx.
+rewrite [RHS]mxE [X in _ = X + _]mxE [X in _ = X + _ + _]mxE [X in _ = _ + X + _]mxE [X in _ = X + _ + _ + _]mxE [X in _ = _ + _ + _ + X]mxE.
+rewrite [X in _ = _ + X + _ + _]mxE summxE; congr (_ + _ + _ - _).
+- by rewrite /xx subnn big_ord0 mul0mx addr0 mxE.
+- by rewrite mulr_natl.
+by apply: eq_bigr => k k0; rewrite [RHS]mxE [X in _ = _ * X]mxE Phi_is // [(1 - lam k)^-1 * _]mulrC.
+Qed.
+End Closed.
+Lemma xi_closed_proved : xi_closed.
+Proof.
+move=> R n d m x v G w t1 t f lam u i MO /andP[t10 tt] un FL w0 c v1 EB; exact: (xi_row MO t10 FL w0 EB).
+Qed.
+Lemma eigen_of_P (R : rcfType) m (G : rel 'I_m.+1) (c lam : 'I_m.+1 -> R) u k : fixed G c -> eigenbasis G c lam u ->
+  is_eigenvalue (transition G c) (lam k).
+Proof. by move=> F EB; have [_ A _ B] := eq3_8_2_proved F EB k; exists (half c *m u k). Qed.
+Lemma eq3_17_proved : eq3_17.
+Proof.
+move=> R n d m m' x v G w t1 f g lam u lam' u' i j MO t10 FL FL' w0 w0' c c' Gf Gg v1 v1' B A EB EB'.
+have [/(_ t1 t10)[net MD] _ _] := MO.
+have F : fixed Gf c by apply: own_fixed.
+have F' : fixed Gg c' by apply: own_fixed.
+pose T1 := [seq (lam k, (1 - lam k)^-1 *: Phi c u v1 i k) | k <- enum [pred k : 'I_m.+1 | k != ord0]].
+pose T2 := [seq (lam' k, - ((1 - lam' k)^-1 *: Phi c' u' v1' j k)) | k <- enum [pred k : 'I_m'.+1 | k != ord0]].
+pose falling := fun p q : R * 'rV[R]_d => q.1 <= p.1.
+have tot : total falling by move=> p q; rewrite /falling; apply: le_total.
+exists (sort falling (T1 ++ T2)); split; first exact: sort_sorted.
+- move=> p; rewrite mem_sort mem_cat => /orP[]/mapP[k]; rewrite mem_enum inE => k0 -> /=.
+    by split; [case: (small_lam F EB k0)|left; apply: eigen_of_P EB].
+  by split; [case: (small_lam F' EB' k0)|right; apply: eigen_of_P EB'].
+move=> t tt un; rewrite (Gamma_row MO t10 FL w0 EB i tt un) (Gamma_row MO t10 FL' w0' EB' j tt un).
+have E1 : \sum_(p <- T1) p.1 ^+ (t - t1) *: p.2 = \sum_(k | k != ord0) lam k ^+ (t - t1) *: ((1 - lam k)^-1 *: Phi c u v1 i k).
+  by rewrite big_map big_enum /=; apply: eq_bigl => k; rewrite inE.
+have E2 : \sum_(p <- T2) p.1 ^+ (t - t1) *: p.2 = - \sum_(k | k != ord0) lam' k ^+ (t - t1) *: ((1 - lam' k)^-1 *: Phi c' u' v1' j k).
+  rewrite big_map big_enum /= -sumrN; apply: eq_big => [k|k _]; [by rewrite inE|by rewrite scalerN].
+rewrite (perm_big (T1 ++ T2)) ?perm_sort //= big_cat /= E1 E2 /A /B scalerBr -/c -/c' -/v1 -/v1' -/Gf -/Gg.
+have Z (S S' a a' b b' r r' : 'rV[R]_d) : r + a + b - S - (r' + a' + b' - S') = r - r' + (a - a') + (b - b') - (S - S').
+  by apply/matrixP => p q; rewrite !mxE; ring.
+exact: Z.
+Qed.
+(* ---- stabilisers ---- *)
+Section Stabilisers.
+Variables (R : realFieldType) (n : nat) (P : nat -> 'M[R]_n).
+Hypothesis SP : forall t, (0 < t)%N -> stochastic (P t).
+Hypothesis dg : forall t i, (0 < t)%N -> 0 < P t i i.
+Hypothesis sy : forall t i j, (0 < t)%N -> (P t i j != 0) = (P t j i != 0).
+Variables (s : nat) (r : 'I_n) (T : nat -> nat) (V : nat -> {set 'I_n}).
+Hypothesis s0 : (0 < s)%N.
+Hypothesis ST : stabilisers P s r T V.
+Let P' t := P t.-1.+1.
+Lemma span_later a k : (0 < a)%N -> span P a k = span P' a k.
+Proof. by move=> a0; apply: span_ext => t at_; rewrite /P' prednK // (leq_trans a0). Qed.
+Lemma later_ge0 a k i j : (0 < a)%N -> 0 <= span P a k i j.
+Proof. by move=> a0; rewrite span_later //; apply: span_ge0 => t p q; case: (SP (ltn0Sn t.-1)). Qed.
+Lemma T_later k : (T k < T k.+1)%N. Proof. by case: ST => _ _ /(_ k)[[]]. Qed.
+Lemma T_mono k l : (k <= l)%N -> (T k <= T l)%N.
+Proof. by move=> kl; rewrite -(subnKC kl); elim: (l - k)%N => [|m IH]; rewrite ?addn0 // addnS (leq_trans IH) // ltnW // T_later. Qed.
+Lemma diag_later a k i : (0 < a)%N -> 0 < span P a k i i.
+Proof.
+move=> a0; elim: k => [|k IH] /=; first by rewrite mxE eqxx ltr01.
+have [P0 _] := SP (ltn_addr k a0).
+apply: lt_le_trans (@mul_ge_term R n (P (a + k)%N) (span P a k) i i i P0 _); last by move=> p q; apply: later_ge0.
+by rewrite mulr_gt0 // dg // ltn_addr.
+Qed.
+Lemma r_in k : r \in V k.
+Proof.
+have [_ V0 N] := ST; elim: k => [|k IH]; first by rewrite V0 inE.
+by have [_ _ ->] := N k; rewrite inE IH /= lt0r_neq0 // diag_later.
+Qed.
+Lemma V_nested k : V k.+1 \subset V k.
+Proof. by have [_ _ /(_ k)[_ _ ->]] := ST; apply/subsetP => i; rewrite inE => /andP[]. Qed.
+(* a one of the column stays, and no other comes *)
+Lemma column_is k t i : (T k.+1 <= t)%N -> i \in V k -> (pprod P t (T k).+1 i r != 0) = (i \in V k.+1).
+Proof.
+have [_ _ /(_ k)[[_ st] _ ->]] := ST; rewrite inE leq_eqVlt => /orP[/eqP <- ->//|tt iV].
+by rewrite iV (st t i r tt iV) // r_in.
+Qed.
+Lemma cut_off k t i j : (T k < t)%N -> i \in V k -> j \notin V k -> P t i j = 0.
+Proof.
+elim: k i j => [|k IH] i j tt; first by have [_ -> _] := ST; rewrite !inE.
+have t0 : (0 < t)%N by apply: leq_ltn_trans tt.
+move=> iV jV; have iVk := subsetP (V_nested k) i iV; have tk := ltn_trans (T_later k) tt.
+have [jVk|] := boolP (j \in V k); last exact: IH.
+apply/eqP; rewrite -[_ == _]negbK sy //; apply: contra jV => pz.
+have col u l : (T k.+1 <= u)%N -> l \in V k -> (pprod P u (T k).+1 l r != 0) = (l \in V k.+1) by apply: column_is.
+rewrite -(col t j (ltnW tt) jVk); apply: lt0r_neq0.
+have tE : t = t.-1.+1 by rewrite prednK.
+have t1 : (T k.+1 <= t.-1)%N by rewrite -ltnS -tE.
+have pos : 0 < pprod P t.-1 (T k).+1 i r.
+  by rewrite lt_def later_ge0 // andbT (col _ _ t1 iVk).
+have E : pprod P t (T k).+1 = P t *m pprod P t.-1 (T k).+1.
+  by rewrite [in LHS]tE pprod_next ?prednK //; apply: leq_trans (T_later k) t1.
+rewrite E.
+have [P0 _] := SP t0.
+apply: lt_le_trans (@mul_ge_term R n (P t) (pprod P t.-1 (T k).+1) j i r P0 _); last by move=> p q; apply: later_ge0.
+by rewrite mulr_gt0 // lt_def pz P0.
+Qed.
+Lemma block_is k a u i j : (T k < a)%N -> i \in V k -> chazelle_stabilisers.block P' (V k) a u i j = span P a u i j.
+Proof.
+move=> ta; elim: u i => [|u IH] i iV /=; first by rewrite mxE.
+have ta' : (T k < a + u)%N by rewrite ltn_addr.
+rewrite mxE [RHS](bigID (fun l => l \in V k)) /= [X in _ = _ + X]big1 ?addr0 => [|l lV]; last by rewrite (cut_off ta') ?mul0r.
+by apply: eq_bigr => l lV; rewrite IH // /P' prednK // (leq_ltn_trans _ ta').
+Qed.
+Lemma pprod_span k t : (T k < t)%N -> pprod P t (T k).+1 = span P (T k).+1 (t - T k).
+Proof. by move=> tt; rewrite /pprod subnSK. Qed.
+Lemma V_next k i : (i \in V k.+1) = (i \in V k) && (chazelle_stabilisers.block P' (V k) (T k).+1 (T k.+1 - T k) i r != 0).
+Proof.
+have [_ _ /(_ k)[_ _ ->]] := ST; rewrite inE; case iV: (i \in V k) => //=.
+by rewrite block_is // -pprod_span // T_later.
+Qed.
+Lemma V_stable k t i : (T k.+1 <= t)%N -> i \in V k ->
+  chazelle_stabilisers.block P' (V k) (T k).+1 (t - T k) i r != 0 -> i \in V k.+1.
+Proof.
+move=> tt iV; rewrite block_is // -pprod_span ?column_is //; exact: leq_trans (T_later k) tt.
+Qed.
+Lemma SP' t : stochastic (P' t). Proof. exact: SP. Qed.
+Lemma dg' t i : 0 < P' t i i. Proof. exact: dg. Qed.
+Lemma sy' t i j : (P' t i j != 0) = (P' t j i != 0). Proof. exact: sy. Qed.
+Lemma V0' : V 0%N = setT. Proof. by case: ST. Qed.
+Lemma T0' : (T 0%N).+1 = s. Proof. by case: ST. Qed.
+End Stabilisers.
+Section FromModel.
+Variables (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R).
+Hypothesis MD : in_model_D G w.
+Lemma of_stochastic t : (0 < t)%N -> stochastic (P_of G w t).
+Proof. by move=> t0; have [net D] := MD t0; case: (model_D_stochastic net D). Qed.
+Lemma of_diag t i : (0 < t)%N -> 0 < P_of G w t i i.
+Proof. by move=> t0; have [net D] := MD t0; case: (model_D_stochastic net D). Qed.
+Lemma of_edge t i j : (0 < t)%N -> (P_of G w t i j != 0) = (i == j) || G t i j.
+Proof. by move=> t0; have [net D] := MD t0; apply: transition_edge. Qed.
+Lemma of_sym t i j : (0 < t)%N -> (P_of G w t i j != 0) = (P_of G w t j i != 0).
+Proof. by move=> t0; rewrite !of_edge // eq_sym; have [[-> _] _] := MD t0. Qed.
+End FromModel.
+Lemma stab_123_proved : stab_123.
+Proof.
+move=> R n G w s r T V s0 MD ST; have SP := of_stochastic MD; have dg := of_diag MD; have sy := of_sym MD.
+split=> [k|t i j tt iV jV|k i iV].
+- exact: (V_nested ST).
+- have t0 : (0 < t)%N by apply: leq_ltn_trans tt.
+  have z : P_of G w t i j = 0 := cut_off SP dg sy ST tt iV jV.
+  have z' : P_of G w t j i = 0 by apply/eqP; rewrite -[_ == _]negbK sy // z eqxx.
+  have := of_edge MD i j t0; have := of_edge MD j i t0; rewrite z z' !eqxx /= => /esym/norP[_ a] /esym/norP[_ b].
+  by split.
+split; first exact: (r_in SP dg ST).
+rewrite lt_def (later_ge0 SP) // andbT (column_is SP dg ST) //; exact: subsetP (V_nested ST k) _ iV.
+Qed.
+Lemma max_on_le (R : realFieldType) (I : finType) (Q : pred I) (F : I -> R) c : 0 <= c -> (forall i, Q i -> F i <= c) ->
+  \big[Num.max/0]_(i | Q i) F i <= c.
+Proof. by move=> c0 H; elim/big_rec: _ => // i y Qi yc; rewrite le_maxl H. Qed.
+Lemma max_on_ub (R : realFieldType) (I : finType) (Q : pred I) (F : I -> R) i : Q i -> F i <= \big[Num.max/0]_(j | Q j) F j.
+Proof.
+move=> Qi; have : i \in index_enum I by rewrite mem_index_enum.
+elim: (index_enum I) => [//|j l IH]; rewrite inE big_cons => /orP[/eqP <-|/IH h]; first by rewrite Qi le_maxr lexx.
+by case: ifP => _ //; rewrite le_maxr h orbT.
+Qed.
+Lemma max_on_ge0 (R : realFieldType) (I : finType) (Q : pred I) (F : I -> R) : 0 <= \big[Num.max/0]_(j | Q j) F j.
+Proof. by elim/big_rec: _ => // i y _ y0; rewrite le_maxr y0 orbT. Qed.
+Lemma max_restrict (R : realFieldType) n (V : {set 'I_n}) (F : 'I_n -> 'I_n -> R) (H : 'I_#|V| -> 'I_#|V| -> R) :
+  (forall i j, H i j = F (enum_val i) (enum_val j)) ->
+  \big[Num.max/0]_(ij : 'I_n * 'I_n | (ij.1 \in V) && (ij.2 \in V)) F ij.1 ij.2 = \big[Num.max/0]_(ij : 'I_#|V| * 'I_#|V|) H ij.1 ij.2.
+Proof.
+move=> E; apply/eqP; rewrite eq_le; apply/andP; split.
+  apply: max_on_le => [|[i j] /= /andP[iV jV]]; first exact: max_ge0.
+  have := max_ub (fun ij : 'I_#|V| * 'I_#|V| => H ij.1 ij.2) (enum_rank_in iV i, enum_rank_in jV j).
+  by rewrite /= E !enum_rankK_in.
+apply: max_le => [|[i j] /=]; first exact: max_on_ge0.
+rewrite E; apply: (max_on_ub (fun ij : 'I_n * 'I_n => F ij.1 ij.2) (i := (enum_val i, enum_val j))).
+by rewrite /= !enum_valP.
+Qed.
+Lemma tau1_on_is (R : rcfType) n (V W : {set 'I_n}) (A : 'M[R]_n) (B : 'I_n -> 'I_n -> R) :
+  (forall i j, i \in V -> j \in W -> A i j = B i j) -> tau1_on V W A = tau1 (chazelle_contraction.restrict V W B).
+Proof.
+move=> AB; apply: (@max_restrict R n V (fun i j => 2%:R^-1 * \sum_(k in W) `|A i k - A j k|) (dist1 (chazelle_contraction.restrict V W B))) => i j.
+rewrite /dist1 chazelle_contraction.sum_enum; congr (_ * _); apply: eq_bigr => k _; by rewrite !mxE !AB ?enum_valP.
+Qed.
+Lemma tau2_on_is (R : rcfType) n (V W : {set 'I_n}) (A : 'M[R]_n) (B : 'I_n -> 'I_n -> R) :
+  (forall i j, i \in V -> j \in W -> A i j = B i j) -> tau2_on V W A = tau2 (chazelle_contraction.restrict V W B).
+Proof.
+move=> AB; pose X := chazelle_contraction.restrict V W B.
+apply: (@max_restrict R n V (fun i j => Num.sqrt (\sum_(k in W) (A i k - A j k) ^+ 2)) (fun i j => norm2 (row i X - row j X))) => i j.
+rewrite /norm2 chazelle_contraction.sum_enum; congr Num.sqrt; apply: eq_bigr => k _; by rewrite !mxE !AB ?enum_valP.
+Qed.
+Section Contraction.
+Variables (R : rcfType) (n : nat) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) (s : nat) (r : 'I_n).
+Variables (T : nat -> nat) (V : nat -> {set 'I_n}) (k t : nat).
+Hypothesis s0 : (0 < s)%N.
+Hypothesis MD : in_model_D G w.
+Hypothesis ST : stabilisers (P_of G w) s r T V.
+Hypothesis tt : (T k < t)%N.
+Let P := P_of G w.
+Let P' u := P u.-1.+1.
+Let SP := of_stochastic MD.
+Let dg := of_diag MD.
+Let sy := of_sym MD.
+Let a1 : forall u, stochastic (P' u) := SP' SP.
+Let a2 : forall u i, 0 < P' u i i := dg' dg.
+Let a3 : forall u i j, (P' u i j != 0) = (P' u j i != 0) := sy' sy.
+Let a4 := V0' ST.
+Let a5 := T_later ST.
+Let a6 := V_next SP dg sy ST.
+Let a7 := V_stable SP dg sy ST.
+Lemma right_is : right_side P T V k t = Num.sqrt 2%:R * (tau1 (chazelle_contraction.last_factor P' T V k (t - T k)) *
+  \prod_(i < k) tau1 (chazelle_contraction.factor P' T V i)).
+Proof.
+rewrite /right_side -mulrA; congr (_ * (_ * _)).
+  apply: tau1_on_is => i j iV _; by rewrite (block_is SP dg sy ST) // (pprod_span P tt).
+apply: eq_bigr => i _; apply: tau1_on_is => p q pV _.
+by rewrite (block_is SP dg sy ST) // ?(pprod_span P (a5 i)) // (subsetP (V_nested ST i)).
+Qed.
+Lemma left_is : tau2_on (V k) (V 0%N) (pprod P t s) = tau2 (chazelle_contraction.whole P' T V k (t - T k)).
+Proof.
+rewrite a4; apply: tau2_on_is => i j _ _; have T0 : (T 0%N <= T k)%N by apply: (T_mono ST).
+rewrite -(T0' ST) (pprod_span P (leq_ltn_trans T0 tt)) (span_later P) //; congr (span _ _ _ _ _); lia.
+Qed.
+Lemma contraction_1 : tau2_on (V k) (V 0%N) (pprod P t s) <= right_side P T V k t.
+Proof.
+rewrite left_is right_is (chazelle_contraction.whole_split a1 a2 a3 a4 a5 a6 a7).
+have SL := chazelle_contraction.last_stochastic a1 a2 a3 a4 a5 a6 a7 k (t - T k).
+have S := chazelle_contraction.tower_stochastic a1 a2 a3 a4 a5 a6 a7 k.
+apply: le_trans (lemma_2_4 SL S) _; rewrite [X in _ <= X]mulrCA; apply: ler_wpmul2l; first exact: tau1_ge0.
+have [h1 h2] := tau2_le_tau1 S; apply: le_trans (le_trans h1 h2) _; apply: ler_wpmul2l; first exact: sqrtr_ge0.
+exact: (chazelle_contraction.tower_tau1 a1 a2 a3 a4 a5 a6 a7).
+Qed.
+Lemma contraction_2 (alpha : R) : 0 < alpha -> (forall u i j, (0 < u)%N -> 0 < P u i j -> alpha <= P u i j) ->
+  right_side P T V k t <= Num.sqrt 2%:R * (1 - alpha ^+ n.-1) ^+ k.
+Proof.
+move=> al fl; rewrite right_is; apply: ler_wpmul2l; first exact: sqrtr_ge0.
+apply: (chazelle_contraction.contraction_product a1 a2 a3 a4 a5 a6 a7 al) => u i j h.
+by apply: fl => //; apply: nonneg_entries h; apply: SP.
+Qed.
+End Contraction.
+Lemma eq3_6_1_proved : eq3_6_1.
+Proof. move=> R n G w s r T V k t s0 MD ST tt; exact: (contraction_1 s0 MD ST tt). Qed.
+Lemma eq3_6_2_proved : eq3_6_2.
+Proof.
+move=> a; exists a => R E n nu G w s r T V k t HE n1 nnu s0 MD fl ST tt.
+have N1 : 1 <= (nu%:R : R) by rewrite ler1n; apply: leq_trans nnu; apply: ltnW.
+have N0 : 0 < (nu%:R : R) by apply: lt_le_trans N1.
+have al : 0 < (nu%:R ^+ a)^-1 :> R by rewrite invr_gt0 exprn_gt0.
+apply: (le_trans (contraction_2 MD ST tt al fl)); apply: ler_wpmul2l; first exact: sqrtr_ge0.
+have a1 : (nu%:R ^+ a)^-1 <= 1 :> R by rewrite invf_le1 ?exprn_ege1 // exprn_gt0.
+have x1 : (nu%:R ^+ (a * nu ^ 2))^-1 <= 1 :> R by rewrite invf_le1 ?exprn_ege1 // exprn_gt0.
+apply: le_trans (power_E HE k x1); apply: ler_expn2r; rewrite ?nnegrE ?subr_ge0 ?exprn_ile1 // ?(ltW al) //.
+rewrite ler_add2l ler_opp2 exprVn -exprM lef_pinv ?posrE ?exprn_gt0 // ler_weexpn2l // leq_mul2l; apply/orP; right.
+apply: leq_trans (leq_pred n) _; apply: (leq_trans nnu); rewrite expnS expn1 leq_pmulr //; apply: leq_trans nnu; exact: ltnW.
+Qed.
+(* ---- small matrices, entry by entry ---- *)
+Lemma degree_count n (G : rel 'I_n) i : degree G i = (\sum_j G i j)%N.
+Proof. by rewrite /degree -sum1_card big_mkcond; apply: eq_bigr => j _; rewrite inE; case: (G i j). Qed.
+Definition near3 : rel 'I_3 := fun i j => (i + j == 1)%N.
+Definition path3 : rel 'I_3 := fun i j => (i.+1 == j)%N || (j.+1 == i)%N.
+Lemma path_network n : network (fun i j : 'I_n => (i.+1 == j)%N || (j.+1 == i)%N).
+Proof. by split=> [i j|i]; [rewrite orbC|rewrite orbb; apply/eqP => e; have := ltnSn i; rewrite {2}e ltnn]. Qed.
+Lemma near3_network : network near3.
+Proof. by split=> [i j|i]; rewrite /near3 1?addnC //; case: i => [[|[|[|?]]] ?]. Qed.
+Section AB.
+Variable R : realFieldType.
+Lemma AB_A : exists (G : rel 'I_3) (c : 'I_3 -> R),
+  [/\ network G, forall i, (0 < degree G i)%N -> c i * (degree G i)%:R = 1 & exAB_A R = transition G c].
+Proof.
+exists near3, (fun=> 1); split; first exact: near3_network.
+  by move=> i; rewrite degree_count !big_ord_recl big_ord0; case: i => [[|[|[|?]]] ?] //=; rewrite mulr1.
+have [_ ir] := near3_network; apply/matrixP => i j; rewrite transitionE // degree_count !big_ord_recl big_ord0 mxE.
+by case: i => [[|[|[|?]]] ?] //; case: j => [[|[|[|?]]] ?] //=; rewrite ?mulr1 ?mulr0 ?subrr ?subr0.
+Qed.
+Lemma AB_B : exists (G : rel 'I_3) (c : 'I_3 -> R),
+  [/\ network G, forall i, (0 < degree G i)%N -> c i * (degree G i)%:R = 1 & exAB_B R = transition G c].
+Proof.
+exists path3, (fun i => if i == 1%N :> nat then 2%:R^-1 else 1); split; first exact: path_network.
+  move=> i; rewrite degree_count !big_ord_recl big_ord0; case: i => [[|[|[|?]]] ?] //= _; rewrite ?mulr1 //.
+  by rewrite mulVf ?pnatr_eq0.
+have [_ ir] := path_network 3; apply/matrixP => i j; rewrite transitionE // degree_count !big_ord_recl big_ord0 !mxE.
+by case: i => [[|[|[|?]]] ?] //; case: j => [[|[|[|?]]] ?] //=; field.
+Qed.
+Lemma AB_product k : let P t := if odd t then exAB_B R else exAB_A R in span P 1 (2 * k) = mpow (exAB_A R *m exAB_B R) k.
+Proof.
+move=> P; elim: k => [//|k IH]; rewrite mulnS /= IH mulmxA; congr (_ *m _ *m _).
+  by rewrite /P /= mul2n odd_double.
+by rewrite /P /= mul2n odd_double.
+Qed.
+Definition AB_table (q : R) := rows_of 3 [:: [:: q; 1 - 2%:R * q; q]; [:: 0; 1; 0]; [:: 0; 1; 0]] : 'M[R]_3.
+Lemma AB_step q : exAB_A R *m exAB_B R *m AB_table q = AB_table (2%:R^-1 * q).
+Proof.
+rewrite -mulmxA; apply/matrixP => i j; rewrite mxE !big_ord_recl big_ord0 !mxE !big_ord_recl !big_ord0 !mxE.
+by case: i => [[|[|[|?]]] ?] //; case: j => [[|[|[|?]]] ?] //=; field.
+Qed.
+Lemma AB_closed k : mpow (exAB_A R *m exAB_B R) k.+1 = AB_table (2%:R ^+ k.+1)^-1.
+Proof.
+elim: k => [|k IH]; last first.
+  have -> : forall A : 'M[R]_3, mpow A k.+2 = A *m mpow A k.+1 by [].
+  by rewrite IH AB_step [in RHS]exprS invfM.
+rewrite /= mulmx1; apply/matrixP => i j; rewrite mxE !big_ord_recl big_ord0 !mxE expr1.
+by case: i => [[|[|[|?]]] ?] //; case: j => [[|[|[|?]]] ?] //=; field.
+Qed.
+End AB.
+Lemma exAB_proved : exAB.
+Proof.
+move=> R; split=> [A [->|->]|k k0 P]; [exact: AB_A|exact: AB_B|].
+have E : pprod P (2 * k) 1 = mpow (exAB_A R *m exAB_B R) k.
+  by rewrite /pprod subn1 prednK ?muln_gt0 // AB_product.
+rewrite E; split=> //; case: k k0 {E} => // k _; exact: AB_closed.
+Qed.
+(* ---- the four birds ---- *)
+Definition path4 : rel 'I_4 := fun i j => (i.+1 == j)%N || (j.+1 == i)%N.
+Lemma path4_network : network path4.
+Proof. by split=> [i j|i]; rewrite /path4 1?orbC // orbb; apply/eqP => e; have := ltnSn i; rewrite {2}e ltnn. Qed.
+Definition pairs4 : rel 'I_4 := fun i j => path4 i j && ((i < 2) == (j < 2))%N.
+Lemma pairs4_network : network pairs4.
+Proof. by have [sy ir] : network path4 := path4_network; split=> [i j|i]; rewrite /pairs4 ?ir // sy eq_sym. Qed.
+Section Four.
+Variable R : realFieldType.
+Lemma path4_matrix : transition path4 (lazy R path4) = ex4_path R.
+Proof.
+have [_ ir] : network path4 := path4_network; apply/matrixP => i j; rewrite transitionE // /lazy degree_count !big_ord_recl big_ord0 !mxE.
+by case: i => [[|[|[|[|?]]]] ?] //; case: j => [[|[|[|[|?]]]] ?] //=; field.
+Qed.
+Lemma pairs4_matrix : transition pairs4 (lazy R pairs4) = ex4_two R.
+Proof.
+have [_ ir] := pairs4_network; apply/matrixP => i j; rewrite transitionE // /lazy degree_count !big_ord_recl big_ord0 !mxE.
+by case: i => [[|[|[|[|?]]]] ?] //; case: j => [[|[|[|[|?]]]] ?] //=; field.
+Qed.
+Definition four t := if odd t then pairs4 else path4.
+Lemma four_matrix t : transition (four t) (lazy R (four t)) = if odd t then ex4_two R else ex4_path R.
+Proof. by rewrite /four; case: (odd t); [apply: pairs4_matrix|apply: path4_matrix]. Qed.
+Let g t : R := (- 3%:R^-1) ^+ t.
+Let X t : 'cV[R]_4 := ex4_x0 R + (3%:R / 4%:R * (1 - g t)) *: ex4_v1 R.
+Lemma g_sign t : if odd t then (-1 <= 3%:R * g t) && (g t < 0) else (0 < g t) && (g t <= 1).
+Proof.
+have i3 : 0 < (3%:R^-1 : R) by rewrite invr_gt0 ltr0n.
+have i31 : (3%:R^-1 : R) <= 1 by rewrite invf_le1 ?ltr0n ?ler1n.
+elim: t => [|t] /=; first by rewrite /g expr0 ltr01 lexx.
+have -> : g t.+1 = - (3%:R^-1 * g t) by rewrite /g exprS mulNr.
+case: (odd t) => /= /andP[a b].
+  rewrite oppr_gt0 pmulr_rlt0 // b /= ler_oppl -(ler_pmul2l (ltr0Sn R 2)) mulrA mulfV ?pnatr_eq0 // mul1r.
+  apply: (@le_trans _ _ (-1)); first by rewrite mulrN1 ler_opp2 ler1n.
+  apply: (le_trans a); rewrite -subr_le0 (_ : _ - _ = 2%:R * g t); last by ring.
+  by rewrite pmulr_rle0 ?ltr0n // ltW.
+by rewrite oppr_lt0 mulr_gt0 // andbT mulrN mulrA mulfV ?pnatr_eq0 // mul1r ler_opp2.
+Qed.
+Let a4 : 'cV[R]_4 := col_of 4 [:: 0; 8%:R; 21%:R; 29%:R].
+Let s4 : 'cV[R]_4 := col_of 4 [:: 1; -1; 1; -1].
+Lemma X_gap t i j : X t i 0 - X t j 0 = (a4 i 0 - a4 j 0 + 3%:R / 2%:R * (1 - g t) * (s4 i 0 - s4 j 0)) / 16%:R.
+Proof.
+have E k : X t k 0 = 16%:R^-1 * a4 k 0 + 3%:R / 4%:R * (1 - g t) * (8%:R^-1 * s4 k 0) by rewrite !mxE.
+by rewrite !E; field.
+Qed.
+Lemma near_16 (z y : R) : y = z -> (`|y / 16%:R| <= 1) = (- 16%:R <= z <= 16%:R).
+Proof. by move=> ->; rewrite normrM [ `|16%:R^-1|]gtr0_norm ?invr_gt0 ?ltr0n // ler_pdivr_mulr ?ltr0n // mul1r ler_norml. Qed.
+Lemma X_near t i j : (i != j) && (`|X t i 0 - X t j 0| <= 1) = four t i j.
+Proof.
+have S : forall a b : 'I_4, (a < b)%N -> (`|X t a 0 - X t b 0| <= 1) = four t a b.
+  have H := g_sign t; rewrite /four; have Q : -1 <= 3%:R * g t <= 3%:R.
+    case: (odd t) H => /andP[a b]; first by rewrite a /= (@le_trans _ _ 0) ?ler0n // pmulr_rle0 ?ltr0n // ltW.
+    by rewrite -[X in _ && (_ <= X)]mulr1 ler_pmul2l ?ltr0n // b andbT (@le_trans _ _ 0) ?lerN10 // mulr_ge0 ?ler0n // ltW.
+  have sub a b : (a <= b :> R) = (0 <= b - a) by rewrite subr_ge0.
+  have /andP[q1 q2] := Q; rewrite sub in q1; rewrite sub in q2.
+  move=> a b; rewrite X_gap !mxE; case: a => [[|[|[|[|?]]]] ?] //; case: b => [[|[|[|[|?]]]] ?] //= _.
+  - rewrite (@near_16 (- (5%:R + 3%:R * g t))); last by field.
+    transitivity true; last by case: (odd t).
+    rewrite ler_opp2; apply/andP; split; rewrite sub.
+      rewrite (_ : _ - _ = 3%:R - 3%:R * g t + 8%:R); [by apply: addr_ge0; rewrite ?ler0n|by ring].
+    rewrite (_ : _ - _ = 3%:R * g t - -1 + 20%:R); [by apply: addr_ge0; rewrite ?ler0n|by ring].
+  - rewrite (@near_16 (- 21%:R)); last by field.
+    transitivity false; last by case: (odd t).
+    by rewrite ler_opp2 ler_nat.
+  - rewrite (@near_16 (- (26%:R + 3%:R * g t))); last by field.
+    transitivity false; last by case: (odd t).
+    rewrite ler_opp2; apply/negbTE; rewrite negb_and -!ltNge; apply/orP; left.
+    rewrite -subr_gt0 (_ : _ - _ = 3%:R * g t - -1 + 9%:R); [by apply: ltr_paddl; rewrite ?ltr0n|by ring].
+  - rewrite (@near_16 (- (16%:R - 3%:R * g t))); last by field.
+    rewrite ler_opp2; have -> : - (16%:R - 3%:R * g t) <= 16%:R.
+      rewrite sub [X in 0 <= X](_ : _ = 3%:R - 3%:R * g t + 29%:R); [by apply: addr_ge0; rewrite ?ler0n|by ring].
+    rewrite andbT ger_addl oppr_le0 pmulr_rge0 ?ltr0n //.
+    case: (odd t) H => /andP[u v]; [by rewrite leNgt v|by rewrite ltW].
+  - rewrite (@near_16 (- 21%:R)); last by field.
+    transitivity false; last by case: (odd t).
+    by rewrite ler_opp2 ler_nat.
+  - rewrite (@near_16 (- (5%:R + 3%:R * g t))); last by field.
+    transitivity true; last by case: (odd t).
+    rewrite ler_opp2; apply/andP; split; rewrite sub.
+      rewrite (_ : _ - _ = 3%:R - 3%:R * g t + 8%:R); [by apply: addr_ge0; rewrite ?ler0n|by ring].
+    rewrite (_ : _ - _ = 3%:R * g t - -1 + 20%:R); [by apply: addr_ge0; rewrite ?ler0n|by ring].
+have [sy ir] : network (four t) by rewrite /four; case: (odd t); [apply: pairs4_network|apply: path4_network].
+case: (ltngtP i j) => [h|h|/val_inj ->]; last by rewrite eqxx ir.
+  by rewrite -val_eqE ltn_eqF //= S.
+by rewrite -val_eqE gtn_eqF //= distrC S // sy.
+Qed.
+Lemma transition_ext (G H : rel 'I_4) : (forall i j, G i j = H i j) -> transition G (lazy R G) = transition H (lazy R H).
+Proof.
+move=> E; have D i : degree G i = degree H i by apply: eq_card => j; rewrite !inE E.
+have L : laplacian R G = laplacian R H by apply/matrixP => i j; rewrite !mxE D E.
+have C : \row_i lazy R G i = \row_i lazy R H i by apply/matrixP => i j; rewrite !mxE /lazy D.
+by rewrite /transition L C.
+Qed.
+Lemma X_step t : X t.+1 = X t + g t *: ex4_v1 R.
+Proof.
+rewrite /X -addrA -scalerDl (_ : g t.+1 = - 3%:R^-1 * g t) /g ?exprS //.
+by rewrite (_ : 3%:R / 4%:R * (1 - - 3%:R^-1 * _) = 3%:R / 4%:R * (1 - (- 3%:R^-1) ^+ t) + (- 3%:R^-1) ^+ t) //; field.
+Qed.
+Lemma four_eigen t : transition (four t) (lazy R (four t)) *m ex4_v1 R = (- 3%:R^-1) *: ex4_v1 R.
+Proof. by rewrite four_matrix; have [_ a b] := ex4_eig_proved R; case: (odd t). Qed.
+Lemma four_flight (x v : nat -> 'cV[R]_4) G : ex4 x v G -> forall t,
+  [/\ x t = X t, v t.+1 = g t *: ex4_v1 R & forall i j, G t i j = four t i j].
+Proof.
+move=> [x0 v1 HG Hx Hv] t; elim: t => [|t [IHx IHv _]].
+  have E : x 0%N = X 0%N by rewrite x0 /X /g expr0 subrr mulr0 scale0r addr0.
+  by split; rewrite ?v1 /g ?expr0 ?scale1r // => i j; rewrite HG E X_near.
+have E : x t.+1 = X t.+1 by rewrite Hx IHx IHv X_step.
+have N i j : G t.+1 i j = four t.+1 i j by rewrite HG E X_near.
+split=> //; rewrite Hv // (transition_ext N) IHv -scalemxAr four_eigen scalerA; congr (_ *: _).
+by rewrite /g exprSr.
+Qed.
+Lemma four_exists : exists (x v : nat -> 'cV[R]_4) G, ex4 x v G.
+Proof.
+exists X, (fun t => g t.-1 *: ex4_v1 R), four; split.
+- by rewrite /X /g expr0 subrr mulr0 scale0r addr0.
+- by rewrite /g expr0 scale1r.
+- by move=> t i j; rewrite X_near.
+- exact: X_step.
+- by move=> [//|t] _ /=; rewrite -scalemxAr four_eigen [RHS]scalerA /g exprSr.
+Qed.
+End Four.
+Lemma ex4_motion_proved : ex4_motion.
+Proof.
+move=> R x v G H; have F := four_flight H; split=> [t|t t0 gap]; first by case: (F t).
+have [xt _ _] := F t; pose g : R := (- 3%:R^-1) ^+ t.-1; rewrite -/g.
+have gt : (- 3%:R^-1 : R) ^+ t = - 3%:R^-1 * g by rewrite -[in LHS](prednK t0) exprS.
+have e (k : nat) (k4 : (k < 4)%N) : inord k = Ordinal k4 by apply: val_inj; rewrite /= inordK.
+have g0 : gap 0%N = 16%:R^-1 * (5%:R - g) by rewrite /gap (e 1%N isT) (e 0%N isT) xt gt !mxE /=; field.
+have g1 : gap 1%N = 1 + 16%:R^-1 * g by rewrite /gap (e 2%N isT) (e 1%N isT) xt gt !mxE /=; field.
+have g2 : gap 2%N = 16%:R^-1 * (5%:R - g) by rewrite /gap (e 3%N isT) (e 2%N isT) xt gt !mxE /=; field.
+have B : 4%:R^-1 <= 16%:R^-1 * (5%:R - g) <= 2%:R^-1.
+  have S := g_sign R t.-1; have [a b] : g <= 1 /\ -1 <= 3%:R * g.
+    case: (odd _) S => /andP[p q]; [split=> //; apply/ltW/(lt_trans q); exact: ltr01|split=> //].
+    by rewrite (@le_trans _ _ 0) ?lerN10 // mulr_ge0 ?ler0n // ltW.
+  apply/andP; split; rewrite -subr_ge0.
+    rewrite [X in 0 <= X](_ : _ = (1 - g) / 16%:R); [by rewrite divr_ge0 ?ler0n ?subr_ge0|by field].
+  rewrite [X in 0 <= X](_ : _ = (3%:R * g - -1 + 8%:R) / 48%:R); last by field.
+  by rewrite divr_ge0 ?ler0n // addr_ge0 ?ler0n // subr_ge0.
+by rewrite g0 g1 g2.
+Qed.
+Lemma path4_components : n_comp path4 predT = 1%N.
+Proof.
+have [sy _] : network path4 := path4_network; have cs : connect_sym path4 := sym_connect_sym sy.
+transitivity (n_comp path4 (connect path4 (ord0 : 'I_4))); last exact: n_comp_connect.
+apply: eq_n_comp_r => i; rewrite inE; apply/esym.
+have step (a b : 'I_4) : path4 a b -> connect path4 a b by apply: connect1.
+pose o k (h : (k < 4)%N) := Ordinal h.
+have a : connect path4 ord0 (o 1%N isT) by apply: step.
+have b : connect path4 ord0 (o 2%N isT) by apply: connect_trans a (step _ _ _).
+have c : connect path4 ord0 (o 3%N isT) by apply: connect_trans b (step _ _ _).
+have K (j : 'I_4) : connect path4 ord0 j; last exact: K.
+case: j => [[|[|[|[|//]]]] h].
+- by rewrite (_ : Ordinal h = ord0) ?connect0 //; apply: val_inj.
+- by rewrite (_ : Ordinal h = o 1%N isT) //; apply: val_inj.
+- by rewrite (_ : Ordinal h = o 2%N isT) //; apply: val_inj.
+by rewrite (_ : Ordinal h = o 3%N isT) //; apply: val_inj.
+Qed.
+Lemma pairs4_components : n_comp pairs4 predT = 2%N.
+Proof.
+have [sy _] := pairs4_network; have cs : connect_sym pairs4 := sym_connect_sym sy.
+have cl : closed pairs4 [pred i : 'I_4 | (i < 2)%N] by move=> a b /andP[_ /eqP h]; rewrite !inE.
+pose o k (h : (k < 4)%N) := Ordinal h.
+have C0 i : connect pairs4 ord0 i = (i < 2)%N.
+  apply/idP/idP => [/(closed_connect cl)|]; first by rewrite !inE => <-.
+  case: i => [[|[|//]] h] _.
+    by rewrite (_ : Ordinal h = ord0) ?connect0 //; apply: val_inj.
+  by rewrite (_ : Ordinal h = o 1%N isT); [apply: connect1|apply: val_inj].
+have C2 i : connect pairs4 (o 2%N isT) i = ~~ (i < 2)%N.
+  apply/idP/idP => [/(closed_connect cl)|]; first by rewrite !inE => <-.
+  case: i => [[|[|[|[|//]]]] h] // _.
+    by rewrite (_ : Ordinal h = o 2%N isT) ?connect0 //; apply: val_inj.
+  by rewrite (_ : Ordinal h = o 3%N isT); [apply: connect1|apply: val_inj].
+rewrite (n_compC (connect pairs4 ord0)) n_comp_connect // (_ : n_comp _ [predC _] = n_comp pairs4 (connect pairs4 (o 2%N isT))).
+  by rewrite n_comp_connect.
+by apply: eq_n_comp_r => i; rewrite !inE C0 C2.
+Qed.
+Lemma ex4_alt_proved : ex4_alt.
+Proof.
+move=> R; split; first exact: four_exists.
+move=> x v G H t; have F := four_flight H.
+have N u : n_comp (G u) predT = if odd u then 2%N else 1%N.
+  have [_ _ E] := F u; rewrite (eq_n_comp (e' := four u)); last by apply: eq_connect.
+  by rewrite /four; case: (odd u); [apply: pairs4_components|apply: path4_components].
+have [_ _ E] := F t; rewrite !N (transition_ext R E) four_matrix /=; case: (odd t) => /=; split=> //; by [right|left].
+Qed.
+(* ---- flocks on the line ---- *)
+Lemma norm2_line (R : rcfType) n (y : 'cV[R]_n) i j : norm2 (row i y - row j y) = `|y i 0 - y j 0|.
+Proof. by rewrite /norm2 big_ord_recl big_ord0 addr0 !mxE sqrtr_sqr; congr `|y i _ - y j _|; apply: ord1. Qed.
+Lemma norm2_speed (R : rcfType) n (y : 'cV[R]_n) i : norm2 (row i y) = `|y i 0|.
+Proof. by rewrite /norm2 big_ord_recl big_ord0 addr0 !mxE sqrtr_sqr; congr `|y i _|; apply: ord1. Qed.
+(* the three birds of chazelle_count: the second and the third part at t = 2 *)
+Section Parting.
+Variable R : rcfType.
+Let x := @chazelle_count.xs R.
+Let v := @chazelle_count.vs R.
+Let G := chazelle_count.Gs.
+Let w := @chazelle_count.cs R.
+Let P := P_of G w.
+Lemma parting_entries t i j : 0 < transition (G t) (w t) i j -> (3%:R ^+ 2)^-1 <= transition (G t) (w t) i j.
+Proof.
+have [_ ir] := chazelle_count.Gs_network t; rewrite transitionE //.
+have L : (3%:R ^+ 2)^-1 <= 4%:R^-1 :> R by rewrite lef_pinv ?posrE ?exprn_gt0 ?ltr0n // -natrX ler_nat.
+have q1 : (4%:R^-1 : R) <= 1 by rewrite invf_le1 ?ltr0n ?ler1n.
+case: (i == j); last by case: ifP => [_ _|_]; rewrite ?ltxx // /w /chazelle_count.cs.
+move=> _; rewrite chazelle_count.degreeE /w /chazelle_count.cs; case: (_ && _); last by rewrite mulr0 subr0 (le_trans L).
+rewrite mulr1 (_ : 1 - 4%:R^-1 = 3%:R / 4%:R); last by field.
+by apply: (le_trans L); rewrite ler_pmull ?invr_gt0 ?ltr0n // ler1n.
+Qed.
+Lemma parting_flock : flock_D 2 2 x v G w.
+Proof.
+have e1 : 0 < ((3%:R ^+ (3 ^ 4))^-1 : R) <= 1 by rewrite invr_gt0 exprn_gt0 ?ltr0n // invf_le1 ?exprn_ege1 ?exprn_gt0 ?ltr0n ?ler1n.
+have [A B C D E] := chazelle_count.is_flock e1; split=> [i j|t i j|//|t t0].
+- rewrite norm2_line; exact: A.
+- rewrite !norm2_line; exact: B.
+split=> //; [exact: E|exact: parting_entries|].
+move=> i; rewrite norm2_speed mxE normrM normr_nat [ `|2%:R^-1|]ger0_norm ?invr_ge0 ?ler0n // ler_pdivr_mulr ?ltr0n //.
+rewrite -natrX -natrM ler_nat; case: t t0 => [//|[|t]] _; by case: i => [[|[|[|?]]] ?].
+Qed.
+Lemma parting_rational : rational_flock 2 3 2 x v G w.
+Proof.
+split; first exact: parting_flock.
+- exists (fun (i : 'I_3) (_ : 'I_1) => (nth 0%N [:: 0; 22; 20]%N (i : nat))%:Z), (fun _ _ => 2%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|[|?]]] ?].
+- exists (fun (i : 'I_3) (_ : 'I_1) => (nth 0%N [:: 0; 6; 10]%N (i : nat))%:Z), (fun _ _ => 2%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|[|?]]] ?].
+- by move=> t _; exists (fun _ => 1%N), (fun _ => 4%N) => i; split=> //; rewrite /w /chazelle_count.cs div1r.
+by [].
+Qed.
+Lemma parting_still t : (1 < t)%N -> P t = 1%:M.
+Proof.
+move=> t1; have [_ ir] := chazelle_count.Gs_network t; apply/matrixP=> i j; rewrite /P /P_of transitionE //.
+by rewrite chazelle_count.degreeE /G chazelle_count.GsE ltnNge t1 /= mulr0 subr0 mxE; case: eqP.
+Qed.
+Lemma parting_product a k : (1 < a)%N -> span P a k = 1%:M.
+Proof. by move=> a1; elim: k => [//|k IH] /=; rewrite IH parting_still ?mul1mx // ltn_addr. Qed.
+Let V k : {set 'I_3} := if k is 0%N then setT else [set ord0].
+Lemma parting_stabilisers : stabilisers P 1 ord0 id V.
+Proof.
+split=> // k; split.
+- split=> // t i j kt iV jV; congr (_ != 0); case: k kt iV jV => [|k] kt iV jV.
+    rewrite pprod_self /pprod subn1 prednK ?(ltn_trans _ kt) //; case: t kt => [//|t] _.
+    by rewrite chazelle_count.span_still /= mulmx1.
+  by rewrite /pprod !parting_product.
+- by move=> T' [].
+apply/setP => i; rewrite !inE pprod_self /P /P_of chazelle_count.column_b pnatr_eq0 eqb0 negbK.
+by case: k => [|k] /=; rewrite !inE ?andbb.
+Qed.
+End Parting.
+Lemma count_1_proved : count_1.
+Proof.
+move=> R; exists 3%N, 1%N, 2%N, 3%N, 2%N, (@chazelle_count.xs R), (@chazelle_count.vs R), chazelle_count.Gs, (@chazelle_count.cs R), 1%N, ord0, id.
+exists (fun k => if k is 0%N then setT else [set ord0]), 1%N, 1%N; split=> //.
+- exact: parting_rational.
+- by split=> //; apply: parting_stabilisers.
+- by move=> i j t t'; rewrite !inE => /eqP-> /eqP-> _ _; rewrite chazelle_count.GsE eqxx !andbF.
+rewrite cards1 /= addn0 lt0b; apply/existsP; exists (@Ordinal 3 1 isT); by apply/existsP; exists (@Ordinal 3 2 isT).
+Qed.
+Lemma chi_1_proved : chi_1.
+Proof.
+split=> [R n i chi|R e He]; first exact: no_chi_proved.
+exists 3%N, 1%N, 2%N, 3%N, 2%N, (@chazelle_count.xs R), (@chazelle_count.vs R), chazelle_count.Gs, (@chazelle_count.cs R).
+exists (@Ordinal 3 1 isT), (@Ordinal 3 2 isT), 2%N; split=> //; first exact: parting_rational.
+have E : pprod (P_of chazelle_count.Gs (@chazelle_count.cs R)) 2.-1 1 *m (@chazelle_count.vs R) 1%N = (@chazelle_count.vs R) 2%N.
+  by rewrite pprod_self; have [_ _ _ /(_ 1%N isT)[_ -> _ _]] := parting_flock R.
+rewrite -mulmxA E -scalemxAl -rowE => /matrixP/(_ 0 0); rewrite !mxE /= => /eqP; rewrite -subr_eq0; apply/negP.
+case: He => ->.
+  by rewrite [X in X != _](_ : _ = - (9%:R / 2%:R)); [rewrite oppr_eq0 mulf_neq0 ?invr_eq0 ?pnatr_eq0|field].
+by rewrite [X in X != _](_ : _ = 5%:R / 2%:R); [rewrite mulf_neq0 ?invr_eq0 ?pnatr_eq0|field].
+Qed.
+(* three birds in units of 1/36: the first comes near the second at t = 2, near the third at t = 3; from t = 4 on they fly together *)
+Section Meeting.
+Variable R : rcfType.
+Definition meet_place (t i : nat) : nat := (if t is u.+3 then nth 0 [:: 45 + 5 * u; 69 + 5 * u; 81 + 5 * u] i
+  else nth 0 (nth [::] [:: [:: 0; 63; 81]; [:: 18; 63; 81]; [:: 36; 63; 81]] t) i)%N.
+Definition meet_speed (t i : nat) : nat := 
+  (if t is u.+4 then 5 else nth 0 (nth [::] [:: [:: 18; 0; 0]; [:: 18; 0; 0]; [:: 18; 0; 0]; [:: 9; 6; 0]] t) i)%N.
+Definition meet_G t : rel 'I_3 := fun i j => (i != j) && (nth 0%N [:: 0; 2; 3; 0]%N (i + j)%N <= t)%N.
+Let x t : 'cV[R]_3 := \col_i ((meet_place t i)%:R / 36%:R).
+Let v t : 'cV[R]_3 := \col_i ((meet_speed t i)%:R / 36%:R).
+Let w t := vicsek R (meet_G t).
+Let P := P_of meet_G w.
+Lemma meet_network t : network (meet_G t).
+Proof. by split=> [i j|i]; rewrite /meet_G ?eqxx // eq_sym addnC. Qed.
+Lemma meet_near t i j : (i != j) && (`|x t i 0 - x t j 0| <= 1) = meet_G t i j.
+Proof.
+have N (p q : nat) : (`|p%:R / 36%:R - q%:R / 36%:R| <= 1 :> R) = (p <= q + 36)%N && (q <= p + 36)%N.
+  rewrite -mulrBl normrM [ `|36%:R^-1| ]gtr0_norm ?invr_gt0 ?ltr0n // ler_pdivr_mulr ?ltr0n // mul1r.
+  by rewrite ler_distl ler_subl_addr -!natrD !ler_nat andbC.
+rewrite /meet_G; case: (eqVneq i j) => //= ij; rewrite !mxE N.
+by case: t => [|[|[|u]]]; case: i ij => [[|[|[|?]]] ?] //; case: j => [[|[|[|?]]] ?] //= _; apply/idP/idP; lia.
+Qed.
+Lemma meet_degree t i : (degree (meet_G t) i <= 2)%N.
+Proof.
+by rewrite degree_count !big_ord_recl big_ord0 /meet_G; case: t => [|[|[|t]]]; case: i => [[|[|[|?]]] ?].
+Qed.
+Lemma meet_flock : flock_D 1 0 x v meet_G w.
+Proof.
+split=> [i j|t i j|t|t t0].
+- by rewrite norm2_line meet_near.
+- rewrite !norm2_line andb_orr meet_near; case E: (meet_G t.+1 i j) => //=; apply/esym/negbTE.
+  rewrite negb_and -implybE; apply/implyP => ij; rewrite negb_and; apply/orP; left; apply: contraFN E.
+  by rewrite /meet_G => /andP[-> h] /=; apply: leqW.
+- apply/colP => i; rewrite !mxE -mulrDl -natrD; congr (_%:R / _).
+  by case: t => [|[|[|[|u]]]]; case: i => [[|[|[|?]]] ?] //=; lia.
+have net := meet_network t; split.
+- exact: vicsek_model_D.
+- apply/colP => i; rewrite (proj1 (model_K_matrix _ i net)) big_mkcond degree_count !big_ord_recl !big_ord0 !mxE.
+  by case: t t0 {net} => [//|[|[|[|u]]]] _; case: i => [[|[|[|?]]] ?] //=; field.
+- move=> i j; rewrite (proj2 (model_K_matrix (0 : 'cV_3) i net)); case: ifP => [_ _|_]; last by rewrite ltxx.
+  by rewrite expr1 lef_pinv ?posrE ?ltr0n // ler_nat ltnS meet_degree.
+move=> i; rewrite norm2_speed mxE normrM normr_nat [ `|36%:R^-1|]ger0_norm ?invr_ge0 ?ler0n // ler_pdivr_mulr ?ltr0n //.
+rewrite expr0 mul1r ler_nat; by case: t t0 {net} => [//|[|[|[|t]]]] _; case: i => [[|[|[|?]]] ?].
+Qed.
+Lemma meet_rational : rational_flock 1 4 0 x v meet_G w.
+Proof.
+split; first exact: meet_flock.
+- exists (fun (i : 'I_3) (_ : 'I_1) => (meet_place 0 i)%:Z), (fun _ _ => 36%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|[|?]]] ?].
+- exists (fun (i : 'I_3) (_ : 'I_1) => (meet_speed 1 i)%:Z), (fun _ _ => 36%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|[|?]]] ?].
+- move=> t _; exists (fun _ => 1%N), (fun i => (degree (meet_G t) i).+1) => i; split=> //; first by rewrite div1r.
+  by rewrite expn1 ltnS meet_degree.
+move=> s t _ _ E i; rewrite /w /vicsek; congr (_.+1%:R^-1); apply: eq_card => j; by rewrite !inE E.
+Qed.
+Lemma meet_edge t i j : (P t i j != 0) = (i == j) || meet_G t i j.
+Proof. by apply: transition_edge; [apply: meet_network|apply: vicsek_model_D]. Qed.
+Lemma meet_ge0 t i j : 0 <= P t i j.
+Proof. by have [[]] := model_D_stochastic (meet_network t) (@vicsek_model_D R 3 (meet_G t)). Qed.
+Lemma meet_product s t i j : (s <= t)%N -> (pprod P t.+1 s i j != 0) = [exists l, (P t.+1 i l != 0) && (pprod P t s l j != 0)].
+Proof.
+move=> st; rewrite pprod_next //; have Q0 : forall k l, 0 <= pprod P t s k l by apply: span_ge0; apply: meet_ge0.
+apply/idP/existsP => [nz|[l /andP[a b]]].
+  apply/existsP; apply: contraNT nz => /existsPn H; rewrite mxE big1 // => l _; have := H l.
+  by rewrite negb_and !negbK => /orP[]/eqP ->; rewrite ?mul0r ?mulr0.
+apply: lt0r_neq0; apply: lt_le_trans (mul_ge_term i l j (meet_ge0 t.+1) Q0).
+by rewrite mulr_gt0 // lt_def ?a ?b ?meet_ge0 ?Q0.
+Qed.
+Lemma meet_column t i : (0 < t)%N -> (pprod P t 1 i ord0 != 0) = (i < t)%N.
+Proof.
+case: t => // t _; elim: t i => [|t IH] i.
+  by rewrite pprod_self meet_edge; case: i => [[|[|[|?]]] ?].
+rewrite meet_product //; apply/existsP/idP => [[l]|].
+  rewrite meet_edge IH /meet_G; case: t {IH} => [|[|t]]; case: i => [[|[|[|?]]] ?] //; by case: l => [[|[|[|?]]] ?].
+move=> it; have [i0|i0] := boolP (i < t.+1)%N; first by exists i; rewrite meet_edge eqxx IH.
+exists ord0; rewrite meet_edge IH /meet_G; case: t it i0 {IH} => [|[|t]]; by case: i => [[|[|[|?]]] ?].
+Qed.
+Lemma meet_weight t : (0 < t)%N -> column_weight P 1 t = ((0 < t) + ((1 < t) + ((2 < t) + 0)))%N.
+Proof.
+by move=> t0; rewrite /column_weight -sum1_card big_mkcond !big_ord_recl big_ord0 /= !inE !meet_column.
+Qed.
+Lemma meet_growth : growth_times P 1 [:: 2; 3]%N.
+Proof.
+split=> // t; rewrite !inE; case: t => [|[|[|[|t]]]] //=; rewrite !meet_weight //.
+Qed.
+End Meeting.
+Lemma Nts_1_proved : Nts_1.
+Proof.
+split=> [R n P t|R]; first by rewrite /N_open subSnn.
+exists 2%N, 1%N, 1%N, 4%N, 0%N; do 2 eexists; exists meet_G; eexists; exists 1%N, [:: 2; 3]%N, 0%N.
+by split=> //; [apply: meet_rational|apply: meet_growth].
+Qed.
+Lemma Nts_2_proved : Nts_2.
+Proof.
+move=> R; exists 2%N, 1%N, 1%N, 4%N, 0%N; do 2 eexists; exists meet_G; eexists; exists 1%N, [:: 2; 3]%N.
+split=> //; [exact: meet_rational|exact: meet_growth|].
+rewrite !big_ord_recl big_ord0 /N_open /=; case: existsP => // -[]; exists ord0; apply/existsP; exists (@Ordinal 3 1 isT).
+by rewrite !meet_edge.
+Qed.
+Lemma foot_2_proved : foot_2.
+Proof.
+move=> R; exists 3%N, 1%N, 1%N, 4%N, 0%N; do 2 eexists; exists meet_G; eexists; exists 1%N, 2%N, ord0, (@Ordinal 3 2 isT).
+split=> //; [exact: meet_rational| |].
+  rewrite meet_product //; apply/existsP; exists (@Ordinal 3 1 isT); by rewrite pprod_self !meet_edge.
+by apply/eqP; rewrite -[_ == _]negbK meet_column.
+Qed.
+(* two birds in units of 1/16, c_i = 1/4: joined up to t = 2, ever farther apart from t = 3 on *)
+Section Leaving.
+Variable R : rcfType.
+Definition leave_place (t i : nat) : nat := (if t is u.+3 then nth 0 [:: 5 + 3 * u; 23 + 5 * u] i
+  else nth 0 (nth [::] [:: [:: 0; 4]; [:: 0; 12]; [:: 2; 18]] t) i)%N.
+Definition leave_speed (t i : nat) : nat := (if t is u.+3 then nth 0 [:: 3; 5] i
+  else nth 0 (nth [::] [:: [:: 0; 8]; [:: 0; 8]; [:: 2; 6]] t) i)%N.
+Definition leave_G t : rel 'I_2 := fun i j => (i != j) && (t <= 2)%N.
+Let x t : 'cV[R]_2 := \col_i ((leave_place t i)%:R / 16%:R).
+Let v t : 'cV[R]_2 := \col_i ((leave_speed t i)%:R / 16%:R).
+Let w (t : nat) (i : 'I_2) : R := 4%:R^-1.
+Let P := P_of leave_G w.
+Lemma leave_network t : network (leave_G t).
+Proof. by split=> [i j|i]; rewrite /leave_G ?eqxx // eq_sym. Qed.
+Lemma leave_near t i j : (i != j) && (`|x t i 0 - x t j 0| <= 1) = leave_G t i j.
+Proof.
+have N (p q : nat) : (`|p%:R / 16%:R - q%:R / 16%:R| <= 1 :> R) = (p <= q + 16)%N && (q <= p + 16)%N.
+  rewrite -mulrBl normrM [ `|16%:R^-1| ]gtr0_norm ?invr_gt0 ?ltr0n // ler_pdivr_mulr ?ltr0n // mul1r.
+  by rewrite ler_distl ler_subl_addr -!natrD !ler_nat andbC.
+rewrite /leave_G; case: (eqVneq i j) => //= ij; rewrite !mxE N.
+by case: t => [|[|[|u]]]; case: i ij => [[|[|?]] ?] //; case: j => [[|[|?]] ?] //= _; apply/idP/idP; lia.
+Qed.
+Lemma leave_degree t i : degree (leave_G t) i = (t <= 2)%N.
+Proof. by rewrite degree_count !big_ord_recl big_ord0 /leave_G; case: (t <= 2)%N; case: i => [[|[|?]] ?]. Qed.
+Lemma leave_entries t i j : P t i j = if (t <= 2)%N then (if i == j then 3%:R / 4%:R else 4%:R^-1) else (i == j)%:R.
+Proof.
+have [_ ir] := leave_network t; rewrite /P /P_of transitionE // leave_degree /leave_G /w; case: (t <= 2)%N => /=.
+  by case: (i == j) => //; field.
+by rewrite mulr0 subr0 andbF; case: (i == j).
+Qed.
+Lemma leave_flock : flock_D 2 0 x v leave_G w.
+Proof.
+have e1 : (2%:R ^+ (2 ^ 4))^-1 <= 8%:R^-1 :> R.
+  by rewrite lef_pinv ?posrE ?exprn_gt0 ?ltr0n // (_ : 8%:R = 2%:R ^+ 3) ?ler_weexpn2l ?ler1n // -natrX.
+split=> [i j|t i j|t|t t0].
+- by rewrite norm2_line leave_near.
+- rewrite !norm2_line andb_orr leave_near; case E: (leave_G t.+1 i j) => //=; apply/esym/negbTE.
+  move: E; rewrite /leave_G; case: (eqVneq i j) => //= ij; case: t => [|[|[|t]]] //= _; rewrite ?andbF //.
+  rewrite -leNgt; apply: (le_trans e1).
+  have D : `|x 3 i 0 - x 3 j 0| = 18%:R / 16%:R :> R.
+    by rewrite !mxE -mulrBl normrM [ `|16%:R^-1|]gtr0_norm ?invr_gt0 ?ltr0n //; case: i ij => [[|[|?]] ?] //; case: j => [[|[|?]] ?] //= _;
+      [rewrite distrC|]; rewrite -natrB // normr_nat.
+  have D' : `|x 2 i 0 - x 2 j 0| = 1 :> R.
+    rewrite !mxE -mulrBl normrM [ `|16%:R^-1|]gtr0_norm ?invr_gt0 ?ltr0n //; case: i ij {D} => [[|[|?]] ?] //; case: j => [[|[|?]] ?] //= _;
+      [rewrite distrC|]; by rewrite -natrB // normr_nat mulfV ?pnatr_eq0.
+  by rewrite D D' (_ : _ - 1 = 8%:R^-1) ?ger0_norm ?invr_ge0 ?ler0n //; field.
+- apply/colP => i; rewrite !mxE -mulrDl -natrD; congr (_%:R / _).
+  by case: t => [|[|[|u]]]; case: i => [[|[|?]] ?] //=; lia.
+have i4 : (4%:R^-1 : R) <= 1 by rewrite invf_le1 ?ltr0n ?ler1n.
+split.
+- move=> i; rewrite leave_degree; case: (t <= 2)%N => // _; by rewrite mulr1 invr_gt0 ltr0n invf_lt1 ?ltr0n // ltr1n.
+- apply/colP => i; rewrite [RHS]mxE !big_ord_recl big_ord0 -/(P_of leave_G w t) -/P !leave_entries !mxE.
+  by case: t t0 => [//|[|[|u]]] _; case: i => [[|[|?]] ?] //=; field.
+- move=> i j; rewrite -/(P_of leave_G w t) -/P leave_entries -natrX; case: (t <= 2)%N; case: (i == j); rewrite ?ltxx // => _.
+  by rewrite ler_pmull ?invr_gt0 ?ltr0n // ler1n.
+move=> i; rewrite norm2_speed mxE normrM normr_nat [ `|16%:R^-1|]ger0_norm ?invr_ge0 ?ler0n // ler_pdivr_mulr ?ltr0n //.
+rewrite expr0 mul1r ler_nat; by case: t t0 => [//|[|[|t]]] _; case: i => [[|[|?]] ?].
+Qed.
+Lemma leave_rational : rational_flock 2 4 0 x v leave_G w.
+Proof.
+split; first exact: leave_flock.
+- exists (fun (i : 'I_2) (_ : 'I_1) => (leave_place 0 i)%:Z), (fun _ _ => 16%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|?]] ?].
+- exists (fun (i : 'I_2) (_ : 'I_1) => (leave_speed 1 i)%:Z), (fun _ _ => 16%N) => i k; rewrite mxE; split=> //.
+  by case: i => [[|[|?]] ?].
+- by move=> t _; exists (fun _ => 1%N), (fun _ => 4%N) => i; split=> //; rewrite /w div1r.
+by [].
+Qed.
+Lemma leave_still a k : (2 < a)%N -> span P a k = 1%:M.
+Proof.
+move=> a2; elim: k => [//|k IH] /=; rewrite IH mulmx1; apply/matrixP => i j; rewrite leave_entries !mxE.
+by rewrite leqNgt (leq_trans a2 (leq_addr k a)).
+Qed.
+Lemma leave_positive a k i j : (0 < a <= 2)%N -> 0 < span P a k.+1 i j.
+Proof.
+have P0 t p q : 0 <= P t p q by rewrite leave_entries; case: (t <= 2)%N; case: (p == q); rewrite ?divr_ge0 ?invr_ge0 ?ler0n.
+have Pd t p : 0 < P t p p by rewrite leave_entries eqxx; case: (t <= 2)%N; rewrite ?divr_gt0 ?ltr0n ?ltr01.
+case/andP=> a0 a2; elim: k => [|k IH]; first by rewrite /= mulmx1 addn0 leave_entries a2; case: eqP => _; rewrite ?divr_gt0 ?invr_gt0 ?ltr0n.
+apply: lt_le_trans (@mul_ge_term R 2 (P (a + k.+1)%N) (span P a k.+1) i i j (P0 _) _); first by rewrite mulr_gt0.
+exact: span_ge0.
+Qed.
+Let V k : {set 'I_2} := if (k <= 2)%N then setT else [set ord0].
+Lemma leave_stabilisers : stabilisers P 1 ord0 id V.
+Proof.
+split=> // k; split.
+- split=> // t i j kt _ _; have [k1|k1] := leqP k.+1 2.
+    by rewrite /pprod !lt0r_neq0 ?leave_positive.
+  by rewrite /pprod !leave_still.
+- by move=> T' [].
+apply/setP => i; rewrite !inE pprod_self leave_entries /V.
+case: k => [|[|[|k]]] /=; rewrite !inE ?pnatr_eq0 ?eqb0 ?negbK ?andbb //=; case: (i == ord0);
+  by rewrite ?mulf_eq0 ?invr_eq0 ?pnatr_eq0.
+Qed.
+Lemma leave_printed : block (V 3) (V 0%N) (pprod P 4 1) <> printed_product P id V 1 4.
+Proof.
+pose Q : 'M[R]_2 := \matrix_(i, j) if i == j then 3%:R / 4%:R else 4%:R^-1.
+have P1 t : (t <= 2)%N -> P t = Q by move=> h; apply/matrixP => i j; rewrite leave_entries h mxE.
+have P3 t : (2 < t)%N -> P t = 1%:M by move=> h; have := leave_still 1 h; rewrite /= mulmx1 addn0.
+have E : pprod P 4 1 = Q *m Q by rewrite /pprod /= (P3 (1 + 3)%N) // (P3 (1 + 2)%N) // (P1 (1 + 1)%N) // (P1 (1 + 0)%N) // !mul1mx mulmx1.
+rewrite /printed_product /= E !pprod_self (P3 4%N) // (P3 3%N) // (P1 2%N) // (P1 1%N) // mulmx1 => /matrixP/(_ ord0 ord0).
+have b33 : block (V 3) (V 3) (1%:M : 'M[R]_2) = delta_mx ord0 ord0.
+  by apply/matrixP => i j; rewrite !mxE !inE; case: i => [[|[|?]] ?] //; case: j => [[|[|?]] ?].
+have b32 : (delta_mx ord0 ord0 : 'M[R]_2) *m block (V 3) (V 2) (1%:M : 'M[R]_2) = delta_mx ord0 ord0.
+  apply/matrixP => i j; rewrite mxE !big_ord_recl big_ord0 !mxE !inE.
+  by case: i => [[|[|?]] ?] //; case: j => [[|[|?]] ?] //=; rewrite ?mulr1 ?mulr0 ?mul0r ?addr0.
+rewrite b33 b32 !mxE !big_ord_recl !big_ord0 !mxE !big_ord_recl !big_ord0 !mxE !inE /= => /eqP; rewrite -subr_eq0; apply/negP.
+by rewrite [X in X != _](_ : _ = 16%:R^-1); [rewrite invr_eq0 pnatr_eq0|field].
+Qed.
+End Leaving.
+Lemma eq3_5_proved : eq3_5.
+Proof.
+move=> R; exists 2%N, 1%N, 2%N, 4%N, 0%N; do 2 eexists; exists leave_G; eexists; exists 1%N, ord0, id; eexists; exists 1%N, 4%N.
+split; [exact: leave_rational|by []|exact: leave_stabilisers|by []|exact: leave_printed].
+Qed.
+(* ---- the spectral theorem over any real closed field: the eigenvectors of (3.8) exist ---- *)
+Lemma largest (R : realFieldType) n (d : 'I_n.+1 -> R) : exists k, forall i, d i <= d k.
+Proof.
+elim: n d => [|n IH] d; first by exists ord0 => i; rewrite (ord1 i).
+have [k H] := IH (fun i => d (lift ord0 i)); have [h|h] := lerP (d (lift ord0 k)) (d ord0).
+  by exists ord0 => i; case: (unliftP ord0 i) => [j|] -> //; apply: le_trans (H j) h.
+by exists (lift ord0 k) => i; case: (unliftP ord0 i) => [j|] ->; [apply: H|apply: ltW].
+Qed.
+Lemma arrow (R : rcfType) n (a : R) (b d : 'I_n.+1 -> R) : exists lam f0 (f : 'I_n.+1 -> R),
+  [/\ f0 != 0 \/ exists i, f i != 0, a * f0 + \sum_i b i * f i = lam * f0 & forall i, b i * f0 + d i * f i = lam * f i].
+Proof.
+have [k dk] := largest d; pose mu := d k.
+pose q : {poly R} := ('X - a%:P) * \prod_i ('X - (d i)%:P) - \sum_i ((b i) ^+ 2)%:P * \prod_(j | j != i) ('X - (d j)%:P).
+have Q y : q.[y] = (y - a) * \prod_i (y - d i) - \sum_i b i ^+ 2 * \prod_(j | j != i) (y - d j).
+  rewrite /q hornerD hornerN hornerM hornerXsubC horner_prod horner_sum; congr (_ * _ - _).
+    by apply: eq_bigr => i _; rewrite hornerXsubC.
+  by apply: eq_bigr => i _; rewrite hornerM hornerC horner_prod; congr (_ * _); apply: eq_bigr => j _; rewrite hornerXsubC.
+have Qmu : q.[mu] = - (b k ^+ 2 * \prod_(j | j != k) (mu - d j)).
+  rewrite Q (bigD1 k) //= subrr mul0r mulr0 sub0r; congr (- _).
+  rewrite [LHS](bigD1 k) //= [X in _ + X]big1 ?addr0 // => i ik; by rewrite (bigD1 k) 1?eq_sym //= subrr mul0r mulr0.
+have Q0 : q.[mu] <= 0.
+  by rewrite Qmu oppr_le0 mulr_ge0 ?sqr_ge0 // prodr_ge0 // => j _; rewrite subr_ge0.
+pose S := \sum_i b i ^+ 2; have S0 : 0 <= S by apply: sumr_ge0 => i _; apply: sqr_ge0.
+pose X := mu + 1 + `|a - mu| + S.
+have Xd i : 1 <= X - d i.
+  rewrite (_ : X - d i = 1 + (mu - d i + `|a - mu| + S)); last by rewrite /X; ring.
+  by rewrite ler_addl; apply: addr_ge0 => //; apply: addr_ge0; rewrite ?normr_ge0 // subr_ge0; apply: dk.
+have Xmu : mu <= X by rewrite /X -!addrA ler_addl; apply: addr_ge0; rewrite ?ler01 //; apply: addr_ge0; rewrite ?normr_ge0.
+have fac y : (forall i, y - d i != 0) -> q.[y] = \prod_i (y - d i) * ((y - a) - \sum_i b i ^+ 2 / (y - d i)).
+  move=> z; rewrite Q mulrBr mulrC mulr_sumr; congr (_ - _); apply: eq_bigr => i _; rewrite [in RHS](bigD1 i) //=.
+  by rewrite mulrCA mulrAC mulfV // mul1r.
+have Q1 : 0 <= q.[X].
+  have E := fac X (fun i => lt0r_neq0 (lt_le_trans ltr01 (Xd i))).
+  rewrite E mulr_ge0 ?prodr_ge0 // => [i _|]; first by apply: le_trans (Xd i); rewrite ler01.
+  rewrite subr_ge0; apply: (@le_trans _ _ S).
+    apply: ler_sum => i _; rewrite ler_pdivr_mulr; last by apply: lt_le_trans (Xd i); exact: ltr01.
+    by apply: ler_pemulr; rewrite ?sqr_ge0 ?Xd.
+  rewrite -subr_ge0 (_ : X - a - S = 1 + (`|a - mu| - (a - mu))); last by rewrite /X; ring.
+  by rewrite addr_ge0 // subr_ge0 ler_norm.
+have [x /andP[mx _] /rootP qx] := poly_ivt Xmu (introT andP (conj Q0 Q1)).
+have [x_mu|x_mu] := eqVneq x mu; last first.
+  have z i : x - d i != 0 by apply: lt0r_neq0; rewrite subr_gt0; apply: le_lt_trans (dk i) _; rewrite lt_def x_mu.
+  exists x, 1, (fun i => b i / (x - d i)); split=> [||i]; first by left; rewrite oner_neq0.
+    have P0 : \prod_i (x - d i) != 0 by apply/prodf_neq0 => i _; apply: z.
+    move: qx; rewrite (fac x z).
+    move/eqP; rewrite mulf_eq0 (negPf P0) /= subr_eq0 subr_eq => /eqP E; rewrite !mulr1 [RHS]E addrC; congr (_ + _).
+    by apply: eq_bigr => i _; rewrite expr2 mulrA.
+  by rewrite mulr1 -{1}[b i](divfK (z i)) [_ / _ * _]mulrC -mulrDl subrK.
+move: qx; rewrite x_mu Qmu => /eqP; rewrite oppr_eq0 mulf_eq0 sqrf_eq0 => /orP[/eqP bk|].
+  exists mu, 0, (fun i => (i == k)%:R); split=> [||i].
+  - by right; exists k; rewrite eqxx oner_neq0.
+  - by rewrite (bigD1 k) //= bk mul0r big1 ?addr0 ?mulr0 // => i /negPf ->; rewrite mulr0.
+  by rewrite mulr0 add0r; case: eqP => [->|_]; rewrite ?mulr0.
+have [bk _|bk] := eqVneq (b k) 0.
+  exists mu, 0, (fun i => (i == k)%:R); split=> [||i].
+  - by right; exists k; rewrite eqxx oner_neq0.
+  - by rewrite (bigD1 k) //= bk mul0r big1 ?addr0 ?mulr0 // => i /negPf ->; rewrite mulr0.
+  by rewrite mulr0 add0r; case: eqP => [->|_]; rewrite ?mulr0.
+move/prodf_eq0 => [j jk /eqP]; move/eqP; rewrite subr_eq0 => /eqP dj.
+exists mu, 0, (fun i => b j * (i == k)%:R - b k * (i == j)%:R); split=> [||i].
+- by right; exists j; rewrite eqxx (negPf jk) mulr0 sub0r mulr1 oppr_eq0.
+- rewrite (bigD1 k) //= (bigD1 j) //= big1 ?addr0 => [|i /andP[/negPf ik /negPf ij]]; last by rewrite ik ij !mulr0 subrr mulr0.
+  by rewrite !eqxx (negPf jk) [k == j]eq_sym (negPf jk) /=; ring.
+rewrite mulr0 add0r; case: (eqVneq i k) => [->|_] //; case: (eqVneq i j) => [->|_]; first by rewrite -dj.
+by rewrite !mulr0 subrr !mulr0.
+Qed.
+From mathcomp Require Import perm.
+Lemma reflection (R : rcfType) n (u : 'cV[R]_n.+1) : u^T *m u = 1%:M ->
+  exists H : 'M[R]_n.+1, [/\ H^T = H, H *m H = 1%:M & H *m delta_mx 0 0 = u].
+Proof.
+move=> uu; pose e : 'cV[R]_n.+1 := delta_mx 0 0.
+have [->|ue] := eqVneq u e; first by exists 1%:M; rewrite trmx1 !mul1mx.
+pose w := u - e; have wT : w^T = u^T - e^T by rewrite /w raddfB.
+have s11 (B : 'M[R]_1) : B = (B 0 0)%:M by apply: mx11_scalar.
+pose s := (w^T *m w) 0 0; have ws : w^T *m w = s%:M by apply: s11.
+have s0 : s != 0.
+  apply: contraNneq ue => z; rewrite -subr_eq0 -/w; apply/eqP/colP => i; rewrite [RHS]mxE; apply/eqP; rewrite -sqrf_eq0.
+  move: z; rewrite /s mxE => /psumr_eq0P h; have := h (fun k _ => _) i isT; rewrite mxE -expr2 => -> // k.
+  by rewrite mxE -expr2 sqr_ge0.
+have ee : e^T *m e = 1%:M by rewrite trmx_delta mul_delta_mx; apply/matrixP => i j; rewrite !mxE !ord1.
+have we : w^T *m e = (- (s / 2%:R))%:M.
+  pose r := (u^T *m e) 0 0; have ur : u^T *m e = r%:M by apply: s11.
+  have er : e^T *m u = r%:M by rewrite -[LHS]trmxK trmx_mul trmxK ur tr_scalar_mx.
+  have sE : s = 2%:R - 2%:R * r.
+    rewrite /s wT mulmxBl !mulmxBr uu ee ur er !mxE eqxx !mulr1n; ring.
+  by rewrite wT mulmxBl ur ee -raddfB /= sE; congr (_%:M); field.
+exists (1%:M - (2%:R / s) *: (w *m w^T)); split.
+- by rewrite raddfB /= linearZ /= trmx1 trmx_mul trmxK.
+- set W := w *m w^T; have WW : W *m W = s *: W by rewrite /W mulmxA -(mulmxA w) ws mul_mx_scalar -scalemxAl.
+  rewrite mulmxBl mul1mx -scalemxAl mulmxBr mulmx1 -scalemxAr WW scalerA divfK // scaler_nat mulr2n opprD addrA subrr sub0r.
+  by rewrite scalerN opprK subrK.
+rewrite mulmxBl mul1mx -scalemxAl -mulmxA we mul_mx_scalar scalerA mulrN (_ : 2%:R / s * (s / 2%:R) = 1); last by field.
+by rewrite scaleN1r opprK addrC subrK.
+Qed.
+Lemma unit_eigenvector (R : rcfType) n (A : 'M[R]_n) (v : 'cV[R]_n) lam : v != 0 -> A *m v = lam *: v ->
+  exists e : 'cV[R]_n, e^T *m e = 1%:M /\ A *m e = lam *: e.
+Proof.
+move=> v0 Av; pose s := (v^T *m v) 0 0; have vs : v^T *m v = s%:M by apply: mx11_scalar.
+have s0 : 0 < s.
+  rewrite lt_def /s mxE sumr_ge0 ?andbT => [|k _]; last by rewrite mxE -expr2 sqr_ge0.
+  apply: contraNneq v0 => z; apply/eqP/colP => i; rewrite [RHS]mxE; apply/eqP; rewrite -sqrf_eq0.
+  have h : forall k, true -> 0 <= v^T 0 k * v k 0 by move=> k _; rewrite mxE -expr2 sqr_ge0.
+  by have := psumr_eq0P h z (i := i) isT; rewrite mxE -expr2 => ->.
+exists ((Num.sqrt s)^-1 *: v); split; last by rewrite -scalemxAr Av !scalerA mulrC.
+have -> : ((Num.sqrt s)^-1 *: v)^T = (Num.sqrt s)^-1 *: v^T by apply/matrixP => i j; rewrite !mxE.
+rewrite -scalemxAl -scalemxAr scalerA vs scale_scalar_mx -invfM -expr2 sqr_sqrtr ?ltW // mulVf //.
+by rewrite gt_eqF.
+Qed.
+Lemma spectral_theorem (R : rcfType) n (A : 'M[R]_n.+1) : A^T = A ->
+  exists (U : 'M[R]_n.+1) (D : 'rV[R]_n.+1), U^T *m U = 1%:M /\ A *m U = U *m diag_mx D.
+Proof.
+elim: n A => [|n IH] A At.
+  exists 1%:M, (\row_i A 0 0); rewrite trmx1 !mul1mx mulmx1; split=> //.
+  by apply/matrixP => i j; rewrite !ord1 !mxE eqxx.
+have [e [lam [ee Ae]]] : exists (e : 'cV[R]_n.+2) lam, e^T *m e = 1%:M /\ A *m e = lam *: e.
+  pose B : 'M[R]_(1 + n.+1) := A; pose rho := ursubmx B; pose A' := drsubmx B.
+  have Bt : B^T = B := At.
+  have A't : A'^T = A' by rewrite /A' trmx_drsub Bt.
+  have dl : dlsubmx B = rho^T by rewrite /rho trmx_ursub Bt.
+  have [U [D [UU AU]]] := IH A' A't; have UU' := mulmx1C UU.
+  pose a := ulsubmx B 0 0; have ul : ulsubmx B = a%:M by apply: mx11_scalar.
+  have [lam [f0 [f [nz E1 E2]]]] := arrow a (fun i => (rho *m U) 0 i) (fun i => D 0 i).
+  pose F : 'cV[R]_n.+1 := \col_i f i; pose v : 'cV[R]_(1 + n.+1) := col_mx f0%:M (U *m F).
+  have Bv : B *m v = lam *: v.
+    rewrite -[B]submxK /v mul_block_col scale_col_mx dl ul -/rho -/A'; congr col_mx.
+      rewrite [X in _ + X]mx11_scalar -scalar_mxM -raddfD /= scale_scalar_mx -E1; congr ((_ + _)%:M).
+      by rewrite mulmxA mxE; apply: eq_bigr => i _; rewrite [F _ _]mxE.
+    have -> : rho^T = U *m (rho *m U)^T by rewrite trmx_mul mulmxA UU' mul1mx.
+    rewrite mulmxA AU -!mulmxA -mulmxDr scalemxAr; congr (_ *m _); apply/colP => i.
+    rewrite mul_mx_scalar mul_diag_mx [LHS]mxE [X in X + _]mxE [X in _ + X]mxE [RHS]mxE [F i _]mxE.
+    by rewrite -E2 [(rho *m U)^T _ _]mxE mulrC.
+  have v0 : v != 0.
+    apply/eqP => z; have [z1 z2] : (f0%:M : 'M[R]_1) = 0 /\ U *m F = 0.
+      by split; [rewrite -[LHS](col_mxKu _ (U *m F))|rewrite -[LHS](col_mxKd (f0%:M : 'M[R]_1))]; rewrite -/v z linear0.
+    have F0 : F = 0 by rewrite -[F]mul1mx -UU -mulmxA z2 mulmx0.
+    case: nz => [|[i]]; first by move/matrixP/(_ 0 0): z1; rewrite !mxE eqxx mulr1n => ->; rewrite eqxx.
+    by move/colP/(_ i): F0; rewrite !mxE => ->; rewrite eqxx.
+  have [e He] := unit_eigenvector v0 Bv; by exists e, lam.
+have [H [Ht HH He]] := reflection ee.
+pose C0 : 'M[R]_n.+2 := H *m A *m H.
+have Ct0 : C0^T = C0 by rewrite /C0 !trmx_mul Ht At mulmxA.
+have Ce : C0 *m delta_mx 0 0 = lam *: (delta_mx 0 0 : 'cV_n.+2).
+  by rewrite /C0 -!mulmxA He Ae -scalemxAr -He mulmxA HH mul1mx.
+have Ci0 i : C0 i 0 = lam * (i == 0)%:R by have /colP/(_ i) := Ce; rewrite -colE !mxE eqxx andbT.
+have E : A *m H = H *m C0 by rewrite /C0 !mulmxA HH mul1mx.
+clearbody C0; pose C : 'M[R]_(1 + n.+1) := C0; have Ct : C^T = C := Ct0.
+have Ci (i : 'I_(1 + n.+1)) : C i 0 = lam * (i == 0)%:R := Ci0 i.
+have l0 (j : 'I_1) : lshift n.+1 j = 0 by apply: val_inj; rewrite /= (ord1 j).
+have dl0 : dlsubmx C = 0 by apply/matrixP => i j; rewrite !mxE l0 Ci mulr0.
+have ur0 : ursubmx C = 0 by rewrite -[ursubmx C]trmxK trmx_ursub Ct dl0 trmx0.
+have ul0 : ulsubmx C = lam%:M.
+  by rewrite [LHS]mx11_scalar; congr (_%:M); rewrite !mxE l0 Ci eqxx mulr1.
+pose A' := drsubmx C; have A't : A'^T = A' by rewrite /A' trmx_drsub Ct.
+have [U [D [UU AU]]] := IH A' A't.
+pose W : 'M[R]_(1 + n.+1) := block_mx 1%:M 0 0 U.
+have CW : C *m W = W *m diag_mx (row_mx lam%:M D).
+  rewrite diag_mx_row -[C]submxK dl0 ur0 ul0 /W !mulmx_block !mulmx0 !mul0mx !addr0 !add0r mulmx1 mul1mx -/A' AU.
+  congr block_mx; by apply/matrixP => i j; rewrite !ord1 !mxE eqxx.
+have WW : W^T *m W = 1%:M.
+  by rewrite /W tr_block_mx !trmx0 trmx1 mulmx_block !mulmx0 !mul0mx mul1mx UU !addr0 !add0r -scalar_mx_block.
+exists (H *m W), (row_mx lam%:M D); split.
+  by rewrite trmx_mul Ht mulmxA -(mulmxA W^T) HH mulmx1; exact: WW.
+by rewrite mulmxA E -!mulmxA; congr (_ *m _); exact: CW.
+Qed.
+Lemma eq3_8_basis_proved : eq3_8_basis.
+Proof.
+move=> R m G c F; have [_ sym] := eq3_7_1_proved F; have [U [D [UU MU]]] := spectral_theorem sym.
+have [] := eq3_7_3_proved (ltn0Sn m) F; set u1 := \col_i _ => Mu1 u1u1 _.
+have UM : U^T *m M_of G c = diag_mx D *m U^T by rewrite -[LHS]trmxK trmx_mul trmxK sym MU trmx_mul tr_diag_mx.
+pose g := U^T *m u1; have Dg : diag_mx D *m g = g by rewrite /g mulmxA -UM -mulmxA Mu1.
+have g0 : g != 0.
+  apply: contraPneq u1u1 => z; have -> : u1 = 0 by rewrite -[u1]mul1mx -(mulmx1C UU) -mulmxA -/g z mulmx0.
+  by rewrite big1 => [/eqP|i _]; rewrite ?mxE ?expr0n // eq_sym oner_eq0.
+have [k gk] := column_nonzero g0.
+have Dk : D 0 k = 1.
+  by apply: (mulIf gk); rewrite mul1r -[RHS](congr1 (fun z : 'cV_m.+1 => z k 0) Dg) mul_diag_mx mxE.
+exists (fun l => D 0 (tperm ord0 k l)), (fun l => col (tperm ord0 k l) U); split.
+- move=> p q; rewrite tr_col -row_mul; have := congr1 (fun z : 'M_m.+1 => z (tperm ord0 k p) (tperm ord0 k q)) UU.
+  rewrite !mxE (inj_eq perm_inj) => <-; apply: eq_bigr => i _; by rewrite !mxE.
+- move=> l; apply/colP => i; pose p := tperm ord0 k l; rewrite -/p.
+  have h : (M_of G c *m U) i p = U i p * D 0 p by rewrite MU mul_mx_diag mxE.
+  rewrite [RHS]mxE [X in _ = _ * X]mxE [RHS]mulrC -h !mxE; apply: eq_bigr => j _; by rewrite [col _ _ _ _]mxE.
+by rewrite tpermL.
 Qed.
