@@ -565,3 +565,67 @@ Proof.
   intros n adj r k K _ _ HK. pose proof (turns_down n adj r k K false HK) as T. cbv iota in T.
   replace (RtoC (-1) * hats n adj r k)%C with (Copp (hats n adj r k)) in T by (apply injective_projections; cbn; ring). exact T.
 Qed.
+
+(* ---- corrected clauses, and Theorem 2: formalised from their words ---- *)
+(* paley.Wm clause 2; W_m is Q_L of e^{i m th}/m, U_m is (N/2)|p_m|^2 with p_m of (23) *)
+Definition Wm_2 : Prop := forall n adj m th, (1 <= n)%nat -> (1 <= m)%nat ->
+  (forall k j, (k < n)%nat -> (j < n)%nat -> adj k j = negb (Nat.eqb k j)) ->
+  QL n adj (fun k => RtoC (/ INR m) * expi (INR m * th k))%C =
+  INR n / (2 * INR m ^ 2) - INR n / 2 * Cmod (RtoC (/ (INR m * INR n)) * Csum n (fun k => expi (INR m * th k)))%C ^ 2.
+(* paley.eq29 clause 2; on any two graphs, directed ones included *)
+Definition right29 n (ori att : graph) w0 K0 K1 (r : nat -> C) th k :=
+  w0 + K1 / INR n * inner (Ci * expi (th k))%C (Csum n (fun j => RtoC (lap n ori k j) * expi (th j)))%C
+  - K0 / INR n * inner (Ci * expi (th k))%C (Csum n (fun j => RtoC (lap n att k j) * expi (th j)))%C
+  + w0 * (K0 / INR n) * inner (expi (th k)) (Csum n (fun j => RtoC (lap n att k j) * r j))%C.
+Definition eq29_2 : Prop := forall n ori att w0 K0 K1 r th k, (1 <= n)%nat -> (k < n)%nat -> w0 <> 0 ->
+  right29 n ori att w0 K0 K1 r th k = w0 + spac20 n att w0 K0 r th k + ori14 n ori K1 th k.
+(* paley.fig2.caption clause 3 *)
+Definition C12 : graph := fun k j => orb (Nat.eqb j (S k mod 12)) (Nat.eqb k (S j mod 12)).
+Definition caption_3 : Prop := forall th lam, eigenpair 12 C12 lam (fun k => expi (th k)) -> stationary 12 (W12 12 C12) th.
+(* paley.fig2.caption clause 4; the columns of F are normalized, the phasors are not *)
+Definition caption_4 : Prop := forall th lam, eigenpair 12 C12 lam (fun k => expi (th k)) ->
+  (exists m rot, (m < 12)%nat /\ forall k, (k < 12)%nat -> expi (th k) = (expi rot * (RtoC (sqrt 12) * fourier 12 m k))%C) \/
+  exists u v, Cmod u = 1 /\ Cmod v = 1 /\ forall k, (k < 12)%nat ->
+    expi (th k) = match (k mod 4)%nat with 0%nat => u | 1%nat => v | 2%nat => Copp u | _ => Copp v end.
+(* paley.length clause 3; one direction of each edge, chosen anyhow *)
+Definition length_3 : Prop := forall n adj once x, (1 <= n)%nat -> undirected adj ->
+  (forall j k, (j < n)%nat -> (k < n)%nat -> j <> k ->
+     (adj k j = true <-> once k j = true \/ once j k = true) /\ ~ (once k j = true /\ once j k = true)) ->
+  QL n adj x = / (2 * INR n) * edges n once x.
+(* paley.scale clauses 3, 5 *)
+Definition scale_3 : Prop := forall N r adj th, (2 <= N)%nat -> nearest N (N - 1) r adj -> 0 <= 2 / (INR (N - 1) + 1) * W12 N adj th <= 1.
+Definition scale_5 : Prop := forall N n r adj th, (1 <= n < N)%nat -> nearest N n r adj -> 0 <= W12 N adj th / INR n <= 1.
+(* paley.scale.complete clause 2 *)
+Definition complete_2 : Prop := forall N r adj, (2 <= N)%nat -> nearest N (N - 1) r adj ->
+  (forall j k, (j < N)%nat -> (k < N)%nat -> adj k j = negb (Nat.eqb k j)) /\
+  forall th, 2 / (INR (N - 1) + 1) * W12 N adj th = 1 - Cmod (p7 N th) ^ 2.
+(* circular formations: on the circle of radius rho round c0 with headings along it, counterclockwise for s = 1, clockwise for s = -1 *)
+Definition circular (n : nat) (c0 : C) (rho s : R) (r : nat -> C) (th : nat -> R) := forall k, (k < n)%nat ->
+  Cmod (r k - c0)%C = rho /\ (Ci * (r k - c0))%C = (RtoC (s * rho) * expi (th k))%C.
+Definition solution20 n adj w0 K0 r th := (1 <= n)%nat /\ undirected adj /\ no_loops adj /\ strongly_connected n adj /\ w0 <> 0 /\ 0 < K0 /\
+  forall t, 0 <= t -> particles n r th (u20 n adj w0 K0 (at_time r t) (at_time th t)) t.
+(* paley.thm2 clause 1: states near to formations, and all turn at one rate in the end *)
+Definition thm2_circles : Prop := forall n adj w0 K0 r th, solution20 n adj w0 K0 r th ->
+  exists c0 s, (s = 1 \/ s = -1) /\ forall e, 0 < e -> exists T, forall t, T <= t ->
+    (exists r', circular n c0 (/ Rabs w0) s r' (at_time th t) /\ forall k, (k < n)%nat -> Cmod (r k t - r' k)%C < e) /\
+    forall j k, (j < n)%nat -> (k < n)%nat ->
+      Rabs (u20 n adj w0 K0 (at_time r t) (at_time th t) k - u20 n adj w0 K0 (at_time r t) (at_time th t) j) < e.
+(* paley.thm2 clause 2: in the end all turn, and go round the centre, in the sense of w0; so do the formations they tend to *)
+Definition thm2_sense : Prop := forall n adj w0 K0 r th, solution20 n adj w0 K0 r th ->
+  exists c0, ends_at n w0 r th c0 /\ (exists T, forall t k, T <= t -> (k < n)%nat ->
+    0 < w0 * u20 n adj w0 K0 (at_time r t) (at_time th t) k /\ 0 < w0 * inner (Ci * (r k t - c0))%C (expi (th k t))) /\
+  forall e, 0 < e -> exists T, forall t, T <= t -> exists r', circular n c0 (/ Rabs w0) (w0 / Rabs w0) r' (at_time th t) /\
+    forall k, (k < n)%nat -> Cmod (r k t - r' k)%C < e.
+(* paley.vatt clause 3 *)
+Definition vatt_3 : Prop := forall n adj r k, (k < n)%nat -> clear n adj r k -> let v := Copp (hats n adj r k) in
+  rate_along n adj r k v (- Cmod v ^ 2).
+(* the steering K <i e^{i th}, v> at a fixed v: <e^{i th}, v> does not decrease, and grows where the steering is not zero *)
+Definition turns_to (v : C) (K : R) := forall th : R -> R, let u t := K * inner (Ci * expi (th t))%C v in
+  (forall t, is_derive th t (u t) -> exists d, is_derive (fun s => inner (expi (th s)) v) t d /\ 0 <= d /\ (u t <> 0 -> 0 < d)) /\
+  forall a b, a <= b -> (forall t, a <= t <= b -> is_derive th t (u t)) -> inner (expi (th a)) v <= inner (expi (th b)) v.
+(* paley.vatt clause 4 *)
+Definition vatt_4 : Prop := forall n adj r k Katt, (k < n)%nat -> clear n adj r k -> 0 < Katt -> turns_to (Copp (hats n adj r k)) Katt.
+(* paley.vrep clause 3 *)
+Definition vrep_3 : Prop := forall n adj r k, (k < n)%nat -> clear n adj r k -> let v := hats n adj r k in rate_along n adj r k v (Cmod v ^ 2).
+(* paley.vrep clause 4 *)
+Definition vrep_4 : Prop := forall n adj r k Krep, (k < n)%nat -> clear n adj r k -> 0 < Krep -> turns_to (hats n adj r k) Krep.
