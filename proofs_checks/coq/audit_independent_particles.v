@@ -631,7 +631,7 @@ Definition vrep_3 : Prop := forall n adj r k, (k < n)%nat -> clear n adj r k -> 
 Definition vrep_4 : Prop := forall n adj r k Krep, (k < n)%nat -> clear n adj r k -> 0 < Krep -> turns_to (hats n adj r k) Krep.
 
 (* ---- the theorems prove them ---- *)
-From Flockproof Require paley_patterns.
+From Flockproof Require paley_patterns paley_convergence.
 Lemma QL_same n adj adj' x : (forall k j, (k < n)%nat -> (j < n)%nat -> adj k j = adj' k j) -> QL n adj x = QL n adj' x.
 Proof.
   intros E. unfold QL, apply_L. f_equal. apply Sum_ext. intros k Hk. f_equal. apply Csum_ext. intros j Hj. unfold lap, deg.
@@ -731,7 +731,7 @@ Proof. intros n adj r k _ Cl v. pose proof (rate_is n adj r k v Cl) as D. fold v
 Lemma vrep_4_holds : vrep_4.
 Proof. intros n adj r k K _ _ HK. now apply turns_to_field. Qed.
 
-(* Theorem 2, by its centres and rates *)
+(* Theorem 2: the particles tend to a formation, so the centres to one point; the rates follow, by (20) *)
 Lemma in_time (n : nat) (P : nat -> R -> Prop) : (forall k, (k < n)%nat -> exists T, forall t, T <= t -> P k t) ->
   exists T, forall k t, (k < n)%nat -> T <= t -> P k t.
 Proof.
@@ -739,12 +739,51 @@ Proof.
   destruct (H n ltac:(lia)) as [T' B]. exists (Rmax T T'). intros k t Hk Ht. pose proof (Rmax_l T T'). pose proof (Rmax_r T T').
   destruct (Nat.eq_dec k n) as [->|N]; [apply B; lra|apply A; [lia|lra]].
 Qed.
+Lemma inner_small x t : Rabs (inner x (expi t)) <= Cmod x.
+Proof.
+  rewrite <- (Rabs_pos_eq (Cmod x)) by apply Cmod_ge_0. apply Rsqr_le_abs_0.
+  rewrite !Rsqr_pow2, <- inner_self, !inner_xy. pose proof (sc2 t) as U. cbn in *. set (p := cos t) in *. set (q := sin t) in *.
+  destruct x as [a b]. cbn. pose proof (pow2_ge_0 (a * q - b * p)) as Z. cbn in Z.
+  replace (a * a + b * b) with ((q * (q * 1) + p * (p * 1)) * (a * a + b * b)) by (rewrite U; ring). lra.
+Qed.
+Lemma inner_sums n (a : nat -> R) (f : nat -> C) t d : (forall j, (j < n)%nat -> Cmod (f j) <= d) ->
+  Rabs (inner (expi t) (Csum n (fun j => RtoC (a j) * f j)%C)) <= d * Sum n (fun j => Rabs (a j)).
+Proof.
+  intros H. rewrite inner_Csum. eapply Rle_trans; [apply Sum_Rabs|]. rewrite <- Sum_scal. apply Sum_le. intros j Hj.
+  rewrite inner_scal, Rabs_mult, inner_sym, (Rmult_comm d). apply Rmult_le_compat_l; [apply Rabs_pos|].
+  exact (Rle_trans _ _ _ (inner_small (f j) t) (H j Hj)).
+Qed.
 Lemma ending n adj w0 K0 r th : solution20 n adj w0 K0 r th -> exists c0, ends_at n w0 r th c0 /\ forall e, 0 < e -> exists T, forall k t, (k < n)%nat -> T <= t ->
   Cmod (ck w0 (at_time r t) (at_time th t) k - c0)%C < e /\ Rabs (u20 n adj w0 K0 (at_time r t) (at_time th t) k - w0) < e.
 Proof.
-  intros (Hn & S & NL & SC & Hw & HK & M). destruct (thm2_1_proved n adj w0 K0 r th Hn S NL SC Hw HK M) as [c0 H]. exists c0. split.
-  - intros k Hk e He. destruct (H k Hk e He) as [X Y]. exists X. intros t Ht. apply (Y t Ht).
-  - intros e He. apply (in_time n (fun k t => _ /\ _)). intros k Hk. exact (H k Hk e He).
+  intros (Hn & S & _ & SC & Hw & HK & M). destruct (paley_convergence.thm2 n adj w0 K0 r th Hn S SC Hw HK) as (c0 & T & A & m & Hm & H).
+  { intros k t Hk Ht. destruct (M t Ht k Hk) as [V D]. split; [exact V|]. unfold u20 in D. rewrite Rmult_assoc in D. exact D. }
+  pose proof (Rinv_0_lt_compat _ (Rabs_pos_lt w0 Hw)) as B.
+  assert (E : ends_at n w0 r th c0).
+  { intros k Hk e He. destruct (H k Hk) as (psi & phi & F). destruct (paley_convergence.exp_small m e (A + / Rabs w0 * (2 * A)) Hm He) as [T' [_ L]].
+    exists (Rmax T T'). intros t Ht. pose proof (Rmax_l T T'). pose proof (Rmax_r T T'). specialize (L t ltac:(lra)). destruct (F t ltac:(lra)) as (X & Y & Z).
+    set (z := (c0 + RtoC (/ Rabs w0) * expi (phi + w0 * t))%C) in *. apply Rle_lt_trans with (2 := L).
+    replace (ck w0 (at_time r t) (at_time th t) k - c0)%C with ((r k t - z) + RtoC (/ w0) * (Ci * (expi (th k t) - expi (psi + w0 * t))))%C
+      by (rewrite <- Z; unfold ck, circle_centre; ring).
+    eapply Rle_trans; [apply Cmod_triangle|]. assert (I : Cmod Ci = 1) by (unfold Cmod; cbn; replace (0 * (0 * 1) + 1 * (1 * 1)) with 1 by ring; apply sqrt_1).
+    rewrite !Cmod_mult, I, Cmod_R, Rabs_inv, Rmult_1_l. pose proof (paley_convergence.expi_near (th k t) (psi + w0 * t)) as N.
+    assert (/ Rabs w0 * Cmod (expi (th k t) - expi (psi + w0 * t))%C <= / Rabs w0 * (2 * (A * exp (- m * t)))) by (apply Rmult_le_compat_l; lra). lra. }
+  exists c0. split; [exact E|]. intros e He. apply (in_time n (fun k t => _ /\ _)). intros k Hk.
+  (* the rate is w0 but for the differences of the centres *)
+  set (G := Rabs (w0 * (K0 / INR n)) * Sum n (fun j => Rabs (lap n adj k j))).
+  assert (G0 : 0 <= G) by (apply Rmult_le_pos; [apply Rabs_pos|apply Sum_ge0; intros; apply Rabs_pos]).
+  assert (e1 : 0 < e / (1 + G)) by (apply Rdiv_lt_0_compat; lra).
+  destruct (in_time n (fun j t => Cmod (ck w0 (at_time r t) (at_time th t) j - c0)%C < e / (1 + G))) as [T' F]; [intros j Hj; exact (E j Hj _ e1)|].
+  exists T'. intros t Ht. assert (e2 : e / (1 + G) * (1 + G) = e) by (field; lra). split; [pose proof (F k t Hk Ht); nra|].
+  replace (u20 n adj w0 K0 (at_time r t) (at_time th t) k - w0) with (w0 * (K0 / INR n) *
+    inner (expi (th k t)) (Csum n (fun j => RtoC (lap n adj k j) * (ck w0 (at_time r t) (at_time th t) j - c0))%C)).
+  - rewrite Rabs_mult. pose proof (inner_sums n (lap n adj k) (fun j => ck w0 (at_time r t) (at_time th t) j - c0)%C (th k t) (e / (1 + G))) as Q.
+    specialize (Q (fun j Hj => Rlt_le _ _ (F j t Hj Ht))). cbv beta in Q.
+    apply (Rmult_le_compat_l _ _ _ (Rabs_pos (w0 * (K0 / INR n)))) in Q. apply Rle_lt_trans with (1 := Q). unfold G in *. nra.
+  - unfold u20, Lc. rewrite (Csum_ext n _ (fun j => RtoC (lap n adj k j) * ck w0 (at_time r t) (at_time th t) j - c0 * RtoC (lap n adj k j))%C) by (intros; ring).
+    rewrite Csum_minus, Csum_scal. replace (Csum n (fun j => RtoC (lap n adj k j))) with (RtoC 0).
+    + rewrite Cmult_0_r. unfold Cminus. rewrite Copp_0, Cplus_0_r. ring.
+    + apply injective_projections; cbn; [symmetry; now apply graph_2_proved|rewrite Sum_zero; [reflexivity|intros; reflexivity]].
 Qed.
 (* the formation that has the headings of the particles and the centre c0 *)
 Lemma formation n w0 c0 th : w0 <> 0 -> circular n c0 (/ Rabs w0) (w0 / Rabs w0) (fun k => c0 - RtoC (/ w0) * (Ci * expi (th k)))%C th.
@@ -758,7 +797,7 @@ Proof.
     + assert (Q : Rabs w0 * Rabs w0 = w0 * w0) by (rewrite <- Rabs_mult; apply Rabs_pos_eq; nra).
       transitivity (w0 * / (Rabs w0 * Rabs w0)); [rewrite Q; field; exact Hw|field; lra].
 Qed.
-Lemma from_formation n adj w0 K0 r th c0 e : solution20 n adj w0 K0 r th -> 
+Lemma from_formation n adj w0 K0 r th c0 e : solution20 n adj w0 K0 r th ->
   (exists T, forall k t, (k < n)%nat -> T <= t -> Cmod (ck w0 (at_time r t) (at_time th t) k - c0)%C < e) ->
   exists T, forall t, T <= t -> exists r', circular n c0 (/ Rabs w0) (w0 / Rabs w0) r' (at_time th t) /\
     forall k, (k < n)%nat -> Cmod (r k t - r' k)%C < e.
@@ -776,13 +815,6 @@ Proof.
     + exists (Rmax T T'). intros t Ht. pose proof (Rmax_l T T'). pose proof (Rmax_r T T'). split; [apply B; lra|]. intros j k Hj Hk.
       destruct (A j t Hj ltac:(lra)) as [_ X]. destruct (A k t Hk ltac:(lra)) as [_ Y]. apply Rabs_def2 in X, Y. apply Rabs_def1; lra.
 Qed.
-Lemma inner_small x t : Rabs (inner x (expi t)) <= Cmod x.
-Proof.
-  rewrite <- (Rabs_pos_eq (Cmod x)) by apply Cmod_ge_0. apply Rsqr_le_abs_0.
-  rewrite !Rsqr_pow2, <- inner_self, !inner_xy. pose proof (sc2 t) as U. cbn in *. set (p := cos t) in *. set (q := sin t) in *.
-  destruct x as [a b]. cbn. pose proof (pow2_ge_0 (a * q - b * p)) as Z. cbn in Z.
-  replace (a * a + b * b) with ((q * (q * 1) + p * (p * 1)) * (a * a + b * b)) by (rewrite U; ring). lra.
-Qed.
 Lemma thm2_sense_holds : thm2_sense.
 Proof.
   intros n adj w0 K0 r th So. assert (Hw : w0 <> 0) by apply So. destruct (ending n adj w0 K0 r th So) as [c0 [E H]]. exists c0.
@@ -795,11 +827,8 @@ Proof.
       assert (I : Cmod Ci = 1) by (unfold Cmod; cbn; replace (0 * (0 * 1) + 1 * (1 * 1)) with 1 by ring; apply sqrt_1).
       pose proof (inner_small (Ci * d)%C (th k t)) as S. rewrite Cmod_mult, I, Rmult_1_l in S.
       assert (J : inner (Ci * (r k t - c0))%C (expi (th k t)) = inner (Ci * d)%C (expi (th k t)) + / w0).
-      { replace (Ci * d)%C with (Ci * (r k t - c0) - RtoC (/ w0) * expi (th k t))%C.
-        - pose proof (inner_expi_self (th k t)) as U. rewrite inner_xy in U. rewrite !inner_xy. cbn in *.
-          set (p := cos (th k t)) in *. set (q := sin (th k t)) in *.
-          transitivity (/ w0 * 1 + ((0 * (fst (r k t) + - fst c0) - 1 * (snd (r k t) + - snd c0)) * p + (0 * (snd (r k t) + - snd c0) + 1 * (fst (r k t) + - fst c0)) * q) - / w0 * (p * p + q * q)); [rewrite U; ring|ring].
-        - unfold d, ck. apply injective_projections; cbn; ring. }
+      { replace (Ci * (r k t - c0))%C with (Ci * d + RtoC (/ w0) * expi (th k t))%C by (unfold d, ck; apply injective_projections; cbn; ring).
+        rewrite inner_sym, inner_plus, inner_scal, inner_expi_self, (inner_sym (Ci * d)%C). ring. }
       rewrite J, Rmult_plus_distr_l, Rinv_r by exact Hw.
       assert (D : Rabs (w0 * inner (Ci * d)%C (expi (th k t))) < 1).
       { rewrite Rabs_mult. apply Rle_lt_trans with (Rabs w0 * Cmod d); [apply Rmult_le_compat_l; lra|].
