@@ -565,3 +565,274 @@ Proof.
   intros n adj r k K _ _ HK. pose proof (turns_down n adj r k K false HK) as T. cbv iota in T.
   replace (RtoC (-1) * hats n adj r k)%C with (Copp (hats n adj r k)) in T by (apply injective_projections; cbn; ring). exact T.
 Qed.
+
+(* ---- corrected clauses, and Theorem 2: formalised from their words ---- *)
+(* paley.Wm clause 2; W_m is Q_L of e^{i m th}/m, U_m is (N/2)|p_m|^2 with p_m of (23) *)
+Definition Wm_2 : Prop := forall n adj m th, (1 <= n)%nat -> (1 <= m)%nat ->
+  (forall k j, (k < n)%nat -> (j < n)%nat -> adj k j = negb (Nat.eqb k j)) ->
+  QL n adj (fun k => RtoC (/ INR m) * expi (INR m * th k))%C =
+  INR n / (2 * INR m ^ 2) - INR n / 2 * Cmod (RtoC (/ (INR m * INR n)) * Csum n (fun k => expi (INR m * th k)))%C ^ 2.
+(* paley.eq29 clause 2; on any two graphs, directed ones included *)
+Definition right29 n (ori att : graph) w0 K0 K1 (r : nat -> C) th k :=
+  w0 + K1 / INR n * inner (Ci * expi (th k))%C (Csum n (fun j => RtoC (lap n ori k j) * expi (th j)))%C
+  - K0 / INR n * inner (Ci * expi (th k))%C (Csum n (fun j => RtoC (lap n att k j) * expi (th j)))%C
+  + w0 * (K0 / INR n) * inner (expi (th k)) (Csum n (fun j => RtoC (lap n att k j) * r j))%C.
+Definition eq29_2 : Prop := forall n ori att w0 K0 K1 r th k, (1 <= n)%nat -> (k < n)%nat -> w0 <> 0 ->
+  right29 n ori att w0 K0 K1 r th k = w0 + spac20 n att w0 K0 r th k + ori14 n ori K1 th k.
+(* paley.fig2.caption clause 3 *)
+Definition C12 : graph := fun k j => orb (Nat.eqb j (S k mod 12)) (Nat.eqb k (S j mod 12)).
+Definition caption_3 : Prop := forall th lam, eigenpair 12 C12 lam (fun k => expi (th k)) -> stationary 12 (W12 12 C12) th.
+(* paley.fig2.caption clause 4; the columns of F are normalized, the phasors are not *)
+Definition caption_4 : Prop := forall th lam, eigenpair 12 C12 lam (fun k => expi (th k)) ->
+  (exists m rot, (m < 12)%nat /\ forall k, (k < 12)%nat -> expi (th k) = (expi rot * (RtoC (sqrt 12) * fourier 12 m k))%C) \/
+  exists u v, Cmod u = 1 /\ Cmod v = 1 /\ forall k, (k < 12)%nat ->
+    expi (th k) = match (k mod 4)%nat with 0%nat => u | 1%nat => v | 2%nat => Copp u | _ => Copp v end.
+(* paley.length clause 3; one direction of each edge, chosen anyhow *)
+Definition length_3 : Prop := forall n adj once x, (1 <= n)%nat -> undirected adj ->
+  (forall j k, (j < n)%nat -> (k < n)%nat -> j <> k ->
+     (adj k j = true <-> once k j = true \/ once j k = true) /\ ~ (once k j = true /\ once j k = true)) ->
+  QL n adj x = / (2 * INR n) * edges n once x.
+(* paley.scale clauses 3, 5 *)
+Definition scale_3 : Prop := forall N r adj th, (2 <= N)%nat -> nearest N (N - 1) r adj -> 0 <= 2 / (INR (N - 1) + 1) * W12 N adj th <= 1.
+Definition scale_5 : Prop := forall N n r adj th, (1 <= n < N)%nat -> nearest N n r adj -> 0 <= W12 N adj th / INR n <= 1.
+(* paley.scale.complete clause 2 *)
+Definition complete_2 : Prop := forall N r adj, (2 <= N)%nat -> nearest N (N - 1) r adj ->
+  (forall j k, (j < N)%nat -> (k < N)%nat -> adj k j = negb (Nat.eqb k j)) /\
+  forall th, 2 / (INR (N - 1) + 1) * W12 N adj th = 1 - Cmod (p7 N th) ^ 2.
+(* circular formations: on the circle of radius rho round c0 with headings along it, counterclockwise for s = 1, clockwise for s = -1 *)
+Definition circular (n : nat) (c0 : C) (rho s : R) (r : nat -> C) (th : nat -> R) := forall k, (k < n)%nat ->
+  Cmod (r k - c0)%C = rho /\ (Ci * (r k - c0))%C = (RtoC (s * rho) * expi (th k))%C.
+Definition solution20 n adj w0 K0 r th := (1 <= n)%nat /\ undirected adj /\ no_loops adj /\ strongly_connected n adj /\ w0 <> 0 /\ 0 < K0 /\
+  forall t, 0 <= t -> particles n r th (u20 n adj w0 K0 (at_time r t) (at_time th t)) t.
+(* paley.thm2 clause 1: states near to formations, and all turn at one rate in the end *)
+Definition thm2_circles : Prop := forall n adj w0 K0 r th, solution20 n adj w0 K0 r th ->
+  exists c0 s, (s = 1 \/ s = -1) /\ forall e, 0 < e -> exists T, forall t, T <= t ->
+    (exists r', circular n c0 (/ Rabs w0) s r' (at_time th t) /\ forall k, (k < n)%nat -> Cmod (r k t - r' k)%C < e) /\
+    forall j k, (j < n)%nat -> (k < n)%nat ->
+      Rabs (u20 n adj w0 K0 (at_time r t) (at_time th t) k - u20 n adj w0 K0 (at_time r t) (at_time th t) j) < e.
+(* paley.thm2 clause 2: in the end all turn, and go round the centre, in the sense of w0; so do the formations they tend to *)
+Definition thm2_sense : Prop := forall n adj w0 K0 r th, solution20 n adj w0 K0 r th ->
+  exists c0, ends_at n w0 r th c0 /\ (exists T, forall t k, T <= t -> (k < n)%nat ->
+    0 < w0 * u20 n adj w0 K0 (at_time r t) (at_time th t) k /\ 0 < w0 * inner (Ci * (r k t - c0))%C (expi (th k t))) /\
+  forall e, 0 < e -> exists T, forall t, T <= t -> exists r', circular n c0 (/ Rabs w0) (w0 / Rabs w0) r' (at_time th t) /\
+    forall k, (k < n)%nat -> Cmod (r k t - r' k)%C < e.
+(* paley.vatt clause 3 *)
+Definition vatt_3 : Prop := forall n adj r k, (k < n)%nat -> clear n adj r k -> let v := Copp (hats n adj r k) in
+  rate_along n adj r k v (- Cmod v ^ 2).
+(* the steering K <i e^{i th}, v> at a fixed v: <e^{i th}, v> does not decrease, and grows where the steering is not zero *)
+Definition turns_to (v : C) (K : R) := forall th : R -> R, let u t := K * inner (Ci * expi (th t))%C v in
+  (forall t, is_derive th t (u t) -> exists d, is_derive (fun s => inner (expi (th s)) v) t d /\ 0 <= d /\ (u t <> 0 -> 0 < d)) /\
+  forall a b, a <= b -> (forall t, a <= t <= b -> is_derive th t (u t)) -> inner (expi (th a)) v <= inner (expi (th b)) v.
+(* paley.vatt clause 4 *)
+Definition vatt_4 : Prop := forall n adj r k Katt, (k < n)%nat -> clear n adj r k -> 0 < Katt -> turns_to (Copp (hats n adj r k)) Katt.
+(* paley.vrep clause 3 *)
+Definition vrep_3 : Prop := forall n adj r k, (k < n)%nat -> clear n adj r k -> let v := hats n adj r k in rate_along n adj r k v (Cmod v ^ 2).
+(* paley.vrep clause 4 *)
+Definition vrep_4 : Prop := forall n adj r k Krep, (k < n)%nat -> clear n adj r k -> 0 < Krep -> turns_to (hats n adj r k) Krep.
+
+(* ---- the theorems prove them ---- *)
+From Flockproof Require paley_patterns paley_convergence.
+Lemma QL_same n adj adj' x : (forall k j, (k < n)%nat -> (j < n)%nat -> adj k j = adj' k j) -> QL n adj x = QL n adj' x.
+Proof.
+  intros E. unfold QL, apply_L. f_equal. apply Sum_ext. intros k Hk. f_equal. apply Csum_ext. intros j Hj. unfold lap, deg.
+  rewrite (Sum_ext n (w adj k) (w adj' k)); [unfold w; now rewrite (E k j Hk Hj)|]. intros i Hi. unfold w. now rewrite (E k i Hk Hi).
+Qed.
+Lemma Wm_2_holds : Wm_2.
+Proof.
+  intros n adj m th Hn Hm E. rewrite (QL_same n adj complete) by exact E. exact (paley_patterns.Wm_corrected n m th Hn Hm).
+Qed.
+Lemma eq29_2_holds : eq29_2.
+Proof.
+  intros n ori att w0 K0 K1 r th k Hn _ Hw. pose proof (eq29_corrected n ori att w0 K0 K1 r th k Hn Hw) as C. unfold control5_two in C.
+  change (gW n ori th k) with (Lth n ori th k) in C. change (gW n att th k) with (Lth n att th k) in C.
+  change (aS n att w0 r th k) with (Lc n att w0 r th k) in C. change (row n (lap n att) k r) with (Csum n (fun i => RtoC (lap n att k i) * r i))%C in C.
+  unfold right29. fold (Lth n ori th k). fold (Lth n att th k). unfold spac20, ori14. rewrite <- C. ring.
+Qed.
+Lemma C12_undirected : undirected C12.
+Proof. intros k j. unfold C12. apply Bool.orb_comm. Qed.
+Lemma caption_3_holds : caption_3.
+Proof.
+  intros th lam [_ E] k Hk. unfold partial. apply (is_derive_ext (fun s => W1 12 C12 (upd th k s))); [intros s; symmetry; apply W12_is|].
+  exact (proj1 (eigenvector_stationary 12 C12 th lam ltac:(lia) C12_undirected E) k Hk).
+Qed.
+Lemma C12_ring k j : (k < 12)%nat -> (j < 12)%nat -> C12 k j = ring_graph 12 k j.
+Proof.
+  intros Hk Hj. do 12 (destruct k as [|k]; [do 12 (destruct j as [|j]; [reflexivity|]); lia|]). lia.
+Qed.
+Lemma caption_4_holds : caption_4.
+Proof.
+  intros th lam [_ E]. destruct (ring_unit_eigenvectors 12 th lam ltac:(lia)) as [[m [Hm H]]|[_ H]].
+  - intros k Hk. etransitivity; [|exact (E k Hk)]. apply Csum_ext. intros j Hj. unfold phasors. do 2 f_equal. unfold lap, deg.
+    rewrite (Sum_ext 12 (w (ring_graph 12) k) (w C12 k)); [unfold w; now rewrite C12_ring|]. intros i Hi. unfold w. now rewrite C12_ring.
+  - left. exists m, (th 0%nat). split; [exact Hm|]. intros k Hk. rewrite (H k Hk). f_equal. unfold fourier, wave.
+    assert (I : INR 12 = 12) by (cbn; ring). rewrite I. rewrite Cmult_assoc, <- RtoC_mult, Rinv_r by (apply Rgt_not_eq, sqrt_lt_R0; lra).
+    rewrite Cmult_1_l. f_equal. field.
+  - right. exists (expi (th 0%nat)), (expi (th 1%nat)). rewrite !Cmod_expi. split; [reflexivity|]. split; [reflexivity|].
+    assert (F : forall k, (k + 2 < 12)%nat -> expi (th (k + 2)%nat) = Copp (expi (th k))).
+    { intros k Hk. rewrite <- (H k) by lia. now rewrite Nat.mod_small. }
+    assert (G : forall k, (k + 4 < 12)%nat -> expi (th (k + 4)%nat) = expi (th k)).
+    { intros k Hk. replace (k + 4)%nat with (k + 2 + 2)%nat by lia. rewrite (F (k + 2)%nat), (F k) by lia. ring. }
+    intros k Hk. pose proof (F 0%nat ltac:(lia)) as F0. pose proof (F 1%nat ltac:(lia)) as F1. cbn [Nat.add] in F0, F1.
+    pose proof (fun k H => G k H) as G'. do 4 (destruct k as [|k]; [cbn; first [reflexivity|exact F0|exact F1]|]).
+    assert (X : forall i, (i < 4)%nat -> expi (th (i + 4)%nat) = expi (th i) /\ expi (th (i + 4 + 4)%nat) = expi (th i)).
+    { intros i Hi. rewrite (G (i + 4)%nat) by lia. rewrite (G i) by lia. split; reflexivity. }
+    pose proof (X 0%nat ltac:(lia)) as [X0 Y0]. pose proof (X 1%nat ltac:(lia)) as [X1 Y1]. pose proof (X 2%nat ltac:(lia)) as [X2 Y2].
+    pose proof (X 3%nat ltac:(lia)) as [X3 Y3]. cbn [Nat.add] in X0, X1, X2, X3, Y0, Y1, Y2, Y3.
+    do 8 (destruct k as [|k]; [cbn; congruence|]). lia.
+Qed.
+Lemma length_3_holds : length_3.
+Proof.
+  intros n adj once x Hn S O. rewrite (length_2_holds n adj x Hn S). pose proof (INR_pos n Hn) as P.
+  assert (E : edges n adj x = edges n once x + edges n once x).
+  { assert (T : edges n once x = Sum n (fun k => Sum n (fun j => if once j k then Cmod (x k - x j)%C ^ 2 else 0))) by (unfold edges; apply Sum_swap).
+    rewrite T at 2. unfold edges. rewrite <- Sum_plus. apply Sum_ext. intros k Hk. rewrite <- Sum_plus. apply Sum_ext. intros j Hj.
+    replace (Cmod (x k - x j)%C) with (Cmod (x j - x k)%C) by (rewrite <- Cmod_opp; f_equal; ring).
+    destruct (Nat.eq_dec j k) as [->|N].
+    - replace (x k - x k)%C with (RtoC 0) by ring. rewrite Cmod_0. destruct (adj k k), (once k k); ring.
+    - destruct (O j k Hj Hk N) as [A B]. destruct (adj k j), (once k j), (once j k); try ring; exfalso;
+      [apply B; split; reflexivity|destruct (proj1 A eq_refl); discriminate|apply B; split; reflexivity| |];
+      (discriminate (proj2 A (or_introl eq_refl)) || discriminate (proj2 A (or_intror eq_refl))). }
+  rewrite E. field. lra.
+Qed.
+Lemma complete_2_holds : complete_2.
+Proof.
+  intros N r adj HN H. pose proof (nearest_all N r adj ltac:(lia) H) as E. split; [exact E|]. intros th.
+  rewrite W12_is, (W1_same N adj complete th E). exact (paley_fish.scale_complete_corrected N th HN).
+Qed.
+Lemma scale_3_holds : scale_3.
+Proof.
+  intros N r adj th HN H. rewrite (proj2 (complete_2_holds N r adj HN H) th). pose proof (eq7_1_holds N th ltac:(lia)). nra.
+Qed.
+Lemma scale_5_holds : scale_5.
+Proof.
+  intros N n r adj th Hn H. rewrite W12_is. assert (D : forall k, (k < N)%nat -> deg N adj k = INR n) by (intros k Hk; apply (H k Hk)).
+  destruct (paley_fish.W1_le_degree N adj th (INR n) ltac:(lia) D) as [A B]. pose proof (INR_pos n ltac:(lia)) as P.
+  assert (I : 0 < / INR n) by now apply Rinv_0_lt_compat. unfold Rdiv. split; [nra|].
+  rewrite <- (Rinv_r (INR n)) by lra. apply Rmult_le_compat_r; lra.
+Qed.
+(* the fields *)
+Lemma turns_to_field v K : 0 < K -> turns_to v K.
+Proof.
+  intros HK th u. split.
+  - intros t D. exists (K * inner (Ci * expi (th t))%C v ^ 2). split; [exact (paley_behaviours.turning v K th t D)|].
+    pose proof (pow2_ge_0 (inner (Ci * expi (th t))%C v)). split; [nra|]. intros N.
+    assert (X : inner (Ci * expi (th t))%C v <> 0) by (intros X; apply N; unfold u; rewrite X; ring). pose proof (pow2_gt_0 _ X). nra.
+  - intros a b. exact (paley_behaviours.turns_towards v K th a b HK).
+Qed.
+Lemma vatt_3_holds : vatt_3.
+Proof.
+  intros n adj r k _ Cl v. pose proof (rate_is n adj r k v Cl) as D. replace (- Cmod v ^ 2) with (inner v (hats n adj r k)); [exact D|].
+  unfold v. rewrite inner_opp, inner_self, Cmod_opp. reflexivity.
+Qed.
+Lemma vatt_4_holds : vatt_4.
+Proof. intros n adj r k K _ _ HK. now apply turns_to_field. Qed.
+Lemma vrep_3_holds : vrep_3.
+Proof. intros n adj r k _ Cl v. pose proof (rate_is n adj r k v Cl) as D. fold v in D. now rewrite inner_self in D. Qed.
+Lemma vrep_4_holds : vrep_4.
+Proof. intros n adj r k K _ _ HK. now apply turns_to_field. Qed.
+
+(* Theorem 2: the particles tend to a formation, so the centres to one point; the rates follow, by (20) *)
+Lemma in_time (n : nat) (P : nat -> R -> Prop) : (forall k, (k < n)%nat -> exists T, forall t, T <= t -> P k t) ->
+  exists T, forall k t, (k < n)%nat -> T <= t -> P k t.
+Proof.
+  induction n as [|n IH]; intros H; [exists 0; intros k t Hk; lia|]. destruct IH as [T A]; [intros k Hk; apply H; lia|].
+  destruct (H n ltac:(lia)) as [T' B]. exists (Rmax T T'). intros k t Hk Ht. pose proof (Rmax_l T T'). pose proof (Rmax_r T T').
+  destruct (Nat.eq_dec k n) as [->|N]; [apply B; lra|apply A; [lia|lra]].
+Qed.
+Lemma inner_small x t : Rabs (inner x (expi t)) <= Cmod x.
+Proof.
+  rewrite <- (Rabs_pos_eq (Cmod x)) by apply Cmod_ge_0. apply Rsqr_le_abs_0.
+  rewrite !Rsqr_pow2, <- inner_self, !inner_xy. pose proof (sc2 t) as U. cbn in *. set (p := cos t) in *. set (q := sin t) in *.
+  destruct x as [a b]. cbn. pose proof (pow2_ge_0 (a * q - b * p)) as Z. cbn in Z.
+  replace (a * a + b * b) with ((q * (q * 1) + p * (p * 1)) * (a * a + b * b)) by (rewrite U; ring). lra.
+Qed.
+Lemma inner_sums n (a : nat -> R) (f : nat -> C) t d : (forall j, (j < n)%nat -> Cmod (f j) <= d) ->
+  Rabs (inner (expi t) (Csum n (fun j => RtoC (a j) * f j)%C)) <= d * Sum n (fun j => Rabs (a j)).
+Proof.
+  intros H. rewrite inner_Csum. eapply Rle_trans; [apply Sum_Rabs|]. rewrite <- Sum_scal. apply Sum_le. intros j Hj.
+  rewrite inner_scal, Rabs_mult, inner_sym, (Rmult_comm d). apply Rmult_le_compat_l; [apply Rabs_pos|].
+  exact (Rle_trans _ _ _ (inner_small (f j) t) (H j Hj)).
+Qed.
+Lemma ending n adj w0 K0 r th : solution20 n adj w0 K0 r th -> exists c0, ends_at n w0 r th c0 /\ forall e, 0 < e -> exists T, forall k t, (k < n)%nat -> T <= t ->
+  Cmod (ck w0 (at_time r t) (at_time th t) k - c0)%C < e /\ Rabs (u20 n adj w0 K0 (at_time r t) (at_time th t) k - w0) < e.
+Proof.
+  intros (Hn & S & _ & SC & Hw & HK & M). destruct (paley_convergence.thm2 n adj w0 K0 r th Hn S SC Hw HK) as (c0 & T & A & m & Hm & H).
+  { intros k t Hk Ht. destruct (M t Ht k Hk) as [V D]. split; [exact V|]. unfold u20 in D. rewrite Rmult_assoc in D. exact D. }
+  pose proof (Rinv_0_lt_compat _ (Rabs_pos_lt w0 Hw)) as B.
+  assert (E : ends_at n w0 r th c0).
+  { intros k Hk e He. destruct (H k Hk) as (psi & phi & F). destruct (paley_convergence.exp_small m e (A + / Rabs w0 * (2 * A)) Hm He) as [T' [_ L]].
+    exists (Rmax T T'). intros t Ht. pose proof (Rmax_l T T'). pose proof (Rmax_r T T'). specialize (L t ltac:(lra)). destruct (F t ltac:(lra)) as (X & Y & Z).
+    set (z := (c0 + RtoC (/ Rabs w0) * expi (phi + w0 * t))%C) in *. apply Rle_lt_trans with (2 := L).
+    replace (ck w0 (at_time r t) (at_time th t) k - c0)%C with ((r k t - z) + RtoC (/ w0) * (Ci * (expi (th k t) - expi (psi + w0 * t))))%C
+      by (rewrite <- Z; unfold ck, circle_centre; ring).
+    eapply Rle_trans; [apply Cmod_triangle|]. assert (I : Cmod Ci = 1) by (unfold Cmod; cbn; replace (0 * (0 * 1) + 1 * (1 * 1)) with 1 by ring; apply sqrt_1).
+    rewrite !Cmod_mult, I, Cmod_R, Rabs_inv, Rmult_1_l. pose proof (paley_convergence.expi_near (th k t) (psi + w0 * t)) as N.
+    assert (/ Rabs w0 * Cmod (expi (th k t) - expi (psi + w0 * t))%C <= / Rabs w0 * (2 * (A * exp (- m * t)))) by (apply Rmult_le_compat_l; lra). lra. }
+  exists c0. split; [exact E|]. intros e He. apply (in_time n (fun k t => _ /\ _)). intros k Hk.
+  (* the rate is w0 but for the differences of the centres *)
+  set (G := Rabs (w0 * (K0 / INR n)) * Sum n (fun j => Rabs (lap n adj k j))).
+  assert (G0 : 0 <= G) by (apply Rmult_le_pos; [apply Rabs_pos|apply Sum_ge0; intros; apply Rabs_pos]).
+  assert (e1 : 0 < e / (1 + G)) by (apply Rdiv_lt_0_compat; lra).
+  destruct (in_time n (fun j t => Cmod (ck w0 (at_time r t) (at_time th t) j - c0)%C < e / (1 + G))) as [T' F]; [intros j Hj; exact (E j Hj _ e1)|].
+  exists T'. intros t Ht. assert (e2 : e / (1 + G) * (1 + G) = e) by (field; lra). split; [pose proof (F k t Hk Ht); nra|].
+  replace (u20 n adj w0 K0 (at_time r t) (at_time th t) k - w0) with (w0 * (K0 / INR n) *
+    inner (expi (th k t)) (Csum n (fun j => RtoC (lap n adj k j) * (ck w0 (at_time r t) (at_time th t) j - c0))%C)).
+  - rewrite Rabs_mult. pose proof (inner_sums n (lap n adj k) (fun j => ck w0 (at_time r t) (at_time th t) j - c0)%C (th k t) (e / (1 + G))) as Q.
+    specialize (Q (fun j Hj => Rlt_le _ _ (F j t Hj Ht))). cbv beta in Q.
+    apply (Rmult_le_compat_l _ _ _ (Rabs_pos (w0 * (K0 / INR n)))) in Q. apply Rle_lt_trans with (1 := Q). unfold G in *. nra.
+  - unfold u20, Lc. rewrite (Csum_ext n _ (fun j => RtoC (lap n adj k j) * ck w0 (at_time r t) (at_time th t) j - c0 * RtoC (lap n adj k j))%C) by (intros; ring).
+    rewrite Csum_minus, Csum_scal. replace (Csum n (fun j => RtoC (lap n adj k j))) with (RtoC 0).
+    + rewrite Cmult_0_r. unfold Cminus. rewrite Copp_0, Cplus_0_r. ring.
+    + apply injective_projections; cbn; [symmetry; now apply graph_2_proved|rewrite Sum_zero; [reflexivity|intros; reflexivity]].
+Qed.
+(* the formation that has the headings of the particles and the centre c0 *)
+Lemma formation n w0 c0 th : w0 <> 0 -> circular n c0 (/ Rabs w0) (w0 / Rabs w0) (fun k => c0 - RtoC (/ w0) * (Ci * expi (th k)))%C th.
+Proof.
+  intros Hw k _. pose proof (Rabs_pos_lt w0 Hw) as A. split.
+  - replace (c0 - RtoC (/ w0) * (Ci * expi (th k)) - c0)%C with (- (RtoC (/ w0) * (Ci * expi (th k))))%C by ring.
+    assert (I : Cmod Ci = 1) by (unfold Cmod; cbn; replace (0 * (0 * 1) + 1 * (1 * 1)) with 1 by ring; apply sqrt_1).
+    rewrite Cmod_opp, !Cmod_mult, Cmod_expi, I, Cmod_R, Rabs_inv. ring.
+  - replace (w0 / Rabs w0 * / Rabs w0) with (/ w0).
+    + apply injective_projections; cbn; ring.
+    + assert (Q : Rabs w0 * Rabs w0 = w0 * w0) by (rewrite <- Rabs_mult; apply Rabs_pos_eq; nra).
+      transitivity (w0 * / (Rabs w0 * Rabs w0)); [rewrite Q; field; exact Hw|field; lra].
+Qed.
+Lemma from_formation n adj w0 K0 r th c0 e : solution20 n adj w0 K0 r th ->
+  (exists T, forall k t, (k < n)%nat -> T <= t -> Cmod (ck w0 (at_time r t) (at_time th t) k - c0)%C < e) ->
+  exists T, forall t, T <= t -> exists r', circular n c0 (/ Rabs w0) (w0 / Rabs w0) r' (at_time th t) /\
+    forall k, (k < n)%nat -> Cmod (r k t - r' k)%C < e.
+Proof.
+  intros (_ & _ & _ & _ & Hw & _) [T H]. exists T. intros t Ht. exists (fun k => c0 - RtoC (/ w0) * (Ci * expi (th k t)))%C.
+  split; [exact (formation n w0 c0 (at_time th t) Hw)|]. intros k Hk. specialize (H k t Hk Ht). unfold ck in H.
+  replace (r k t - (c0 - RtoC (/ w0) * (Ci * expi (th k t))))%C with (r k t + RtoC (/ w0) * (Ci * expi (th k t)) - c0)%C by ring. exact H.
+Qed.
+Lemma thm2_circles_holds : thm2_circles.
+Proof.
+  intros n adj w0 K0 r th So. assert (Hw : w0 <> 0) by apply So. destruct (ending n adj w0 K0 r th So) as [c0 [_ H]]. exists c0, (w0 / Rabs w0). split.
+  - destruct (Rdichotomy w0 0 Hw); [right; rewrite Rabs_left by lra|left; rewrite Rabs_right by lra]; field; lra.
+  - intros e He. destruct (H (e / 2) ltac:(lra)) as [T A]. destruct (from_formation n adj w0 K0 r th c0 e So) as [T' B].
+    + exists T. intros k t Hk Ht. destruct (A k t Hk Ht). lra.
+    + exists (Rmax T T'). intros t Ht. pose proof (Rmax_l T T'). pose proof (Rmax_r T T'). split; [apply B; lra|]. intros j k Hj Hk.
+      destruct (A j t Hj ltac:(lra)) as [_ X]. destruct (A k t Hk ltac:(lra)) as [_ Y]. apply Rabs_def2 in X, Y. apply Rabs_def1; lra.
+Qed.
+Lemma thm2_sense_holds : thm2_sense.
+Proof.
+  intros n adj w0 K0 r th So. assert (Hw : w0 <> 0) by apply So. destruct (ending n adj w0 K0 r th So) as [c0 [E H]]. exists c0.
+  pose proof (Rabs_pos_lt w0 Hw) as A. pose proof (Rinv_0_lt_compat _ A) as B. split; [exact E|]. split.
+  - destruct (H (Rmin (Rabs w0) (/ Rabs w0)) ltac:(now apply Rmin_pos)) as [T F]. exists T. intros t k Ht Hk. destruct (F k t Hk Ht) as [X Y].
+    pose proof (Rmin_l (Rabs w0) (/ Rabs w0)). pose proof (Rmin_r (Rabs w0) (/ Rabs w0)). split.
+    + set (u := u20 _ _ _ _ _ _ k) in *. assert (D : Rabs (w0 * (u - w0)) < Rabs w0 * Rabs w0) by (rewrite Rabs_mult; apply Rmult_lt_compat_l; lra).
+      rewrite <- Rabs_mult, (Rabs_pos_eq (w0 * w0)) in D by nra. apply Rabs_def2 in D. lra.
+    + set (d := (ck w0 (at_time r t) (at_time th t) k - c0)%C) in *.
+      assert (I : Cmod Ci = 1) by (unfold Cmod; cbn; replace (0 * (0 * 1) + 1 * (1 * 1)) with 1 by ring; apply sqrt_1).
+      pose proof (inner_small (Ci * d)%C (th k t)) as S. rewrite Cmod_mult, I, Rmult_1_l in S.
+      assert (J : inner (Ci * (r k t - c0))%C (expi (th k t)) = inner (Ci * d)%C (expi (th k t)) + / w0).
+      { replace (Ci * (r k t - c0))%C with (Ci * d + RtoC (/ w0) * expi (th k t))%C by (unfold d, ck; apply injective_projections; cbn; ring).
+        rewrite inner_sym, inner_plus, inner_scal, inner_expi_self, (inner_sym (Ci * d)%C). ring. }
+      rewrite J, Rmult_plus_distr_l, Rinv_r by exact Hw.
+      assert (D : Rabs (w0 * inner (Ci * d)%C (expi (th k t))) < 1).
+      { rewrite Rabs_mult. apply Rle_lt_trans with (Rabs w0 * Cmod d); [apply Rmult_le_compat_l; lra|].
+        rewrite <- (Rinv_r (Rabs w0)) by lra. apply Rmult_lt_compat_l; lra. }
+      apply Rabs_def2 in D. lra.
+  - intros e He. apply (from_formation n adj w0 K0 r th c0 e So). destruct (H e He) as [T F]. exists T. intros k t Hk Ht. apply (F k t Hk Ht).
+Qed.
