@@ -57,7 +57,7 @@ pub fn two_agents() -> Record<TotalVariant> {
             let rates = run.identity(&total_velocity(variant), &names, "the rates of ½|v_1 + v_2|² and of the energy, any potential")?;
             Run::all([
                 Ok(rates.on([1, 3]).for_all()),
-                argued(&[2], "d sin d >= 0", "notes/tanner1.md, Two agents, steps 1 and 2"),
+                argued(&[2], "d sin d >= 0, however many jumps", "notes/tanner1.md, Two agents, steps 1 to 3"),
             ])
         },
     )
