@@ -278,15 +278,16 @@ pub fn recurrent() -> Record<RecurrentVariant> {
     )
     .stated("extends chazelle, section 3, to networks that change", "")
     .clauses(&[
-        "Let P(1), P(2), ... be stochastic with positive diagonals and positive entries at least alpha > 0, for n >= \
-         2 birds, and v(t+1) = P(t) v(t). Networks of model D: after m consecutive windows of any lengths, in each of \
-         which the union of the networks is connected, the differences of velocities are at most (1 - \
+        "Let P(1), P(2), ... be matrices of model D, P(t) = I - C(t) L(t), for n >= 2 birds, with positive entries at \
+         least alpha > 0, and v(t+1) = P(t) v(t): after m consecutive windows of any lengths, in each of which the \
+         union of the networks is connected, the differences of velocities are at most (1 - \
          alpha^(n-1))^floor(m/(n-1)) times the largest at their start.",
-        "Directed networks: if in the union over every B consecutive times a path leads from every bird to one bird, \
-         t factors contract by tau_1 <= (1 - alpha^((n-1)B))^floor(t/((n-1)B)).",
-        "Networks of model D: if such windows never end, all velocities converge to one limit.",
-        "Directed networks in which every B consecutive times have such a union: the velocities converge to one \
-         limit, at the rate of the bound.",
+        "Let P(1), P(2), ... be any stochastic matrices of n >= 2 birds with positive diagonals and positive entries at \
+         least alpha > 0 (directed networks): if in the union over every B consecutive times a path leads from every \
+         bird to one bird, t factors contract by tau_1 <= (1 - alpha^((n-1)B))^floor(t/((n-1)B)).",
+        "Matrices of model D as in the first sentence: if such windows never end, all velocities converge to one limit.",
+        "Stochastic matrices as in the second sentence, every B consecutive times with such a union, and v(t+1) = P(t) \
+         v(t): the velocities converge to one limit, at the rate of the bound.",
     ])
     .altered("windows that are not connected", |v| v.connected = false)
     .altered("no weight for the bird itself", |v| v.keeps_own = false)

@@ -8,7 +8,8 @@ pub fn angle() -> Record<OriginVariant> {
         "beyond.chazelle.angle",
         "See chazelle.lem3.7: E_i(t) = x_i(t) - t v_i(t) starts at x(0) and obeys E(t+1) = P(t) E(t) + (I - P(t)) \
          x(t); on a fixed network the last term has stationary mean zero and is mixed away, so it adds at most 4 \
-         sum_r tau_1(P^r) in all.",
+         sum_r tau_1(P^r) in all. The proof in the notes lets a network that comes back have other weights, as model D \
+         does; only the Coq theorem needs weights that depend on the network only.",
         OriginVariant::SHARPER,
     )
     .stated("sharpens chazelle, Lemma 3.7", "")
@@ -27,7 +28,7 @@ pub fn losses() -> Record<LossVariant> {
     )
     .stated(
         "sharpens chazelle, Lemma 3.8",
-        "In model D with the hysteresis of the paper, n >= 4 birds in dimension at most n², positive entries of every P(t) at least \
+        "In model D with the hysteresis of the paper and weights that change only when the network does, n >= 4 birds in dimension at most n², positive entries of every P(t) at least \
          n^-a with a = 1 or 2, and Euclidean speeds and absolute coordinates of x(0) up to n, no edge is lost after time n^(n^4 + \
          2(n-1)² + 10(n-1) + 17).",
     )

@@ -183,7 +183,7 @@ pub fn about_origins(id: &'static str, derivation: &'static str, printed: Origin
         .altered("the angle in R^d, without the lifting", |v| v.lifted = false)
 }
 
-const IN_GENERAL: &str = "the angle and the virtual origins at all times, for all flocks of model D";
+const IN_GENERAL: &str = "the angle and the virtual origins at all times, for all flocks of model D whose weights change only when the network does";
 const ORIGINS: &str = "notes/settling.md, Virtual origins, steps 1-4, with (3.15) and Mixing on a fixed network";
 
 /// The recursion of the virtual origins and the bound of the angle that follows from it.
@@ -277,7 +277,7 @@ pub fn angle_decays() -> Record<OriginVariant> {
     )
     .reading(
         "\"=\" bounds from above; the birds are lifted into R^{d+1}, as for (3.15); n is large enough for Lemma 3.6, by which no edge \
-         is longer than 2.",
+         is longer than 2; weights change only when the network does, as model D has it.",
     )
 }
 
@@ -388,5 +388,5 @@ pub fn no_losses() -> Record<LossVariant> {
         LossVariant { time: |n| 2 * n.pow(4), hysteresis: true, earlier: 1 },
     )
     .reading("n is large enough: n >= 4 for lazy or vicsek weights, Euclidean speeds and absolute coordinates of x(0) up to n, in \
-         dimension d <= n^2.")
+         dimension d <= n^2; weights change only when the network does, as model D has it.")
 }

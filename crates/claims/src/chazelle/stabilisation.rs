@@ -246,6 +246,12 @@ pub fn blocks() -> Record<BlocksVariant> {
             over_histories(run, true, "the factorisation", cases, |history, random| variant.fails_at(history, random))
         },
     )
+    .reading(
+        "the stabilisers of the proof of Lemma 3.1, for P(t) with positive diagonals and symmetric footprints: V_0 is the \
+         set of all birds and T_0 = s - 1; T_k is the first time after T_(k-1) from which on the footprint of \
+         P_{|V_(k-1) x V_(k-1)}(t, T_(k-1)+1) stays the same, and V_k is the set of the rows of that footprint with a one \
+         in the column of the first bird",
+    )
     .repaired(
         Fault::Typo,
         "For t > T_k and T_0 = s-1: P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \

@@ -144,7 +144,7 @@ pub fn until_stable() -> Record<UntilStableVariant> {
         "T_1 is the last growth time t_l of some column, and the count for that column is the count of the whole \
          network, so no factor for n columns is needed. Between t_k and t_{k+1} the column's birds and the others do \
          not meet: N(n_k) + N(n - n_k) switches, one at t_{k+1}, and one the paper forgets, at t_k + 1, when an edge \
-         between the two sides breaks. There are l - 1 <= n - 1 intervals (t_1 = s), which makes (n-1)(2N(n-1)+2) <= \
+         between the two sides breaks (whether its display without that one fails for flocks is not decided). There are l - 1 <= n - 1 intervals (t_1 = s), which makes (n-1)(2N(n-1)+2) <= \
          2nN(n-1)+n, because N(n-1) >= (n-2)/2 (pairs that meet at different times).",
         UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true },
         check_until_stable,

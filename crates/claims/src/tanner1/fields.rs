@@ -96,10 +96,10 @@ pub fn weighted() -> Record<WeightedVariant> {
     )
     .repaired(Fault::Typo, "", repaired)
     .repaired_clauses(&[
-        "L_w(G) = D(G^sigma) W D(G^sigma)^T is Delta_w - A_w.",
-        "It is independent of the orientation.",
-        "It is symmetric and positive semidefinite.",
-        "The multiplicity of its zero eigenvalue is the number of components.",
+        "With W the diagonal matrix of positive edge weights, L_w(G) = D(G^sigma) W D(G^sigma)^T is Delta_w - A_w.",
+        "L_w(G) is independent of the orientation.",
+        "With positive edge weights L_w(G) is symmetric and positive semidefinite.",
+        "With positive edge weights the multiplicity of the zero eigenvalue of L_w(G) is the number of components of G.",
     ])
     .altered("D W D^T = Delta_w + A_w", |v| v.properties = LaplacianVariant { sign: 1, ..properties })
     .altered("one more zero eigenvalue", |v| v.properties = LaplacianVariant { offset: 1, ..properties })

@@ -88,42 +88,90 @@ pub fn smooth() -> Record<SmoothVariant> {
     .altered("wherever no velocity points along the negative x axis", |v| v.at_rest = true)
 }
 
-/// The set `V_t <= c` or `V_t < c`, in which variables.
+/// Which numbers the coordinate `theta_i` of a triple may be, in units of pi.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Headings {
+    /// `[-pi, pi]`.
+    Closed,
+    /// `(-pi, pi]`, the values that (2) takes.
+    HalfOpen,
+    /// No coordinate of its own: what (2) makes of the velocity.
+    OfVelocity,
+}
+
+/// The set `V_t <= c` or `V_t < c`, with which headings.
 #[derive(Clone, Copy)]
 pub struct ClosedVariant {
     strict: bool,
-    /// `(r_ij, v_i)` with the headings from (2), not `(r_ij, v_i, theta_i)`.
-    from_velocities: bool,
+    headings: Headings,
+}
+
+/// Two agents at distance 1, where V = 1, with the same velocity `(speed, 0)` and the same heading `turn pi`.
+struct Twins {
+    speed: Rational,
+    turn: Rational,
+}
+
+impl Twins {
+    /// Why it is not in the set of `c`, if it is not: `V_t = 1 + |v|² + theta²`, taken with 10 in place of `pi²`, at least as much.
+    fn outside(&self, variant: &ClosedVariant, c: &Rational) -> Option<&'static str> {
+        let value = rational(1, 1) + self.speed.square() + self.turn.square() * rational(10, 1);
+        let (zero, one) = (rational(0, 1), rational(1, 1));
+        if variant.headings == Headings::OfVelocity && self.speed == zero {
+            return Some("has no headings");
+        }
+        let named = match variant.headings {
+            Headings::Closed => self.turn >= -one.clone() && self.turn <= one,
+            Headings::HalfOpen => self.turn > -one.clone() && self.turn <= one,
+            Headings::OfVelocity => self.turn == zero && self.speed > zero,
+        };
+        let low = if variant.strict { value < *c } else { value <= *c };
+        (!named || !low).then_some("is not in the set")
+    }
 }
 
 fn examine_closed(variant: &ClosedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    // Two agents at rest distance 1, where V = 1; V_t = 1 + |v|² for headings 0 and equal velocities (v, 0).
-    let value = |v: &Rational| rational(1, 1) + v * v;
-    let c = rational(2, 1);
-    let belongs = |v: &Rational| if variant.strict { value(v) < c } else { value(v) <= c };
-    let sequences = run.instances("limits of points of Omega", "exact values along two sequences", [0, 1], |limit| {
-        let limit = rational(limit, 1);
-        let side = if limit > rational(0, 1) { -1 } else { 1 };
-        let members = (2..50).map(|n| &limit + rational(side, n)).all(|v| belongs(&v));
-        let without_heading = variant.from_velocities && limit == rational(0, 1);
-        let why = if without_heading { "has no headings" } else { "is not in the set" };
-        Ok((members && (without_heading || !belongs(&limit))).then(|| {
-            format!("two agents at distance 1 with equal velocities (v, 0), c = 2: the limit v = {limit} of points of the set {why}")
+    // The limit 0 from above and 1 from below of the speed, at headings 0; the limits pi and -pi of the heading, at rest.
+    let sequences = [
+        ("speed", 0, 1, rational(2, 1)),
+        ("speed", 1, -1, rational(2, 1)),
+        ("turn", 1, -1, rational(12, 1)),
+        ("turn", -1, 1, rational(12, 1)),
+    ];
+    // Where headings are those of velocities, the only ones along (speed, 0) are 0.
+    let meant = sequences.into_iter().filter(|(what, ..)| *what == "speed" || variant.headings != Headings::OfVelocity);
+    let detail = "values along four sequences, exact but for pi² < 10";
+    let limits = run.instances("limits of points of Omega", detail, meant, |(what, limit, side, c)| {
+        let point = |x: Rational| match what {
+            "speed" => Twins { speed: x, turn: rational(0, 1) },
+            _ => Twins { speed: rational(0, 1), turn: x },
+        };
+        let near = |n: i64| point(rational(limit, 1) + rational(side, n));
+        let members = (2..50).all(|n| near(n).outside(variant, &c).is_none());
+        let outside = point(rational(limit, 1)).outside(variant, &c);
+        Ok(outside.filter(|_| members).map(|why| match what {
+            "speed" => format!("two agents at distance 1 with equal velocities (v, 0), c = {c}: the limit v = {limit} of points of the set {why}"),
+            _ => format!("two agents at rest at distance 1 with equal headings, c = {c}: the limit theta = {}pi of points of the set {why}", if limit < 0 { "-" } else { "" }),
         }))
     });
-    Run::all([sequences, argued(&[1], "Omega is closed", "notes/tanner1.md, The set Omega, steps 1 and 2")])
+    Run::all([limits, argued(&[1], "Omega is closed", "notes/tanner1.md, The set Omega, steps 1 and 2")])
 }
+
+/// One reading for every claim about Omega.
+const OMEGA: &str = "as printed, a set of triples (r_ij, v_i, theta_i), in which theta_i is a coordinate of its own with values in [-pi, pi], \
+     the range that the text names for (2); the potential of Figure 2";
 
 pub fn closed() -> Record<ClosedVariant> {
     Record::new(
         "tanner1.Omega.closed",
-        "V_t is a continuous function of the triples where linked agents are apart, and infinite where they meet. (As a set of states with the headings of (2) Omega would not be closed: at zero velocity there is no heading.)",
-        ClosedVariant { strict: false, from_velocities: false },
+        "V_t is a continuous function of the triples where linked agents are apart, and infinite where they meet, and [-pi, pi] is closed. (As a set of states with the headings of (2) Omega would not be closed: at zero velocity there is no heading, and (2) takes the value pi but not -pi.)",
+        ClosedVariant { strict: false, headings: Headings::Closed },
         examine_closed,
     )
-    .reading("as printed, a set of triples (r_ij, v_i, theta_i); the potential of Figure 2")
+    .reading(OMEGA)
     .altered("V_t < c", |v| v.strict = true)
-    .altered("in (r_ij, v_i), with the headings of (2)", |v| v.from_velocities = true)
+    .altered("in (r_ij, v_i), with the headings of (2)", |v| v.headings = Headings::OfVelocity)
+    .altered("theta_i in (-pi, pi]", |v| v.headings = Headings::HalfOpen)
 }
 
 /// Graphs, a potential, and the range of the headings.
@@ -171,7 +219,7 @@ pub fn bounded() -> Record<BoundedVariant> {
     };
     Record::new(
         "tanner1.Omega.bounded",
-        "V_ij >= 1 > 0, so V_t <= c bounds every V_ij and every speed. V_ij is unbounded as the distance grows, so linked distances are bounded and, along paths, all of them (by N - 1 times the bound). Not because V increases: it does not near 0 (tanner1.Vmono).",
+        "V_ij >= 1 > 0, so V_t <= c bounds every V_ij and every speed. V_ij is unbounded as the distance grows, so linked distances are bounded and, along paths, all of them (by N - 1 times the bound). Not because V increases: it does not near 0 (tanner1.Vmono). The third clause is the reading itself; that (2) makes it a right one is what is computed: its values lie there.",
         printed.clone(),
         examine_bounded,
     )
@@ -180,7 +228,7 @@ pub fn bounded() -> Record<BoundedVariant> {
         "It implies boundedness of v_i.",
         "theta_i lies in [-pi, pi].",
     ])
-    .reading("the potential of Figure 2")
+    .reading(OMEGA)
     .altered("graphs with an edge", |v| v.graphs = |graph| !graph.edges().is_empty())
     .altered("V = 1/(2s²) - 1/s + 1/2, bounded", |v| v.potential = sloped(&[(-2, 1), (-3, -1)], 0))
     .altered("headings in [0, 2 pi)", |v| v.headings = HeadingVariant::Positive)

@@ -111,7 +111,7 @@ pub fn thm1c() -> Record<LimitVariant> {
     .reading(SMOOTH)
     .repaired_by(
         Fault::False,
-        "Under the same hypotheses the system approaches the set of critical configurations: grad_{r_i} V_i tends to 0 for all i.",
+        "For agents with dynamics (1) under (4) and a fixed connected neighboring graph the system approaches the set of critical configurations: grad_{r_i} V_i tends to 0 for all i.",
         |v| v.conclusion = Conclusion::Critical,
     )
     .altered("alignment with the other sign", |v| v.damping = -1)
@@ -269,7 +269,7 @@ pub fn cor1() -> Record<SetpointVariant> {
         "B full rank gives grad_{r_ij} V_ij = 0.",
         "dV_ij/d||r_ij|| = 0 implies ||r_ij|| = r_d, where V_ij attains its unique minimum.",
     ])
-    .reading("distances of linked agents; potentials with a continuous gradient")
+    .reading("distances of linked agents, under (4) as in Theorem 1; potentials of Definition 3 with a continuous gradient, starts in which no linked agents coincide")
     .repaired_by(Fault::Hypothesis, "", |v| v.single = true)
     .repaired_clauses(&[
         "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value.",
@@ -351,14 +351,14 @@ pub fn thm2_vel() -> Record<SwitchingVariant> {
         "tanner2.thm2_vel",
         "The printed proof needs regularity (Lemma 1, false) and uniqueness (false), but the statement is true for every Filippov solution: almost everywhere dQ/dt = -v^T (L_m kron I_2) v, where L_m has \
          weights in [0, 1] on tied pairs and 1 on links, so dQ/dt <= -l |v - mean|² with l the least lambda_2 of connected graphs. Hence |v - mean|² is integrable; its rate is bounded since distances of linked agents stay away from 0; it tends to 0. \
-         With K agent by agent, as (10b) is written, the two agents of a tied pair could weigh it differently; then momentum is not kept and velocities need not agree (a control).",
+         With K agent by agent the two agents of a tied pair could weigh it differently; then momentum is not kept and velocities need not agree (a control).",
         VELOCITIES,
         |variant, run| Run::all([
             switching_checks(variant, run),
             argued(&[1], "the limits", "notes/tanner2.md, Section 5, steps 1 to 7"),
         ]),
     )
-    .reading("K of the whole vector field, as in Definition 4, every Filippov solution, and a graph of the links |r_ij| < R that is connected at all times")
+    .reading("K of the whole vector field, as in Definition 4, every Filippov solution, and a graph of the links |r_ij| < R that is connected at all times. As (10b) is printed, agent by agent (v'_i in K[u_i]), the statement is false: three agents on a line, V = s + 1/s - 2, R = 9/5, agents 1 and 2 at distance R and agent 3 swinging between them, never agree (the control with K agent by agent)")
     .altered("with K agent by agent", |v| v.agentwise = true)
     .altered("connected at the start only", |v| v.connected = Connected::AtFirst)
     .altered("all velocities tend to zero", |v| v.conclusion = Conclusion::Stop)

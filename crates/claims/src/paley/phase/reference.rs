@@ -38,7 +38,8 @@ pub fn reference_phase() -> Record<ReferenceVariant> {
     Record::new(
         "paley.ref",
         "W_1 >= 0 and 1 - cos >= 0, both zero at theta_k = theta_0. The sum is (1/(4N)) sum over arcs of |z_k - z_j|^2 + |z_0 - z_N|^2/2: on a connected graph, as the \
-         section assumes, there is no other global minimiser. (There may be other stationary points.)",
+         section assumes, there is no other global minimiser. (There may be other stationary points.) The sentence that follows in the paper, that for omega_0 != 0 this configuration \
+         corresponds to a circular formation, is not part of this claim; by the standard of paley.sync.par it is false: two particles with omega_0 = 1 and equal phases at r = 0 and r = 1 turn about two different centres for ever.",
         ReferenceVariant { sign: -1, unique_on: Graph::is_connected },
         |variant, run| {
             const PARTS: usize = 4;
