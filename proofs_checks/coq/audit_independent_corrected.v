@@ -676,7 +676,7 @@ Proof.
     eapply Rle_lt_trans; [apply Rmult_le_compat_l; [lra|now apply B]|]. lra.
   - intros i j Hi Hj. rewrite D. destruct (T i j Hi Hj) as [X|[X|X]]; destruct up; lra.
   - apply dissipation_ext. intros i j Hi Hj. unfold T2.by_distance. rewrite D. pose proof (T i j Hi Hj) as X. cbv zeta in X.
-    destruct up; unfold tanner2_facts.linked_below, tanner2_facts.linked_upto, norm; f_equal.
+    destruct up; unfold tanner2_facts.linked_below, tanner2_facts.linked_upto, tanner2_facts.linked_where, norm; f_equal.
     + destruct (Rlt_dec _ R0), (Rlt_dec _ R0); try reflexivity; exfalso; lra.
     + destruct (Rlt_dec _ R0), (Rle_dec _ R0); try reflexivity; exfalso; lra.
 Qed.
@@ -1068,7 +1068,7 @@ Proof.
   apply (is_derive_ext (fun s => tanner1_heading.Vt n adj V (fun i => r i s) (fun i => v i s) (fun i => th i s))); [intros s; symmetry; apply Vt_is|].
   rewrite (Sum_ext n (fun i => inner (gradV n adj V' (fun j => r j t) i) (v i t)) (fun i => inner (grad_i n adj (T1.both V') (fun j => r j t) i) (v i t)))
     by (intros i Hi; now rewrite (proj2 (G i Hi))).
-  apply (tanner_rates.Vt_rate n adj V (T1.both V') r v th _ t S (T1.both_sym V')); [intros; now apply L|intros i j Hi Hj A; now apply (L i Hi)| |intros; now apply L|exact O].
+  apply (tanner1_heading.Vt_rate n adj V (T1.both V') r v th _ t _ S (T1.both_sym V')); [intros; now apply L|intros i j Hi Hj A; now apply (L i Hi)| |intros; now apply L|exact O].
   intros i j Hi Hj A. now apply (proj1 (G i Hi)).
 Qed.
 Lemma pick (P : nat -> R -> Prop) n : (forall i, (i < n)%nat -> exists a, P i a) -> exists f, forall i, (i < n)%nat -> P i (f i).
