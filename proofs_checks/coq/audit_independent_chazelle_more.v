@@ -1,0 +1,74 @@
+(* Clauses of the claims about Chazelle's paper, most of them corrected ones, formalised from their words before the theorems were
+   looked at. *)
+Set Warnings "-notation-overridden,-ambiguous-paths".
+From mathcomp Require Import all_ssreflect all_algebra zify.
+From Flockproof Require Import chazelle_model chazelle_ergodicity chazelle_fixed chazelle_limits chazelle_products chazelle_entries.
+From Flockproof Require audit_independent_chazelle.
+Module A := audit_independent_chazelle.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Import GRing.Theory Num.Theory Order.TTheory.
+Local Open Scope ring_scope.
+
+(* N(t,s) with s < u <= t, of matrices with any footprints *)
+Definition new_footprint (R : realFieldType) n (P : nat -> 'M[R]_n) u := [exists i, exists j, (P u i j != 0) != (P u.-1 i j != 0)].
+Definition N_of (R : realFieldType) n (P : nat -> 'M[R]_n) t s := count (new_footprint P) (iota s.+1 (t - s)).
+(* chazelle.Nts clause 3 *)
+Definition Nts_3 : Prop := forall (R : realFieldType) n (P : nat -> 'M[R]_n) (tk : nat -> nat) k,
+  tk k.+1 = (tk k).+1 -> (N_of P (tk k.+1) (tk k) <= 1)%N.
+(* chazelle.Nts clause 4 *)
+Definition Nts_4 : Prop := forall (R : realFieldType) n (P : nat -> 'M[R]_n) (tk : nat -> nat) s l,
+  tk 0%N = s -> (forall k, (k < l)%N -> (tk k <= tk k.+1)%N) ->
+  N_of P (tk l) s = (\sum_(1 <= k < l.+1) N_of P (tk k) (tk k.-1))%N.
+(* chazelle.chi clause 2; row i of v is v_i, so that (A kron I_d) v is A *m v; every sequence of matrices *)
+Definition chi_of (R : realFieldType) n (i j : 'I_n) : 'rV[R]_n := \row_k (if k == i then 1 else if k == j then -1 else 0).
+Definition chi_2 : Prop := forall (R : realFieldType) n d (P : nat -> 'M[R]_n) (v : nat -> 'M[R]_(n, d)) i j, i != j ->
+  (forall t, (0 < t)%N -> v t.+1 = P t *m v t) ->
+  forall t, (1 < t)%N -> row i (v t) - row j (v t) = chi_of R i j *m pprod P t.-1 1 *m v 1%N.
+(* chazelle.fiedler.rate clause 4, to the power n^c; after t steps *)
+Definition fiedler_4 : Prop := forall a, exists c K, (0 < c)%N /\ forall (R : rcfType) n d (G : rel 'I_n) (w : 'I_n -> R)
+  (v : nat -> 'M[R]_(n, d)), (1 < n)%N -> A.fixed G w -> short_weights a w ->
+  (forall t, (0 < t)%N -> v t.+1 = transition G w *m v t) ->
+  forall t, 2%:R ^+ t * diameter (@norm2 R d) (v t.+1) ^+ (n ^ c) <= (n%:R ^+ K * diameter (@norm2 R d) (v 1%N)) ^+ (n ^ c).
+
+(* T_0 = s - 1 < T_1 < ... and V_0 >= V_1 >= ...: T_(k+1) is the least time at which the footprint of P(t, T_k + 1) on V_k is
+   final, V_(k+1) the ones of the column of a bird b_k of V_k there *)
+Definition final_from (R : realFieldType) n (P : nat -> 'M[R]_n) (V : {set 'I_n}) s T :=
+  (s <= T)%N /\ forall t i j, (T < t)%N -> i \in V -> j \in V -> (pprod P t s i j != 0) = (pprod P T s i j != 0).
+Definition stages (R : realFieldType) n (P : nat -> 'M[R]_n) (s : nat) (T : nat -> nat) (V : nat -> {set 'I_n}) (b : nat -> 'I_n) :=
+  [/\ (T 0%N).+1 = s, V 0%N = [set: 'I_n] & forall k,
+    [/\ b k \in V k, final_from P (V k) (T k).+1 (T k.+1), forall T', final_from P (V k) (T k).+1 T' -> (T k.+1 <= T')%N &
+      V k.+1 = [set i in V k | pprod P (T k.+1) (T k).+1 i (b k) != 0]]].
+(* A_{|V x W} with zeros in the other places *)
+Definition on (R : realFieldType) n (V W : {set 'I_n}) (A : 'M[R]_n) : 'M[R]_n := \matrix_(i, j) if (i \in V) && (j \in W) then A i j else 0.
+Fixpoint chain (R : realFieldType) n (P : nat -> 'M[R]_n) (T : nat -> nat) (V : nat -> {set 'I_n}) k : 'M[R]_n :=
+  if k is k'.+1 then (if k' is 0%N then on (V 1%N) (V 0%N) (pprod P (T 1%N) (T 0%N).+1)
+    else on (V k) (V k') (pprod P (T k) (T k').+1) *m chain P T V k') else 1%:M.
+(* chazelle.eq3.5 clause 2 *)
+Definition eq3_5_2 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) s T V b,
+  (0 < s)%N -> (forall t, (0 < t)%N -> network (G t)) -> (forall t, (0 < t)%N -> model_D (G t) (c t)) ->
+  let P := fun t => transition (G t) (c t) in stages P s T V b ->
+  forall k t, (0 < k)%N -> (T k < t)%N -> on (V k) (V 0%N) (pprod P t s) = on (V k) (V k) (pprod P t (T k).+1) *m chain P T V k.
+(* chazelle.lem3.1.count clause 3; up to every time T', so that M need not be finite *)
+Definition changes_in n (G : nat -> rel 'I_n) t s := count (A.differs G) (iota s.+1 (t - s)).
+Definition changes_outside n (G : nat -> rel 'I_n) (V : {set 'I_n}) t s :=
+  count (fun u => [exists i, exists j, [&& i \notin V, j \notin V & G u i j != G u.-1 i j]]) (iota s.+1 (t - s)).
+Definition count_3 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) T V b,
+  (forall t, (0 < t)%N -> network (G t)) -> (forall t, (0 < t)%N -> model_D (G t) (c t)) ->
+  stages (fun t => transition (G t) (c t)) 1 T V b -> forall k, (0 < k)%N ->
+  (forall u i j, (T k < u)%N -> i \in V k -> j \in V k -> G u i j -> G u.+1 i j) ->
+  forall T', (A.switches_up_to G T' <= \sum_(2 <= l < k.+1) changes_in G (T l) (T l.-1) + changes_in G (T 1%N) 1
+    + 1 + 'C(#|V k|, 2) + changes_outside G (V k) T' (T k).+1)%N.
+(* chazelle.eq3.16 clause 2; f numbers the m + 1 birds of the flock of bird f a, H and cf are its network and weights; the columns of U
+   are the u_k, the first of them to the eigenvalue 1 *)
+Definition eq3_16_2 : Prop := forall (R : rcfType) n m d (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (x v : nat -> 'M[R]_(n, d)) t1 t
+  (f : 'I_m.+1 -> 'I_n) (a : 'I_m.+1) (U : 'M[R]_m.+1) (lam : 'I_m.+1 -> R), (t1 < t)%N ->
+  (forall u, (t1 <= u < t)%N -> (forall i j, G u i j = G t1 i j) /\ forall i, c u i = c t1 i) ->
+  (forall u, x u.+1 = x u + v u.+1) -> (forall u, (0 < u)%N -> v u.+1 = transition (G u) (c u) *m v u) ->
+  network (G t1) -> model_D (G t1) (c t1) -> injective f -> (forall i, connect (G t1) (f a) i = (i \in codom f)) ->
+  let H := fun p q => G t1 (f p) (f q) in let cf := fun p => c t1 (f p) in
+  let P := transition H cf in let root := diag_mx (\row_p Num.sqrt (cf p)) in let unroot := diag_mx (\row_p (Num.sqrt (cf p))^-1) in
+  let vf := \matrix_(p, q) v t1.+1 (f p) q : 'M[R]_(m.+1, d) in let pi := \row_p ((\sum_q (cf q)^-1)^-1 * (cf p)^-1) in
+  (forall p, 0 < cf p) -> U^T *m U = 1%:M -> unroot *m P *m root *m U = U *m diag_mx (\row_p lam p) -> lam ord0 = 1 ->
+  row (f a) (x t) = row (f a) (x t1) + row a (A.Gamma_of H cf) *m vf + (t - t1)%:R *: (pi *m vf)
+    - \sum_(k | k != ord0) (lam k ^+ (t - t1) / (1 - lam k)) *: (row a (root *m col k U *m (col k U)^T *m unroot) *m vf).
