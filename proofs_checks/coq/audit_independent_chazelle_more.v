@@ -1,9 +1,9 @@
 (* Clauses of the claims about Chazelle's paper, most of them corrected ones, formalised from their words before the theorems were
-   looked at. *)
+   looked at; the theorems prove them. *)
 Set Warnings "-notation-overridden,-ambiguous-paths".
-From mathcomp Require Import all_ssreflect all_algebra zify.
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Flockproof Require Import chazelle_model chazelle_ergodicity chazelle_fixed chazelle_limits chazelle_products chazelle_entries.
-From Flockproof Require audit_independent_chazelle.
+From Flockproof Require chazelle_stabilisers chazelle_network chazelle_spectral chazelle_switches audit_independent_chazelle.
 Module A := audit_independent_chazelle.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -72,3 +72,54 @@ Definition eq3_16_2 : Prop := forall (R : rcfType) n m d (G : nat -> rel 'I_n) (
   (forall p, 0 < cf p) -> U^T *m U = 1%:M -> unroot *m P *m root *m U = U *m diag_mx (\row_p lam p) -> lam ord0 = 1 ->
   row (f a) (x t) = row (f a) (x t1) + row a (A.Gamma_of H cf) *m vf + (t - t1)%:R *: (pi *m vf)
     - \sum_(k | k != ord0) (lam k ^+ (t - t1) / (1 - lam k)) *: (row a (root *m col k U *m (col k U)^T *m unroot) *m vf).
+
+(* ---- the theorems prove them ---- *)
+Lemma Nts_3_holds : Nts_3.
+Proof. by move=> R n P tk k ->; apply: chazelle_stabilisers.N_step. Qed.
+Lemma Nts_4_holds : Nts_4.
+Proof.
+move=> R n P tk s l <-; elim: l => [|l IH] mono; first by rewrite big_geq // /N_of subnn.
+have tl : (tk 0 <= tk l)%N.
+  have : forall k, (k <= l)%N -> (tk 0 <= tk k)%N.
+    by elim=> // k IHk kl; apply: (leq_trans (IHk (ltnW kl))); apply: mono; apply: leqW.
+  exact.
+rewrite big_nat_recr //= -IH => [|k kl]; last by apply: mono; apply: leqW.
+exact: (chazelle_stabilisers.N_split (new_footprint P) tl (mono l (ltnSn l))).
+Qed.
+Lemma chi_2_holds : chi_2.
+Proof.
+move=> R n d P v i j ij Hv [|[|t]] // _.
+have -> : chi_of R i j = chi R i j.
+  apply/rowP => k; rewrite !mxE /= (eq_sym k i) (eq_sym k j); case: eqP => [e|_]; case: eqP => [e'|_] //=.
+  - by move: ij; rewrite e e' eqxx.
+  - by rewrite subr0.
+  - by rewrite sub0r.
+  - by rewrite subrr.
+rewrite /pprod /= subn1 /=; exact: (chi_difference (P := P) i j t.+1 Hv).
+Qed.
+Lemma fiedler_4_holds : fiedler_4.
+Proof.
+move=> a; exists (2 * a + 4)%N, (a + 2)%N; split; first by rewrite addn_gt0 orbT.
+move=> R n d G w v n1 F sw Hv t; have [B1 B2] := A.short_bounds n1 F sw; case: F => net MD con c0.
+have [_ H] := chazelle_network.fiedler_rate R net con.
+have n0 : (0 < n)%N by apply: ltnW.
+set m := (n ^ (2 * a + 4))%N; have m0 : (0 < m)%N by rewrite expn_gt0 n0.
+have D0 (y : 'M[R]_(n, d)) : 0 <= diameter (@norm2 R d) y by exact: max_ge0.
+have D : diameter (@norm2 R d) (v t.+1) <= n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter (@norm2 R d) (v 1%N).
+  apply: max_le => [|[i j] /=]; first by rewrite !mulr_ge0 ?exprn_ge0 ?invr_ge0 ?ler0n.
+  exact: (H d a w v t i j MD c0 n1 B1 B2 Hv).
+have two : (2%:R : R) != 0 by rewrite pnatr_eq0.
+apply: (@le_trans _ _ (2%:R ^+ t * (n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter (@norm2 R d) (v 1%N)) ^+ m)).
+  by apply: ler_wpmul2l; [rewrite exprn_ge0 ?ler0n | apply: ler_expn2r => //; rewrite ?nnegrE ?D0 // !mulr_ge0 ?exprn_ge0 ?invr_ge0 ?ler0n].
+have -> : 2%:R ^+ t * (n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter (@norm2 R d) (v 1%N)) ^+ m =
+    2%:R ^+ (t %% m) * (n%:R ^+ a.+1 * diameter (@norm2 R d) (v 1%N)) ^+ m :> R.
+  rewrite {1}(divn_eq t m) exprD (mulrAC _ (_ ^+ _) (diameter _ _)) [X in _ * X]exprMn -exprM exprVn.
+  have b0 : (2%:R : R) ^+ (t %/ m * m) != 0 by rewrite expf_neq0.
+  move: (_ ^+ (t %/ m * m)) b0 => B B0; move: ((_ * _) ^+ m) => Y; move: (_ ^+ (t %% m)) => b.
+  by field.
+apply: (@le_trans _ _ (2%:R ^+ m * (n%:R ^+ a.+1 * diameter (@norm2 R d) (v 1%N)) ^+ m)).
+  apply: ler_wpmul2r; first by rewrite exprn_ge0 // mulr_ge0 ?exprn_ge0 ?ler0n.
+  by apply: ler_weexpn2l; [rewrite ler1n | apply/ltnW; rewrite ltn_mod].
+rewrite -exprMn; apply: ler_expn2r; rewrite ?nnegrE ?mulr_ge0 ?exprn_ge0 ?ler0n //.
+by rewrite mulrA addn2 [n%:R ^+ a.+2]exprS; apply: ler_wpmul2r => //; apply: ler_wpmul2r; rewrite ?exprn_ge0 ?ler0n // ler_nat.
+Qed.
