@@ -123,3 +123,122 @@ apply: (@le_trans _ _ (2%:R ^+ m * (n%:R ^+ a.+1 * diameter (@norm2 R d) (v 1%N)
 rewrite -exprMn; apply: ler_expn2r; rewrite ?nnegrE ?mulr_ge0 ?exprn_ge0 ?ler0n //.
 by rewrite mulrA addn2 [n%:R ^+ a.+2]exprS; apply: ler_wpmul2r => //; apply: ler_wpmul2r; rewrite ?exprn_ge0 ?ler0n // ler_nat.
 Qed.
+
+(* (3.5) and the count: proofs of their own, as the b_k may differ here, and the footprints are those of all columns *)
+Section Stages.
+Variables (R : realFieldType) (n : nat) (P : nat -> 'M[R]_n) (s : nat) (T : nat -> nat) (V : nat -> {set 'I_n}) (b : nat -> 'I_n).
+Hypothesis P0 : forall t i j, (0 < t)%N -> 0 <= P t i j.
+Hypothesis sym : forall t i j, (0 < t)%N -> P t i j != 0 -> P t j i != 0.
+Hypothesis S : stages P s T V b.
+Lemma span0 m r i j : (0 < m)%N -> 0 <= span P m r i j.
+Proof.
+move=> m0; elim: r i j => [|r IH] i j /=; first by rewrite mxE ler0n.
+by rewrite mxE; apply: sumr_ge0 => l _; rewrite mulr_ge0 ?IH ?P0 // ltn_addr.
+Qed.
+Lemma T_next k : (T k < T k.+1)%N. Proof. by case: S => _ _ /(_ k)[_ [h _] _ _]. Qed.
+Lemma sub_next k i : i \in V k.+1 -> i \in V k. Proof. by case: S => _ _ /(_ k)[_ _ _ ->]; rewrite inE => /andP[]. Qed.
+Lemma pprodS t m : (m <= t)%N -> pprod P t.+1 m = P t.+1 *m pprod P t m.
+Proof. by move=> mt; rewrite /pprod subSn //= addnS subnKC. Qed.
+Lemma cut k u i j : (T k < u)%N -> i \in V k -> j \notin V k -> P u i j = 0.
+Proof.
+elim: k i j => [|k IH] i j Tu iV jV; first by case: S => _ V0 _; rewrite V0 inE in jV.
+have Tk := T_next k; have u0 : (0 < u)%N by lia.
+have [jk|jk] := boolP (j \in V k); last by apply: IH => //; [lia | exact: sub_next].
+apply/eqP; apply: contraNT jV => pz; have ik := sub_next iV.
+case: (S) => _ _ /(_ k)[bV [_ fin] _ Vn]; rewrite Vn inE jk /= -(fin u j (b k) Tu jk bV).
+clear IH; case: u Tu u0 pz => // u Tu u0 pz; rewrite pprodS; last by lia.
+rewrite mxE (bigD1 i) //=; apply: lt0r_neq0; apply: ltr_paddr.
+  by apply: sumr_ge0 => l _; rewrite mulr_ge0 ?P0 // /pprod span0.
+have ib : pprod P u (T k).+1 i (b k) != 0.
+  move: iV; rewrite Vn inE => /andP[_ h]; move: Tu; rewrite ltnS leq_eqVlt => /orP[/eqP <- //|Tu]; by rewrite fin.
+by apply: mulr_gt0; rewrite lt_def; apply/andP; split; [exact: sym | exact: P0 | exact: ib | exact: span0].
+Qed.
+Lemma cut_prod k r i j : i \in V k -> j \notin V k -> span P (T k).+1 r i j = 0.
+Proof.
+move=> iV jV; elim: r i iV => [|r IH] i iV /=; rewrite mxE.
+  by case: eqP => // e; rewrite -e iV in jV.
+rewrite big1 // => l _; have [lV|lV] := boolP (l \in V k); first by rewrite IH // mulr0.
+by rewrite (cut _ iV lV) ?mul0r // leq_addr.
+Qed.
+Lemma pprodD m t r : (r <= m)%N -> (m < t)%N -> pprod P t r = pprod P t m.+1 *m pprod P m r.
+Proof.
+move=> rm; elim: t => // t IH; rewrite ltnS leq_eqVlt => /orP[/eqP <-|mt]; first by rewrite pprodS // pprod_self.
+by rewrite !pprodS ?IH ?mulmxA //; lia.
+Qed.
+Lemma on_step k t r W : (T k < t)%N -> (r <= T k)%N ->
+  on (V k) W (pprod P t r) = on (V k) (V k) (pprod P t (T k).+1) *m on (V k) W (pprod P (T k) r).
+Proof.
+move=> Tt rT; apply/matrixP=> i j; rewrite (pprodD rT Tt) mxE [RHS]mxE.
+have [iV|iV] /= := boolP (i \in V k); last by rewrite big1 // => l _; rewrite mxE (negPf iV) mul0r.
+case jW: (j \in W); last by rewrite big1 // => l _; rewrite !mxE jW andbF mulr0.
+rewrite mxE; apply: eq_bigr => l _; rewrite [X in _ = X * _]mxE [X in _ = _ * X]mxE iV jW andbT /=.
+by case lV: (l \in V k) => //; rewrite /pprod cut_prod ?lV // !mul0r.
+Qed.
+Lemma product_chain k t : (0 < k)%N -> (T k < t)%N ->
+  on (V k) (V 0%N) (pprod P t s) = on (V k) (V k) (pprod P t (T k).+1) *m chain P T V k.
+Proof.
+case: (S) => Ts _ _; have sT m : (s <= T m.+1)%N.
+  by rewrite -Ts; elim: m => [|m IH]; [exact: T_next | exact: leq_trans IH (ltnW (T_next _))].
+case: k => // k _; elim: k t => [|k IH] t Tt; first by rewrite on_step // -Ts.
+rewrite on_step //; congr (_ *m _).
+have := IH _ (T_next k.+1); move=> /matrixP E; apply/matrixP=> i j.
+have -> : chain P T V k.+2 = on (V k.+2) (V k.+1) (pprod P (T k.+2) (T k.+1).+1) *m chain P T V k.+1 by [].
+rewrite mxE [RHS]mxE; have [iV|iV] /= := boolP (i \in V k.+2); last by rewrite big1 // => l _; rewrite mxE (negPf iV) mul0r.
+have := E i j; rewrite mxE [X in _ = X -> _]mxE (sub_next iV) /= => ->.
+by apply: eq_bigr => l _; rewrite [X in X * _ = _]mxE [X in _ = X * _]mxE iV (sub_next iV).
+Qed.
+End Stages.
+Lemma model_P (R : realFieldType) n (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) : (forall t, (0 < t)%N -> network (G t)) ->
+  (forall t, (0 < t)%N -> model_D (G t) (c t)) -> (forall t i j, (0 < t)%N -> 0 <= transition (G t) (c t) i j) /\
+  forall t i j, (0 < t)%N -> transition (G t) (c t) i j != 0 -> transition (G t) (c t) j i != 0.
+Proof.
+move=> net MD; split=> t i j t0; have [[p0 _] _] := model_D_stochastic (net t t0) (MD t t0); first exact: p0.
+have [sy _] := net t t0; by rewrite !(transition_edge _ _ (net t t0) (MD t t0)) eq_sym sy.
+Qed.
+Lemma eq3_5_2_holds : eq3_5_2.
+Proof. by move=> R n G c s T V b _ net MD P S k t; have [A B] := model_P net MD; apply: (product_chain A B S). Qed.
+Lemma count_3_holds : count_3.
+Proof.
+move=> R n G c T V b net MD S k k0 last t.
+have [Pp Ps] := model_P net MD; have Tn := T_next S.
+have T0 : T 0%N = 0%N by case: (S) => [[]].
+pose ch := A.differs G; pose N := chazelle_stabilisers.N.
+have mono l m : (l <= m)%N -> (T l <= T m)%N.
+  by elim: m => [|m IH]; [rewrite leqn0 => /eqP-> | rewrite leq_eqVlt => /orP[/eqP-> //|/IH h]; exact: leq_trans h (ltnW (Tn m))].
+have T1 : (0 < T 1)%N by rewrite -[X in (X < _)%N]T0.
+have -> : A.switches_up_to G t = N ch t 1%N by rewrite /A.switches_up_to /N /chazelle_stabilisers.N subn1.
+change (N ch t 1%N <= \sum_(2 <= l < k.+1) N ch (T l) (T l.-1) + N ch (T 1%N) 1%N + 1 + 'C(#|V k|, 2)
+  + changes_outside G (V k) t (T k).+1)%N.
+have upto : (N ch (T k) 1 = \sum_(2 <= l < k.+1) N ch (T l) (T l.-1) + N ch (T 1) 1)%N.
+  elim: (k) k0 => // -[|m] IH _; first by rewrite big_geq.
+  rewrite big_nat_recr //= addnAC -IH //; exact: (chazelle_stabilisers.N_split _ (leq_trans T1 (mono 1%N m.+1 _)) (mono m.+1 m.+2 _)).
+have [tk|kt] := leqP t (T k).+1.
+  apply: leq_trans (leq_addr _ _); apply: leq_trans (leq_addr _ _); rewrite -upto.
+  apply: leq_trans (chazelle_switches.N_next _ _ _).
+  have [t1|t1] := leqP t 1; first by rewrite /N chazelle_switches.N_empty.
+  by rewrite /N (chazelle_stabilisers.N_split _ (ltnW t1) tk) leq_addr.
+have s1 : (1 <= (T k).+1)%N by [].
+rewrite /N (chazelle_stabilisers.N_split _ s1 (ltnW kt)) -/N -upto -addnA; apply: leq_add; first exact: chazelle_switches.N_next.
+pose G' u (i j : 'I_#|V k|) := G u.-1.+1 (enum_val i) (enum_val j).
+have grow : (N (chazelle_switches.changes_in G (V k)) t (T k).+1 <= 'C(#|V k|, 2))%N.
+  have -> : N (chazelle_switches.changes_in G (V k)) t (T k).+1 = N (chazelle_count.changes G') t (T k).+1.
+    apply: eq_in_count => u; rewrite mem_iota => /andP[uT _]; rewrite chazelle_switches.changes_inP.
+    by case: u uT => [|[|u]].
+  apply: chazelle_switches.growing => [u|u i j uT].
+    by have [sy ir] := net u.-1.+1 isT; split=> [i j|i]; [exact: sy | exact: ir].
+  by case: u uT => // u uT; apply: last; rewrite ?enum_valP.
+apply: leq_trans (leq_add grow (leqnn _)); rewrite /N /chazelle_stabilisers.N /changes_outside -count_predUI; apply: leq_trans (leq_addr _ _).
+apply: chazelle_switches.count_in => u; rewrite mem_iota => /andP[uT _] /existsP[x /existsP[y ne]] /=.
+have uk : (T k < u)%N by exact: ltn_trans uT.
+have uk' : (T k < u.-1)%N by move: uT; clear; lia.
+have un w i j : (T k < w)%N -> i \in V k -> j \notin V k -> G w i j = false.
+  move=> wT iV jV; have w0 : (0 < w)%N by apply: leq_ltn_trans wT.
+  have /eqP := cut Pp Ps S wT iV jV; rewrite -[_ == 0]negbK (transition_edge _ _ (net w w0) (MD w w0)).
+  by rewrite negb_or => /andP[_ /negbTE].
+have [y1 _] := net u (leq_ltn_trans (leq0n _) uk); have [y2 _] := net u.-1 (leq_ltn_trans (leq0n _) uk').
+case xS: (x \in V k); case yS: (y \in V k).
+- by apply/orP; left; apply/exists_inP; exists x => //; apply/exists_inP; exists y.
+- by rewrite !un ?yS ?eqxx in ne.
+- by rewrite y1 [G u.-1 x y]y2 !un ?xS ?eqxx in ne.
+by apply/orP; right; apply/existsP; exists x; apply/existsP; exists y; rewrite xS yS.
+Qed.
