@@ -60,7 +60,8 @@ Definition count_3 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) 
   forall T', (A.switches_up_to G T' <= \sum_(2 <= l < k.+1) changes_in G (T l) (T l.-1) + changes_in G (T 1%N) 1
     + 1 + 'C(#|V k|, 2) + changes_outside G (V k) T' (T k).+1)%N.
 (* chazelle.eq3.16 clause 2; f numbers the m + 1 birds of the flock of bird f a, H and cf are its network and weights; the columns of U
-   are the u_k, the first of them to the eigenvalue 1 *)
+   are the u_k, the first of them to the eigenvalue 1.  not proved: chazelle_spectral.eq_3_16 is about a flock alone (a connected network on
+   all birds) with u_1 = sqrt(pi); left are the step to the flock in a network, and the sign of u_1 *)
 Definition eq3_16_2 : Prop := forall (R : rcfType) n m d (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (x v : nat -> 'M[R]_(n, d)) t1 t
   (f : 'I_m.+1 -> 'I_n) (a : 'I_m.+1) (U : 'M[R]_m.+1) (lam : 'I_m.+1 -> R), (t1 < t)%N ->
   (forall u, (t1 <= u < t)%N -> (forall i j, G u i j = G t1 i j) /\ forall i, c u i = c t1 i) ->
