@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 105] = sources![
+const SOURCES: [(&str, &str); 107] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -117,6 +117,8 @@ const SOURCES: [(&str, &str); 105] = sources![
     "audit_independent_tanner2",
     "audit_independent_veerman",
     "audit_independent_corrected",
+    "audit_independent_corrected_more",
+    "audit_independent_chazelle_more",
 ];
 
 /// A file of the development.

@@ -1,0 +1,245 @@
+(* Clauses of the claims about Chazelle's paper, most of them corrected ones, formalised from their words before the theorems were
+   looked at; the theorems prove them. *)
+Set Warnings "-notation-overridden,-ambiguous-paths".
+From mathcomp Require Import all_ssreflect all_algebra ring zify.
+From Flockproof Require Import chazelle_model chazelle_ergodicity chazelle_fixed chazelle_limits chazelle_products chazelle_entries.
+From Flockproof Require chazelle_stabilisers chazelle_network chazelle_spectral chazelle_switches audit_independent_chazelle.
+Module A := audit_independent_chazelle.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Import GRing.Theory Num.Theory Order.TTheory.
+Local Open Scope ring_scope.
+
+(* N(t,s) with s < u <= t, of matrices with any footprints *)
+Definition new_footprint (R : realFieldType) n (P : nat -> 'M[R]_n) u := [exists i, exists j, (P u i j != 0) != (P u.-1 i j != 0)].
+Definition N_of (R : realFieldType) n (P : nat -> 'M[R]_n) t s := count (new_footprint P) (iota s.+1 (t - s)).
+(* chazelle.Nts clause 3 *)
+Definition Nts_3 : Prop := forall (R : realFieldType) n (P : nat -> 'M[R]_n) (tk : nat -> nat) k,
+  tk k.+1 = (tk k).+1 -> (N_of P (tk k.+1) (tk k) <= 1)%N.
+(* chazelle.Nts clause 4 *)
+Definition Nts_4 : Prop := forall (R : realFieldType) n (P : nat -> 'M[R]_n) (tk : nat -> nat) s l,
+  tk 0%N = s -> (forall k, (k < l)%N -> (tk k <= tk k.+1)%N) ->
+  N_of P (tk l) s = (\sum_(1 <= k < l.+1) N_of P (tk k) (tk k.-1))%N.
+(* chazelle.chi clause 2; row i of v is v_i, so that (A kron I_d) v is A *m v; every sequence of matrices *)
+Definition chi_of (R : realFieldType) n (i j : 'I_n) : 'rV[R]_n := \row_k (if k == i then 1 else if k == j then -1 else 0).
+Definition chi_2 : Prop := forall (R : realFieldType) n d (P : nat -> 'M[R]_n) (v : nat -> 'M[R]_(n, d)) i j, i != j ->
+  (forall t, (0 < t)%N -> v t.+1 = P t *m v t) ->
+  forall t, (1 < t)%N -> row i (v t) - row j (v t) = chi_of R i j *m pprod P t.-1 1 *m v 1%N.
+(* chazelle.fiedler.rate clause 4, to the power n^c; after t steps *)
+Definition fiedler_4 : Prop := forall a, exists c K, (0 < c)%N /\ forall (R : rcfType) n d (G : rel 'I_n) (w : 'I_n -> R)
+  (v : nat -> 'M[R]_(n, d)), (1 < n)%N -> A.fixed G w -> short_weights a w ->
+  (forall t, (0 < t)%N -> v t.+1 = transition G w *m v t) ->
+  forall t, 2%:R ^+ t * diameter (@norm2 R d) (v t.+1) ^+ (n ^ c) <= (n%:R ^+ K * diameter (@norm2 R d) (v 1%N)) ^+ (n ^ c).
+
+(* T_0 = s - 1 < T_1 < ... and V_0 >= V_1 >= ...: T_(k+1) is the least time at which the footprint of P(t, T_k + 1) on V_k is
+   final, V_(k+1) the ones of the column of a bird b_k of V_k there *)
+Definition final_from (R : realFieldType) n (P : nat -> 'M[R]_n) (V : {set 'I_n}) s T :=
+  (s <= T)%N /\ forall t i j, (T < t)%N -> i \in V -> j \in V -> (pprod P t s i j != 0) = (pprod P T s i j != 0).
+Definition stages (R : realFieldType) n (P : nat -> 'M[R]_n) (s : nat) (T : nat -> nat) (V : nat -> {set 'I_n}) (b : nat -> 'I_n) :=
+  [/\ (T 0%N).+1 = s, V 0%N = [set: 'I_n] & forall k,
+    [/\ b k \in V k, final_from P (V k) (T k).+1 (T k.+1), forall T', final_from P (V k) (T k).+1 T' -> (T k.+1 <= T')%N &
+      V k.+1 = [set i in V k | pprod P (T k.+1) (T k).+1 i (b k) != 0]]].
+(* A_{|V x W} with zeros in the other places *)
+Definition on (R : realFieldType) n (V W : {set 'I_n}) (A : 'M[R]_n) : 'M[R]_n := \matrix_(i, j) if (i \in V) && (j \in W) then A i j else 0.
+Fixpoint chain (R : realFieldType) n (P : nat -> 'M[R]_n) (T : nat -> nat) (V : nat -> {set 'I_n}) k : 'M[R]_n :=
+  if k is k'.+1 then (if k' is 0%N then on (V 1%N) (V 0%N) (pprod P (T 1%N) (T 0%N).+1)
+    else on (V k) (V k') (pprod P (T k) (T k').+1) *m chain P T V k') else 1%:M.
+(* chazelle.eq3.5 clause 2 *)
+Definition eq3_5_2 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) s T V b,
+  (0 < s)%N -> (forall t, (0 < t)%N -> network (G t)) -> (forall t, (0 < t)%N -> model_D (G t) (c t)) ->
+  let P := fun t => transition (G t) (c t) in stages P s T V b ->
+  forall k t, (0 < k)%N -> (T k < t)%N -> on (V k) (V 0%N) (pprod P t s) = on (V k) (V k) (pprod P t (T k).+1) *m chain P T V k.
+(* chazelle.lem3.1.count clause 3; up to every time T', so that M need not be finite *)
+Definition changes_in n (G : nat -> rel 'I_n) t s := count (A.differs G) (iota s.+1 (t - s)).
+Definition changes_outside n (G : nat -> rel 'I_n) (V : {set 'I_n}) t s :=
+  count (fun u => [exists i, exists j, [&& i \notin V, j \notin V & G u i j != G u.-1 i j]]) (iota s.+1 (t - s)).
+Definition count_3 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) T V b,
+  (forall t, (0 < t)%N -> network (G t)) -> (forall t, (0 < t)%N -> model_D (G t) (c t)) ->
+  stages (fun t => transition (G t) (c t)) 1 T V b -> forall k, (0 < k)%N ->
+  (forall u i j, (T k < u)%N -> i \in V k -> j \in V k -> G u i j -> G u.+1 i j) ->
+  forall T', (A.switches_up_to G T' <= \sum_(2 <= l < k.+1) changes_in G (T l) (T l.-1) + changes_in G (T 1%N) 1
+    + 1 + 'C(#|V k|, 2) + changes_outside G (V k) T' (T k).+1)%N.
+(* chazelle.eq3.16 clause 2; f numbers the m + 1 birds of the flock of bird f a, H and cf are its network and weights; the columns of U
+   are the u_k, the first of them to the eigenvalue 1.  not proved: chazelle_spectral.eq_3_16 is about a flock alone (a connected network on
+   all birds) with u_1 = sqrt(pi); left are the step to the flock in a network, and the sign of u_1 *)
+Definition eq3_16_2 : Prop := forall (R : rcfType) n m d (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (x v : nat -> 'M[R]_(n, d)) t1 t
+  (f : 'I_m.+1 -> 'I_n) (a : 'I_m.+1) (U : 'M[R]_m.+1) (lam : 'I_m.+1 -> R), (t1 < t)%N ->
+  (forall u, (t1 <= u < t)%N -> (forall i j, G u i j = G t1 i j) /\ forall i, c u i = c t1 i) ->
+  (forall u, x u.+1 = x u + v u.+1) -> (forall u, (0 < u)%N -> v u.+1 = transition (G u) (c u) *m v u) ->
+  network (G t1) -> model_D (G t1) (c t1) -> injective f -> (forall i, connect (G t1) (f a) i = (i \in codom f)) ->
+  let H := fun p q => G t1 (f p) (f q) in let cf := fun p => c t1 (f p) in
+  let P := transition H cf in let root := diag_mx (\row_p Num.sqrt (cf p)) in let unroot := diag_mx (\row_p (Num.sqrt (cf p))^-1) in
+  let vf := \matrix_(p, q) v t1.+1 (f p) q : 'M[R]_(m.+1, d) in let pi := \row_p ((\sum_q (cf q)^-1)^-1 * (cf p)^-1) in
+  (forall p, 0 < cf p) -> U^T *m U = 1%:M -> unroot *m P *m root *m U = U *m diag_mx (\row_p lam p) -> lam ord0 = 1 ->
+  row (f a) (x t) = row (f a) (x t1) + row a (A.Gamma_of H cf) *m vf + (t - t1)%:R *: (pi *m vf)
+    - \sum_(k | k != ord0) (lam k ^+ (t - t1) / (1 - lam k)) *: (row a (root *m col k U *m (col k U)^T *m unroot) *m vf).
+
+(* ---- the theorems prove them ---- *)
+Lemma Nts_3_holds : Nts_3.
+Proof. by move=> R n P tk k ->; apply: chazelle_stabilisers.N_step. Qed.
+Lemma Nts_4_holds : Nts_4.
+Proof.
+move=> R n P tk s l <-; elim: l => [|l IH] mono; first by rewrite big_geq // /N_of subnn.
+have tl : (tk 0 <= tk l)%N.
+  have : forall k, (k <= l)%N -> (tk 0 <= tk k)%N.
+    by elim=> // k IHk kl; apply: (leq_trans (IHk (ltnW kl))); apply: mono; apply: leqW.
+  exact.
+rewrite big_nat_recr //= -IH => [|k kl]; last by apply: mono; apply: leqW.
+exact: (chazelle_stabilisers.N_split (new_footprint P) tl (mono l (ltnSn l))).
+Qed.
+Lemma chi_2_holds : chi_2.
+Proof.
+move=> R n d P v i j ij Hv [|[|t]] // _.
+have -> : chi_of R i j = chi R i j.
+  apply/rowP => k; rewrite !mxE /= (eq_sym k i) (eq_sym k j); case: eqP => [e|_]; case: eqP => [e'|_] //=.
+  - by move: ij; rewrite e e' eqxx.
+  - by rewrite subr0.
+  - by rewrite sub0r.
+  - by rewrite subrr.
+rewrite /pprod /= subn1 /=; exact: (chi_difference (P := P) i j t.+1 Hv).
+Qed.
+Lemma fiedler_4_holds : fiedler_4.
+Proof.
+move=> a; exists (2 * a + 4)%N, (a + 2)%N; split; first by rewrite addn_gt0 orbT.
+move=> R n d G w v n1 F sw Hv t; have [B1 B2] := A.short_bounds n1 F sw; case: F => net MD con c0.
+have [_ H] := chazelle_network.fiedler_rate R net con.
+have n0 : (0 < n)%N by apply: ltnW.
+set m := (n ^ (2 * a + 4))%N; have m0 : (0 < m)%N by rewrite expn_gt0 n0.
+have D0 (y : 'M[R]_(n, d)) : 0 <= diameter (@norm2 R d) y by exact: max_ge0.
+have D : diameter (@norm2 R d) (v t.+1) <= n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter (@norm2 R d) (v 1%N).
+  apply: max_le => [|[i j] /=]; first by rewrite !mulr_ge0 ?exprn_ge0 ?invr_ge0 ?ler0n.
+  exact: (H d a w v t i j MD c0 n1 B1 B2 Hv).
+have two : (2%:R : R) != 0 by rewrite pnatr_eq0.
+apply: (@le_trans _ _ (2%:R ^+ t * (n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter (@norm2 R d) (v 1%N)) ^+ m)).
+  by apply: ler_wpmul2l; [rewrite exprn_ge0 ?ler0n | apply: ler_expn2r => //; rewrite ?nnegrE ?D0 // !mulr_ge0 ?exprn_ge0 ?invr_ge0 ?ler0n].
+have -> : 2%:R ^+ t * (n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter (@norm2 R d) (v 1%N)) ^+ m =
+    2%:R ^+ (t %% m) * (n%:R ^+ a.+1 * diameter (@norm2 R d) (v 1%N)) ^+ m :> R.
+  rewrite {1}(divn_eq t m) exprD (mulrAC _ (_ ^+ _) (diameter _ _)) [X in _ * X]exprMn -exprM exprVn.
+  have b0 : (2%:R : R) ^+ (t %/ m * m) != 0 by rewrite expf_neq0.
+  move: (_ ^+ (t %/ m * m)) b0 => B B0; move: ((_ * _) ^+ m) => Y; move: (_ ^+ (t %% m)) => b.
+  by field.
+apply: (@le_trans _ _ (2%:R ^+ m * (n%:R ^+ a.+1 * diameter (@norm2 R d) (v 1%N)) ^+ m)).
+  apply: ler_wpmul2r; first by rewrite exprn_ge0 // mulr_ge0 ?exprn_ge0 ?ler0n.
+  by apply: ler_weexpn2l; [rewrite ler1n | apply/ltnW; rewrite ltn_mod].
+rewrite -exprMn; apply: ler_expn2r; rewrite ?nnegrE ?mulr_ge0 ?exprn_ge0 ?ler0n //.
+by rewrite mulrA addn2 [n%:R ^+ a.+2]exprS; apply: ler_wpmul2r => //; apply: ler_wpmul2r; rewrite ?exprn_ge0 ?ler0n // ler_nat.
+Qed.
+
+(* (3.5) and the count: proofs of their own, as the b_k may differ here, and the footprints are those of all columns *)
+Section Stages.
+Variables (R : realFieldType) (n : nat) (P : nat -> 'M[R]_n) (s : nat) (T : nat -> nat) (V : nat -> {set 'I_n}) (b : nat -> 'I_n).
+Hypothesis P0 : forall t i j, (0 < t)%N -> 0 <= P t i j.
+Hypothesis sym : forall t i j, (0 < t)%N -> P t i j != 0 -> P t j i != 0.
+Hypothesis S : stages P s T V b.
+Lemma span0 m r i j : (0 < m)%N -> 0 <= span P m r i j.
+Proof.
+move=> m0; elim: r i j => [|r IH] i j /=; first by rewrite mxE ler0n.
+by rewrite mxE; apply: sumr_ge0 => l _; rewrite mulr_ge0 ?IH ?P0 // ltn_addr.
+Qed.
+Lemma T_next k : (T k < T k.+1)%N. Proof. by case: S => _ _ /(_ k)[_ [h _] _ _]. Qed.
+Lemma sub_next k i : i \in V k.+1 -> i \in V k. Proof. by case: S => _ _ /(_ k)[_ _ _ ->]; rewrite inE => /andP[]. Qed.
+Lemma pprodS t m : (m <= t)%N -> pprod P t.+1 m = P t.+1 *m pprod P t m.
+Proof. by move=> mt; rewrite /pprod subSn //= addnS subnKC. Qed.
+Lemma cut k u i j : (T k < u)%N -> i \in V k -> j \notin V k -> P u i j = 0.
+Proof.
+elim: k i j => [|k IH] i j Tu iV jV; first by case: S => _ V0 _; rewrite V0 inE in jV.
+have Tk := T_next k; have u0 : (0 < u)%N by lia.
+have [jk|jk] := boolP (j \in V k); last by apply: IH => //; [lia | exact: sub_next].
+apply/eqP; apply: contraNT jV => pz; have ik := sub_next iV.
+case: (S) => _ _ /(_ k)[bV [_ fin] _ Vn]; rewrite Vn inE jk /= -(fin u j (b k) Tu jk bV).
+clear IH; case: u Tu u0 pz => // u Tu u0 pz; rewrite pprodS; last by lia.
+rewrite mxE (bigD1 i) //=; apply: lt0r_neq0; apply: ltr_paddr.
+  by apply: sumr_ge0 => l _; rewrite mulr_ge0 ?P0 // /pprod span0.
+have ib : pprod P u (T k).+1 i (b k) != 0.
+  move: iV; rewrite Vn inE => /andP[_ h]; move: Tu; rewrite ltnS leq_eqVlt => /orP[/eqP <- //|Tu]; by rewrite fin.
+by apply: mulr_gt0; rewrite lt_def; apply/andP; split; [exact: sym | exact: P0 | exact: ib | exact: span0].
+Qed.
+Lemma cut_prod k r i j : i \in V k -> j \notin V k -> span P (T k).+1 r i j = 0.
+Proof.
+move=> iV jV; elim: r i iV => [|r IH] i iV /=; rewrite mxE.
+  by case: eqP => // e; rewrite -e iV in jV.
+rewrite big1 // => l _; have [lV|lV] := boolP (l \in V k); first by rewrite IH // mulr0.
+by rewrite (cut _ iV lV) ?mul0r // leq_addr.
+Qed.
+Lemma pprodD m t r : (r <= m)%N -> (m < t)%N -> pprod P t r = pprod P t m.+1 *m pprod P m r.
+Proof.
+move=> rm; elim: t => // t IH; rewrite ltnS leq_eqVlt => /orP[/eqP <-|mt]; first by rewrite pprodS // pprod_self.
+by rewrite !pprodS ?IH ?mulmxA //; lia.
+Qed.
+Lemma on_step k t r W : (T k < t)%N -> (r <= T k)%N ->
+  on (V k) W (pprod P t r) = on (V k) (V k) (pprod P t (T k).+1) *m on (V k) W (pprod P (T k) r).
+Proof.
+move=> Tt rT; apply/matrixP=> i j; rewrite (pprodD rT Tt) mxE [RHS]mxE.
+have [iV|iV] /= := boolP (i \in V k); last by rewrite big1 // => l _; rewrite mxE (negPf iV) mul0r.
+case jW: (j \in W); last by rewrite big1 // => l _; rewrite !mxE jW andbF mulr0.
+rewrite mxE; apply: eq_bigr => l _; rewrite [X in _ = X * _]mxE [X in _ = _ * X]mxE iV jW andbT /=.
+by case lV: (l \in V k) => //; rewrite /pprod cut_prod ?lV // !mul0r.
+Qed.
+Lemma product_chain k t : (0 < k)%N -> (T k < t)%N ->
+  on (V k) (V 0%N) (pprod P t s) = on (V k) (V k) (pprod P t (T k).+1) *m chain P T V k.
+Proof.
+case: (S) => Ts _ _; have sT m : (s <= T m.+1)%N.
+  by rewrite -Ts; elim: m => [|m IH]; [exact: T_next | exact: leq_trans IH (ltnW (T_next _))].
+case: k => // k _; elim: k t => [|k IH] t Tt; first by rewrite on_step // -Ts.
+rewrite on_step //; congr (_ *m _).
+have := IH _ (T_next k.+1); move=> /matrixP E; apply/matrixP=> i j.
+have -> : chain P T V k.+2 = on (V k.+2) (V k.+1) (pprod P (T k.+2) (T k.+1).+1) *m chain P T V k.+1 by [].
+rewrite mxE [RHS]mxE; have [iV|iV] /= := boolP (i \in V k.+2); last by rewrite big1 // => l _; rewrite mxE (negPf iV) mul0r.
+have := E i j; rewrite mxE [X in _ = X -> _]mxE (sub_next iV) /= => ->.
+by apply: eq_bigr => l _; rewrite [X in X * _ = _]mxE [X in _ = X * _]mxE iV (sub_next iV).
+Qed.
+End Stages.
+Lemma model_P (R : realFieldType) n (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) : (forall t, (0 < t)%N -> network (G t)) ->
+  (forall t, (0 < t)%N -> model_D (G t) (c t)) -> (forall t i j, (0 < t)%N -> 0 <= transition (G t) (c t) i j) /\
+  forall t i j, (0 < t)%N -> transition (G t) (c t) i j != 0 -> transition (G t) (c t) j i != 0.
+Proof.
+move=> net MD; split=> t i j t0; have [[p0 _] _] := model_D_stochastic (net t t0) (MD t t0); first exact: p0.
+have [sy _] := net t t0; by rewrite !(transition_edge _ _ (net t t0) (MD t t0)) eq_sym sy.
+Qed.
+Lemma eq3_5_2_holds : eq3_5_2.
+Proof. by move=> R n G c s T V b _ net MD P S k t; have [A B] := model_P net MD; apply: (product_chain A B S). Qed.
+Lemma count_3_holds : count_3.
+Proof.
+move=> R n G c T V b net MD S k k0 last t.
+have [Pp Ps] := model_P net MD; have Tn := T_next S.
+have T0 : T 0%N = 0%N by case: (S) => [[]].
+pose ch := A.differs G; pose N := chazelle_stabilisers.N.
+have mono l m : (l <= m)%N -> (T l <= T m)%N.
+  by elim: m => [|m IH]; [rewrite leqn0 => /eqP-> | rewrite leq_eqVlt => /orP[/eqP-> //|/IH h]; exact: leq_trans h (ltnW (Tn m))].
+have T1 : (0 < T 1)%N by rewrite -[X in (X < _)%N]T0.
+have -> : A.switches_up_to G t = N ch t 1%N by rewrite /A.switches_up_to /N /chazelle_stabilisers.N subn1.
+change (N ch t 1%N <= \sum_(2 <= l < k.+1) N ch (T l) (T l.-1) + N ch (T 1%N) 1%N + 1 + 'C(#|V k|, 2)
+  + changes_outside G (V k) t (T k).+1)%N.
+have upto : (N ch (T k) 1 = \sum_(2 <= l < k.+1) N ch (T l) (T l.-1) + N ch (T 1) 1)%N.
+  elim: (k) k0 => // -[|m] IH _; first by rewrite big_geq.
+  rewrite big_nat_recr //= addnAC -IH //; exact: (chazelle_stabilisers.N_split _ (leq_trans T1 (mono 1%N m.+1 _)) (mono m.+1 m.+2 _)).
+have [tk|kt] := leqP t (T k).+1.
+  apply: leq_trans (leq_addr _ _); apply: leq_trans (leq_addr _ _); rewrite -upto.
+  apply: leq_trans (chazelle_switches.N_next _ _ _).
+  have [t1|t1] := leqP t 1; first by rewrite /N chazelle_switches.N_empty.
+  by rewrite /N (chazelle_stabilisers.N_split _ (ltnW t1) tk) leq_addr.
+have s1 : (1 <= (T k).+1)%N by [].
+rewrite /N (chazelle_stabilisers.N_split _ s1 (ltnW kt)) -/N -upto -addnA; apply: leq_add; first exact: chazelle_switches.N_next.
+pose G' u (i j : 'I_#|V k|) := G u.-1.+1 (enum_val i) (enum_val j).
+have grow : (N (chazelle_switches.changes_in G (V k)) t (T k).+1 <= 'C(#|V k|, 2))%N.
+  have -> : N (chazelle_switches.changes_in G (V k)) t (T k).+1 = N (chazelle_count.changes G') t (T k).+1.
+    apply: eq_in_count => u; rewrite mem_iota => /andP[uT _]; rewrite chazelle_switches.changes_inP.
+    by case: u uT => [|[|u]].
+  apply: chazelle_switches.growing => [u|u i j uT].
+    by have [sy ir] := net u.-1.+1 isT; split=> [i j|i]; [exact: sy | exact: ir].
+  by case: u uT => // u uT; apply: last; rewrite ?enum_valP.
+apply: leq_trans (leq_add grow (leqnn _)); rewrite /N /chazelle_stabilisers.N /changes_outside -count_predUI; apply: leq_trans (leq_addr _ _).
+apply: chazelle_switches.count_in => u; rewrite mem_iota => /andP[uT _] /existsP[x /existsP[y ne]] /=.
+have uk : (T k < u)%N by exact: ltn_trans uT.
+have uk' : (T k < u.-1)%N by move: uT; clear; lia.
+have un w i j : (T k < w)%N -> i \in V k -> j \notin V k -> G w i j = false.
+  move=> wT iV jV; have w0 : (0 < w)%N by apply: leq_ltn_trans wT.
+  have /eqP := cut Pp Ps S wT iV jV; rewrite -[_ == 0]negbK (transition_edge _ _ (net w w0) (MD w w0)).
+  by rewrite negb_or => /andP[_ /negbTE].
+have [y1 _] := net u (leq_ltn_trans (leq0n _) uk); have [y2 _] := net u.-1 (leq_ltn_trans (leq0n _) uk').
+case xS: (x \in V k); case yS: (y \in V k).
+- by apply/orP; left; apply/exists_inP; exists x => //; apply/exists_inP; exists y.
+- by rewrite !un ?yS ?eqxx in ne.
+- by rewrite y1 [G u.-1 x y]y2 !un ?xS ?eqxx in ne.
+by apply/orP; right; apply/existsP; exists x; apply/existsP; exists y; rewrite xS yS.
+Qed.
