@@ -92,10 +92,10 @@ pub fn circular_in_zones() -> Record<CircularVariant> {
     )
     .repaired(Fault::False, "", repaired)
     .repaired_clauses(&[
-        "Under (29) with w0 = K_0 = 0.1, N = 12, the blind spot of 60 degrees and K_1 = -K_0, in each zone \
-         most runs from random initial states come to one circle of radius 1/|w0| by t = 2400, the centres \
-         within 2% of it.",
-        "Under (29) as printed with K_1 = K_0, where the zone has no effect, most runs do.",
+        "Under (29) as printed with w0 = K_0 = 0.1, N = 12, the blind spot of 60 degrees and K_1 = -K_0, in each zone \
+         most runs from positions uniform in a square of half-width 10 and uniform phases come to one circle of radius \
+         1/|w0| by t = 2400, the centres within 2% of it.",
+        "Under (29) as printed with K_1 = K_0, where the zone has no effect, most runs from such starts do, in the same sense.",
     ])
     .repaired_reading("\"Most\": more than half of the runs, with the whole 95% interval.")
     .control("no spacing control", CircularVariant { spacing: 0.0, ..short })
