@@ -54,7 +54,7 @@ pub fn fewer_clusters() -> Record<FewerVariant> {
          K_1 = -30 K_0 all of 300 runs with M = 8 have come to one cluster by t = 7200 (296 by t = 1800), so that M = 2 cannot \
          have fewer; at -100 K_0 by t = 3600 all of 300 with M = 8 and all of 100 with M = 12. The same with half the step. With \
          (29) as printed no size was found where the mean number does not decrease from M = 8 to 2: of 150 runs with M = 8 at \
-         -300 K_0 six are still in two clusters at t = 1200. The corrected statement is for sizes at which both laws show what \
+         -300 K_0 six are still in two clusters at t = 1200. The law that the paper derives, and that its Figure 8(b) shows, is the corrected one (paley.eq29, paley.fig8.pos): so the statement is refuted, for that law. The corrected statement is for sizes at which both laws show what \
          the paper says. Runs with the printed (29) and with the corrected one; under the \
          printed one M = 12 and 8 differ little (by 0.20 ± 0.02 at K_1 = -3 K_0), so that 360 pairs of runs \
          are compared. Under the printed law the difference is there at every gain tried from -30 K_0 on, and smaller the nearer K_1 is to 0: \
