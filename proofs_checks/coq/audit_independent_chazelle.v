@@ -1277,8 +1277,10 @@ End Flock.
 Section Closed.
 Variables (R : rcfType) (n d m : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) (t1 : nat).
 Variables (f : 'I_m.+1 -> 'I_n) (lam : 'I_m.+1 -> R) (u : 'I_m.+1 -> 'cV[R]_m.+1).
-Hypothesis MO : motion_D x v G w.
-Hypothesis t10 : (0 < t1)%N.
+Hypothesis net1 : network (G t1).
+Hypothesis MD1 : model_D (G t1) (w t1).
+Hypothesis Hx : forall t, x t.+1 = x t + v t.+1.
+Hypothesis Hv : forall t, (0 < t)%N -> v t.+1 = P_of G w t *m v t.
 Hypothesis FL : is_flock f (G t1).
 Hypothesis w0 : forall k, 0 < w t1 (f k).
 Let c k := w t1 (f k).
@@ -1289,14 +1291,13 @@ Let P := transition H c.
 Let vv s := mpow P (s - t1.+1) *m v1.
 Let xx s := own_rows f (x t1) + (\sum_(r < s - t1) mpow P r) *m v1.
 Let F : fixed H c.
-Proof. by have [/(_ t1 t10)[net MD] _ _] := MO; apply: own_fixed. Qed.
+Proof. exact: own_fixed. Qed.
 Lemma xx_step t : (t1 <= t)%N -> xx t.+1 = xx t + vv t.+1.
 Proof. by move=> tt; rewrite /xx /vv subSn // big_ord_recr /= mulmxDl addrA subSS. Qed.
 Lemma vv_step t : (t1 < t)%N -> vv t.+1 = P *m vv t.
 Proof. by move=> tt; rewrite /vv subSn // mulmxA. Qed.
 Lemma xx_is t : (t1 <= t)%N -> unchanged G w t1 t -> own_rows f (x t) = xx t.
 Proof.
-have [MDn Hx Hv] := MO.
 have OD (a b : 'M[R]_(n, d)) : own_rows f (a + b) = own_rows f a + own_rows f b by apply/matrixP => i j; rewrite !mxE.
 have W s : (forall r, (t1 <= r <= t1 + s)%N -> (forall i j, G r i j = G t1 i j) /\ forall i, w r i = w t1 i) ->
     own_rows f (v (t1 + s).+1) = mpow P s *m v1.
@@ -1305,10 +1306,10 @@ have W s : (forall r, (t1 <= r <= t1 + s)%N -> (forall i j, G r i j = G t1 i j) 
   rewrite addnS Hv ?addnS // /P_of -addnS.
   have [eG ew] := un (t1 + s.+1)%N ltac:(by rewrite leq_addr leqnn).
   have -> : transition (G (t1 + s.+1)) (w (t1 + s.+1)%N) = transition (G t1) (w t1).
-    apply/matrixP => i j; have [_ ir] := proj1 (MDn _ pos); have [_ ir1] := proj1 (MDn _ t10).
+    apply/matrixP => i j; have [_ ir1] := net1; have ir : irreflexive (G (t1 + s.+1)%N) by move=> k; rewrite eG ir1.
     rewrite !transitionE // eG ew; congr (if _ then _ - _ * _%:R else _).
     by apply: eq_card => k; rewrite !inE eG.
-  have [net1 _] := MDn t1 t10; rewrite own_transition // addnS IH /= ?mulmxA // => r /andP[r1 r2]; apply: un.
+  rewrite own_transition // addnS IH /= ?mulmxA // => r /andP[r1 r2]; apply: un.
   by rewrite r1 addnS (leq_trans r2).
 move=> tt un; rewrite -(subnKC tt) in un *; elim: (t - t1)%N un => [|s IH] un.
   by rewrite addn0 /xx subnn big_ord0 mul0mx addr0.
@@ -1353,7 +1354,8 @@ Qed.
 End Closed.
 Lemma xi_closed_proved : xi_closed.
 Proof.
-move=> R n d m x v G w t1 t f lam u i MO /andP[t10 tt] un FL w0 c v1 EB; exact: (xi_row MO t10 FL w0 EB).
+move=> R n d m x v G w t1 t f lam u i [MD Hx Hv] /andP[t10 tt] un FL w0 c v1 EB; have [net1 MD1] := MD t1 t10.
+exact: (xi_row net1 MD1 Hx Hv FL w0 EB).
 Qed.
 Lemma eigen_of_P (R : rcfType) m (G : rel 'I_m.+1) (c lam : 'I_m.+1 -> R) u k : fixed G c -> eigenbasis G c lam u ->
   is_eigenvalue (transition G c) (lam k).
@@ -1361,7 +1363,7 @@ Proof. by move=> F EB; have [_ A _ B] := eq3_8_2_proved F EB k; exists (half c *
 Lemma eq3_17_proved : eq3_17.
 Proof.
 move=> R n d m m' x v G w t1 f g lam u lam' u' i j MO t10 FL FL' w0 w0' c c' Gf Gg v1 v1' B A EB EB'.
-have [/(_ t1 t10)[net MD] _ _] := MO.
+have [/(_ t1 t10)[net MD] Hx Hv] := MO.
 have F : fixed Gf c by apply: own_fixed.
 have F' : fixed Gg c' by apply: own_fixed.
 pose T1 := [seq (lam k, (1 - lam k)^-1 *: Phi c u v1 i k) | k <- enum [pred k : 'I_m.+1 | k != ord0]].
@@ -1372,7 +1374,7 @@ exists (sort falling (T1 ++ T2)); split; first exact: sort_sorted.
 - move=> p; rewrite mem_sort mem_cat => /orP[]/mapP[k]; rewrite mem_enum inE => k0 -> /=.
     by split; [case: (small_lam F EB k0)|left; apply: eigen_of_P EB].
   by split; [case: (small_lam F' EB' k0)|right; apply: eigen_of_P EB'].
-move=> t tt un; rewrite (Gamma_row MO t10 FL w0 EB i tt un) (Gamma_row MO t10 FL' w0' EB' j tt un).
+move=> t tt un; rewrite (Gamma_row net MD Hx Hv FL w0 EB i tt un) (Gamma_row net MD Hx Hv FL' w0' EB' j tt un).
 have E1 : \sum_(p <- T1) p.1 ^+ (t - t1) *: p.2 = \sum_(k | k != ord0) lam k ^+ (t - t1) *: ((1 - lam k)^-1 *: Phi c u v1 i k).
   by rewrite big_map big_enum /=; apply: eq_bigl => k; rewrite inE.
 have E2 : \sum_(p <- T2) p.1 ^+ (t - t1) *: p.2 = - \sum_(k | k != ord0) lam' k ^+ (t - t1) *: ((1 - lam' k)^-1 *: Phi c' u' v1' j k).

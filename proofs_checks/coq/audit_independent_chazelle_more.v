@@ -60,8 +60,7 @@ Definition count_3 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) 
   forall T', (A.switches_up_to G T' <= \sum_(2 <= l < k.+1) changes_in G (T l) (T l.-1) + changes_in G (T 1%N) 1
     + 1 + 'C(#|V k|, 2) + changes_outside G (V k) T' (T k).+1)%N.
 (* chazelle.eq3.16 clause 2; f numbers the m + 1 birds of the flock of bird f a, H and cf are its network and weights; the columns of U
-   are the u_k, the first of them to the eigenvalue 1.  not proved: chazelle_spectral.eq_3_16 is about a flock alone (a connected network on
-   all birds) with u_1 = sqrt(pi); left are the step to the flock in a network, and the sign of u_1 *)
+   are the u_k, the first of them to the eigenvalue 1 *)
 Definition eq3_16_2 : Prop := forall (R : rcfType) n m d (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (x v : nat -> 'M[R]_(n, d)) t1 t
   (f : 'I_m.+1 -> 'I_n) (a : 'I_m.+1) (U : 'M[R]_m.+1) (lam : 'I_m.+1 -> R), (t1 < t)%N ->
   (forall u, (t1 <= u < t)%N -> (forall i j, G u i j = G t1 i j) /\ forall i, c u i = c t1 i) ->
@@ -242,4 +241,35 @@ case xS: (x \in V k); case yS: (y \in V k).
 - by rewrite !un ?yS ?eqxx in ne.
 - by rewrite y1 [G u.-1 x y]y2 !un ?xS ?eqxx in ne.
 by apply/orP; right; apply/existsP; exists x; apply/existsP; exists y; rewrite xS yS.
+Qed.
+(* (3.16): the birds that bird f a is connected with are a flock in the sense of the other file, whose rows of a step are those of the
+   flock alone *)
+Lemma flock_of n m (G : rel 'I_n) (f : 'I_m.+1 -> 'I_n) a : symmetric G -> injective f ->
+  (forall i, connect G (f a) i = (i \in codom f)) -> A.is_flock f G.
+Proof.
+move=> sy fi C; have closed k j : G (f k) j -> exists l, f l = j.
+  move=> kj; have /codomP[l ->] : j \in codom f; last by exists l.
+  by rewrite -C; apply: connect_trans (connect1 kj); rewrite C codom_f.
+have lift p k l : path G (f k) p -> f l = last (f k) p -> connect (A.own_network f G) k l.
+  elim: p k => [|j p IH] k /=; first by move=> _ /fi ->; exact: connect0.
+  move=> /andP[kj pth] e; have [k' fk] := closed k j kj; subst j.
+  by apply: connect_trans (IH k' pth e); apply: connect1.
+have from k : connect (A.own_network f G) a k.
+  have /connectP[p pth e] : connect G (f a) (f k) by rewrite C codom_f.
+  exact: lift pth e.
+have sym : connect_sym (A.own_network f G) by apply: sym_connect_sym => i j; exact: sy.
+by split=> // k l; apply: connect_trans (from l); rewrite sym.
+Qed.
+Lemma eq3_16_2_holds : eq3_16_2.
+Proof.
+move=> R n m d G c x v t1 t f a U lam tt un Hx Hv net MD fi C H cf P root unroot vf pi c0 orth eig lam1.
+have FL : A.is_flock f (G t1) by case: (net) => sy _; exact: flock_of C.
+pose u k := col k U.
+have EB : A.eigenbasis H cf lam u.
+  split=> // [k l|k].
+    by move/matrixP/(_ k l): orth; rewrite !mxE => <-; apply: eq_bigr => i _; rewrite !mxE.
+  rewrite /A.M_of -/P -/root -/unroot /u colE mulmxA eig; apply/colP => i.
+  by rewrite -!colE mxE mul_mx_diag !mxE mulrC.
+rewrite (A.Gamma_row net MD Hx Hv FL c0 EB a (ltnW tt) un); congr (_ - _); first by rewrite row_mul.
+by apply: eq_bigr => k _; rewrite scalerA /A.Phi -rowE.
 Qed.
