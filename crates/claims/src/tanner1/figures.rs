@@ -5,7 +5,8 @@
 //! difference below 1/10; a potential energy minimum is read as every `|grad V_i|` below 1/10, which a critical point that is no minimum
 //! passes too; a tight formation has all agents within 10 m of their mean (far apart, gradients are small too).
 
-use crate::tanner2::figures::{Seen, other, report};
+use crate::shares::{Seen, report};
+use crate::tanner2::figures::other;
 use crate::tanner2::fixtures::sloped;
 use ledger::{CheckError, Outcome, Record, Run};
 use models::double_integrator::{HeadingReading, Setup};

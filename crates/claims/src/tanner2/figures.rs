@@ -7,6 +7,7 @@
 
 use super::fixtures::sloped;
 use crate::prelude::*;
+use crate::shares::{Seen, report};
 use models::double_integrator::{LinkRule, Setup, Trial};
 use motion::Share;
 
@@ -28,33 +29,6 @@ const fn plain(links: LinkRule) -> Reading {
 /// Links within so many metres, from any start.
 const fn within(radius: f64, words: &'static str) -> Reading {
     Reading { links: LinkRule::Within { radius, connected: false }, weaker: 1, words }
-}
-
-/// How many runs show something, under one reading.
-pub(crate) struct Seen {
-    pub what: String,
-    pub share: Share,
-}
-
-/// A report of a run with data that are not printed: it holds where more than half of the runs show it under every reading, or with
-/// `can` where some do under one; it is refuted where that is so under no reading, and undecided where the readings disagree.
-pub(crate) fn report(seen: Vec<Seen>, can: bool) -> Outcome {
-    let least = if can { 0.0 } else { 0.5 };
-    let above = |share: Share| if share.found == 0 { Some(false) } else { share.is_above(least) };
-    let count = |wanted: Option<bool>| seen.iter().filter(|seen| above(seen.share) == wanted).count();
-    let (shown, refuted) = (count(Some(true)), count(Some(false)));
-    let all = seen.iter().map(|seen| seen.what.as_str()).collect::<Vec<_>>().join("; ");
-    if shown == seen.len() || can && shown > 0 {
-        let evidence = |seen: &Seen| Evidence::new(Grade::Simulated, "end of the run", &seen.what).cases(seen.share.of);
-        return Outcome::Holds(seen.iter().map(evidence).collect());
-    }
-    if refuted == seen.len() {
-        let runs = seen.iter().map(|seen| seen.share.of).sum();
-        let evidence = Evidence::new(Grade::Simulated, "end of the run", "runs under each reading").cases(runs);
-        return Outcome::fails(format!("{all}: not above {least}"), evidence);
-    }
-    let why = if shown > 0 { "the readings disagree" } else { "too few runs to tell" };
-    Outcome::Undecided(format!("{why}, and a finite run refutes no limit: {all}"))
 }
 
 /// What is looked for at the end of a run, for one clause.

@@ -37,8 +37,8 @@ pub fn claims() -> Vec<Box<dyn Claim>> {
         fish_control: laplacian_form, comparison;
         zones: chord, perceptual_zones;
         figures: motions_figure, cyclic_figure, patterns_figure, tracking_figure, beacon_figure;
-        zone_circles: circular_in_zones;
-        bifurcation: fewer_clusters;
+        zone_circles: circular_in_zones, circles_and_symmetric_starts;
+        bifurcation: fewer_clusters, clusters_of_the_corrected_law;
         zone_patterns: patterns_in_zones;
         fish_data: measured_tracks, difference_inference;
     }
