@@ -285,7 +285,7 @@ pub fn recurrent() -> Record<RecurrentVariant> {
         "Let P(1), P(2), ... be any stochastic matrices of n >= 2 birds with positive diagonals and positive entries at \
          least alpha > 0 (directed networks): if in the union over every B consecutive times a path leads from every \
          bird to one bird, t factors contract by tau_1 <= (1 - alpha^((n-1)B))^floor(t/((n-1)B)).",
-        "Matrices of model D as in the first sentence: if such windows never end, all velocities converge to one limit.",
+        "Matrices of model D as in the first sentence: if there are infinitely many such windows, one after another, all velocities converge to one limit.",
         "Stochastic matrices as in the second sentence, every B consecutive times with such a union, and v(t+1) = P(t) \
          v(t): the velocities converge to one limit, at the rate of the bound.",
     ])

@@ -154,7 +154,7 @@ fn examine_headings(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, 
     }
     run.value("squared_speed_at_which_the_front_agent_stops", interval_value(&SLOW.excess()?, 12));
     Ok(Outcome::Undecided(
-        "with headings as in (2) every counterexample that is known is a motion with an instant of zero speed, where (2) says nothing; for motions without such an instant there is neither a proof (that of the paper rests on tanner1.eq9, which is false) nor a counterexample. With wrapped differences it is false: beyond.tanner1.turning_triangle".to_string(),
+        "with headings as in (2) and the potential of Figure 2 every counterexample that is known is a motion with an instant of zero speed, where (2) says nothing (without a potential two linked agents that part with headings 1 and -1 never agree); for motions without such an instant there is neither a proof (that of the paper rests on tanner1.eq9, which is false) nor a counterexample. With wrapped differences it is false: beyond.tanner1.turning_triangle".to_string(),
     ))
 }
 
@@ -168,7 +168,7 @@ pub fn headings() -> Record<HeadingVariant> {
         HeadingVariant { difference: HeadingDifference::Raw, stops: false },
         examine_headings,
     )
-    .reading("headings and their differences as numbers, as in (2); motions in which no agent is ever at rest")
+    .reading("headings and their differences as numbers, as in (2); the potential of Figure 2, as for V_t and Omega; motions in which no agent is ever at rest")
     .altered("wrapped differences", |v| v.difference = HeadingDifference::Wrapped)
     .altered("motions that stop too", |v| v.stops = true)
 }

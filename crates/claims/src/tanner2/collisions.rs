@@ -141,7 +141,7 @@ pub fn thm2_coll() -> Record<CollisionVariant> {
         CollisionVariant { networks: Networks::ByDistance, pairs: Pairs::All, avoided: true, potential: spring() },
         examine,
     )
-    .reading("every Filippov solution, K of the whole vector field; starts in which no two agents coincide")
+    .reading("every Filippov solution, K of the whole vector field; potentials of Definition 3 with a continuous gradient, starts in which no two agents coincide")
     .altered("links fixed, any connected graph", |v| v.networks = Networks::Connected)
     .altered("V = (s - 1)², which stays bounded", |v| v.potential = soft())
 }

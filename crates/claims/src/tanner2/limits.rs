@@ -358,7 +358,7 @@ pub fn thm2_vel() -> Record<SwitchingVariant> {
             argued(&[1], "the limits", "notes/tanner2.md, Section 5, steps 1 to 7"),
         ]),
     )
-    .reading("K of the whole vector field, as in Definition 4, every Filippov solution, and a graph of the links |r_ij| < R that is connected at all times. As (10b) is printed, agent by agent (v'_i in K[u_i]), the statement is false: three agents on a line, V = s + 1/s - 2, R = 9/5, agents 1 and 2 at distance R and agent 3 swinging between them, never agree (the control with K agent by agent)")
+    .reading("K of the whole vector field, as in Definition 4, every Filippov solution, potentials of Definition 3 with a continuous gradient, starts in which no two agents are in one place, and a graph of the links |r_ij| < R that is connected at all times. As (10b) is printed, agent by agent (v'_i in K[u_i]), the statement is false: three agents on a line, V = s + 1/s - 2, R = 9/5, agents 1 and 2 at distance R and agent 3 swinging between them, never agree (the control with K agent by agent)")
     .altered("with K agent by agent", |v| v.agentwise = true)
     .altered("connected at the start only", |v| v.connected = Connected::AtFirst)
     .altered("all velocities tend to zero", |v| v.conclusion = Conclusion::Stop)

@@ -468,7 +468,7 @@ pub fn eq13() -> Record<HullVariant> {
         "q <= 0 for all q in Qdot.",
         "Q is nonincreasing.",
     ])
-    .reading("(A.2) with the true gradient of Lemma 2, which is not empty, and K of the whole vector field (Definition 4), not agent by agent as in (10b)")
+    .reading("potentials of Definition 3 with a continuous gradient; (A.2) with the true gradient of Lemma 2, which is not empty, and K of the whole vector field (Definition 4), not agent by agent as in (10b)")
     .control("equality", HullVariant::Equal)
     .control("the value with tied pairs linked", HullVariant::Linked)
     .control("q < 0", HullVariant::Negative)

@@ -127,7 +127,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
          contain the zone, and all three runs of a start are the same (paley.fig8.pos).\n\
          (c) The corrected law gives about M clusters for M = 12 and 8, but the particles\n\
          do not settle on one circle there. With K_1 = 5 K_0 they do not under the\n\
-         printed law either (paley.fig8.circ, false)."
+         printed law either (paley.fig8.circ)."
     );
     Ok(Reproduced::new(text)
         .table("", csv(COLUMNS, table))

@@ -192,11 +192,12 @@ pub fn larger_gain() -> Record<GainVariant> {
          K_0 S - K_1 w0^-2 W_1 the formation is exponentially stable for every K_1 > 0: no gain turns \
          Figure 3(c) into the (2,N)-pattern (m = 6), which is stable for every K_1 > 0 as well. Which of \
          the two is reached depends on the initial state at every gain (shares: paley.fig3). Started anew \
-         from one initial state, a larger gain can end in the other pattern.",
+         from one initial state, a larger gain can end in the other pattern; but from random states three of five runs end in \
+         the (2,N)-pattern at any gain, so that it is no effect of the increase.",
         GainVariant { offset: 5, destroyed: true, moved: 0 },
         examine_larger_gain,
     )
-    .reading("The gain is raised on the formation of Figure 3(c).")
+    .reading("The increase is what leads from the formation of Figure 3(c) to the pattern: the gain is raised on that formation.")
     .repaired(Fault::False, "", GainVariant { offset: 5, destroyed: false, moved: 0 })
     .repaired_clauses(&[
         "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) is exponentially \
