@@ -79,7 +79,11 @@ fn examine_motions_figure(variant: &MotionVariant, run: &mut Run) -> Result<Outc
     );
     Ok(Outcome::Holds(vec![
         simulated("the four motions", &detail, 4 * seeds).on([1, 2, 3]),
-        Evidence::argued("limits, and which are relative equilibria", "notes/paley_particles.md, Figure 1, steps 1 to 4").on([1, 2, 3]),
+        Evidence::argued(
+            "limits, and which are relative equilibria",
+            "notes/paley_particles.md, Figure 1, steps 1 to 4",
+        )
+        .on([1, 2, 3]),
     ]))
 }
 

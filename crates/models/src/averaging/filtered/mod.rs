@@ -287,12 +287,10 @@ impl FilteredFlock {
         for k in 0..dimension {
             (now[k], moved[k]) = balls.next_difference(i, j, k);
         }
-        let (position_error, velocity_error) = balls.errors();
-        let error = 2.0 * (dimension as f64).sqrt() * (position_error + velocity_error) * 1.001;
+        let error = error_of_difference(dimension, balls.errors());
         let edge = self.network.has_edge(i, j);
         let squared: f64 = now.iter().map(|x| x * x).sum();
-        // Rounding errs by less than 1e-14 relative, the balls by (2 |x| + error) error.
-        let doubt = 1e-12 * (1.0 + squared) + (2.0 + squared + error) * error;
+        let doubt = error_of_square(squared, error);
         let joined = if squared - 1.0 < -doubt {
             true
         } else if squared - 1.0 > doubt && (!edge || self.threshold.holds_nothing()) {
@@ -386,6 +384,17 @@ impl FilteredFlock {
     }
 }
 
+/// How far the next difference of two birds is from the exact one, whose coordinates each err by the errors of a position and of a velocity.
+fn error_of_difference(dimension: usize, (position, velocity): (f64, f64)) -> f64 {
+    2.0 * (dimension as f64).sqrt() * (position + velocity) * 1.001
+}
+
+/// How far the square of a difference is from the exact one: rounding errs by less than 1e-14 relative, the difference `x` by `(2 |x| + error)
+/// error`, and `2 |x| <= 1 + |x|²`.
+fn error_of_square(squared: f64, error: f64) -> f64 {
+    1e-12 * (1.0 + squared) + (2.0 + squared + error) * error
+}
+
 /// Numbers that are the same for birds of equal velocities.
 fn equal_velocities(state: &IntegerState) -> Vec<u64> {
     let mut known: BTreeMap<&[BigInt], u64> = BTreeMap::new();
@@ -394,4 +403,27 @@ fn equal_velocities(state: &IntegerState) -> Vec<u64> {
         *known.entry(v).or_insert(next)
     };
     state.velocities.iter().map(|v| number(v.as_slice())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two birds whose every coordinate errs as far as it may, in opposite directions: that is what the bounds allow for, with little more.
+    #[test]
+    fn errors_of_differences_and_squares() {
+        for (dimension, position, velocity) in [(1, 0.25, 0.0), (1, 0.0, 0.25), (4, 0.5, 0.125), (9, 1e-6, 3e-6)] {
+            let worst = (dimension as f64).sqrt() * (2.0 * position + 2.0 * velocity);
+            let bound = error_of_difference(dimension, (position, velocity));
+            assert!(bound > worst && bound < worst * 1.0015, "{dimension} {position} {velocity}");
+        }
+        for (x, error) in [(0.0, 0.5), (0.5, 0.25), (1.0, 0.125), (1.0, 1e-6), (4.0, 2.0)] {
+            let (square, worst) = (x * x, (x + error) * (x + error) - x * x);
+            let bound = error_of_square(square, error);
+            // What is given away: (2 - 2 x + x²) error, and the rounding.
+            let given = (2.0 - 2.0 * x + square) * error + 1e-12 * (1.0 + square);
+            assert!(bound > worst && (bound - worst - given).abs() < 1e-13, "{x} {error}");
+        }
+        assert_eq!(error_of_square(3.0, 0.0), 4e-12);
+    }
 }
