@@ -7,22 +7,28 @@
 mod claim;
 mod document;
 mod entry;
+mod evidence;
 mod judge;
+mod outcome;
 mod proofs;
 mod record;
 mod run;
 mod runner;
 mod tables;
+mod verdict;
 
-pub use claim::{CheckError, Claim, Correction, Fault, Form, Outcome, Source};
+pub use claim::{Claim, Correction, Form, Source};
 pub use document::{Document, DocumentError, to_json, to_json_with};
-pub use entry::{Controls, Entry, Evidence, Grade, Scope, Verdict, exact_value, interval_value};
+pub use entry::{Controls, Entry, exact_value, interval_value};
+pub use evidence::{Evidence, Grade, Scope};
 pub use judge::correction_id;
+pub use outcome::{CheckError, Outcome};
 pub use proofs::Proofs;
 pub use record::Record;
 pub use run::Run;
 pub use runner::{Ledger, LedgerError, Options, Report, recorded_row};
 pub use tables::{Listed, Recorded, listed, recorded};
+pub use verdict::{Fault, Verdict};
 
 /// The generator of [`Run::random`] stands in its signature.
 pub use rand_chacha;

@@ -1,0 +1,80 @@
+//! What a check says.
+
+use super::Evidence;
+
+/// What the check says of one variant.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// It holds, on this evidence.
+    Holds(Vec<Evidence>),
+    /// It fails.
+    Fails {
+        /// Where it fails, so that anyone can check.
+        counterexample: String,
+        /// How that was established.
+        evidence: Vec<Evidence>,
+    },
+    /// Neither could be established, and why.
+    Undecided(String),
+    /// There is nothing to check, and why; with what could be checked all the same.
+    NotCheckable(String, Vec<Evidence>),
+}
+
+impl Outcome {
+    /// A failure on one piece of evidence.
+    pub fn fails(counterexample: impl Into<String>, evidence: Evidence) -> Self {
+        Outcome::Fails { counterexample: counterexample.into(), evidence: vec![evidence] }
+    }
+
+    /// The same with evidence that bears on these clauses, counted from 1.
+    pub fn on(self, clauses: impl Into<Vec<usize>>) -> Self {
+        let clauses = clauses.into();
+        self.with(|e| e.on(clauses.clone()))
+    }
+
+    /// The same, where it holds, with evidence for all parameters of its clauses.
+    pub fn for_all(self) -> Self {
+        match self {
+            Outcome::Holds(_) => self.with(Evidence::for_all),
+            other => other,
+        }
+    }
+
+    fn with(self, change: impl Fn(Evidence) -> Evidence) -> Self {
+        let each = |evidence: Vec<Evidence>| evidence.into_iter().map(&change).collect();
+        match self {
+            Outcome::Holds(evidence) => Outcome::Holds(each(evidence)),
+            Outcome::Fails { counterexample, evidence } => Outcome::Fails { counterexample, evidence: each(evidence) },
+            Outcome::NotCheckable(why, evidence) => Outcome::NotCheckable(why, each(evidence)),
+            Outcome::Undecided(why) => Outcome::Undecided(why),
+        }
+    }
+}
+
+/// Why a check could not be carried out. Every error of the libraries below converts into it.
+#[derive(Debug)]
+pub enum CheckError {
+    /// The limit of work or of time was reached, or the run was interrupted.
+    Limit,
+    /// What the check computes with failed.
+    Failed(Box<dyn std::error::Error + Send + Sync>),
+    /// Anything else.
+    Other(String),
+}
+
+// Not an error type itself: the conversion below would overlap with that of a type into itself.
+impl std::fmt::Display for CheckError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            CheckError::Limit => write!(f, "the limit of work was reached"),
+            CheckError::Failed(error) => write!(f, "{error}"),
+            CheckError::Other(what) => write!(f, "{what}"),
+        }
+    }
+}
+
+impl<E: std::error::Error + Send + Sync + 'static> From<E> for CheckError {
+    fn from(error: E) -> Self {
+        CheckError::Failed(Box::new(error))
+    }
+}
