@@ -3,10 +3,10 @@
 From mathcomp Require all_ssreflect all_algebra.
 From Coq Require Reals QArith Qabs.
 From Coquelicot Require Coquelicot.
-From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_sharp chazelle_origins
+From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_sharp
   chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked chazelle_angle
   chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits chazelle_reals
-  chazelle_entries chazelle_switches.
+  chazelle_entries chazelle_switches chazelle_losses.
 
 Module NumbersAndBirds.
 Import Coq.QArith.QArith Coq.QArith.Qabs Coq.Reals.Reals Coquelicot.Coquelicot.
@@ -470,16 +470,16 @@ Check (@chazelle_sharp.lazy_vicsek_rate :
   norm2 (row i (v t.+1) - row j (v t.+1)) ^+ (n ^ 3) * 2%:R ^+ t <= (n%:R * tau2 (v 1%N)) ^+ (n ^ 3)).
 (* beyond.chazelle.angle, clause 2: coordinate q of x_i(t) - t v_i(t), M at least every |x_j(0)| in that coordinate; the switches
    counted are those at the times 2, .., t - 1 *)
-Check (@chazelle_origins.origins_stay :
+Check (@chazelle_losses.origins_stay :
   forall (R : rcfType) (n d a : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (x v : nat -> 'M[R]_(n, d)),
   (forall t, (0 < t)%N -> network (G t)) -> (forall t, (0 < t)%N -> model_D (G t) (c t)) -> (0 < a)%N ->
   (forall t i j, (0 < t)%N -> 0 < transition (G t) (c t) i j -> (n%:R ^+ a)^-1 <= transition (G t) (c t) i j) ->
-  (forall s t, (forall i j, G s i j = G t i j) -> forall i, c s i = c t i) ->
+  (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, c t.+1 i = c t i) ->
   (forall t, x t.+1 = x t + v t.+1) -> (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
   (forall t i j, (0 < t)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R) ->
   forall (q : 'I_d) (t : nat) (i : 'I_n) (M : R), (0 < t)%N -> (forall j, `|x 0%N j q| <= M) ->
   `|x t i q - t%:R * v t i q| <=
-    M + 4%:R * (\sum_(1 <= k < t.-1) [exists i, [exists j, G k i j != G k.+1 i j]])%N.+1%:R * n%:R ^+ (2 * a + 3)).
+    M + 4%:R * (chazelle_stabilisers.N (changes G) t.-1 1).+1%:R * n%:R ^+ (2 * a + 3)).
 (* beyond.chazelle.entries (part) *)
 Check (@chazelle_entries.smallest_entries :
   forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (s t : nat) (i j : 'I_n),
@@ -530,6 +530,30 @@ Check (@chazelle_switches.lemma_3_1 :
   (forall t i j, transition (G t) (w t) i j != 0 -> n%:R ^- a <= transition (G t) (w t) i j) ->
   (forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c) ->
   forall t, (chazelle_stabilisers.N (changes G) t 1 <= n ^ ((a + c + 9) * n ^ 3))%N).
+(* beyond.chazelle.losses *)
+Check (@chazelle_losses.losses :
+  forall (R : rcfType) (n d a : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  (4 <= n)%N -> (d <= n ^ 2)%N -> (1 <= a <= 2)%N ->
+  chazelle_switches.flock (n%:R ^- (n ^ 4)) x v G w ->
+  (forall t i j, (0 < t)%N -> 0 < transition (G t) (w t) i j -> n%:R ^- a <= transition (G t) (w t) i j) ->
+  (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i) ->
+  (forall i, norm2 (row i (v 1%N)) <= n%:R) -> (forall i q, `|x 0%N i q| <= n%:R) ->
+  forall t i j, (n ^ (n ^ 4 + 2 * (n - 1) ^ 2 + 10 * (n - 1) + 17) <= t.+1)%N -> G t i j -> G t.+1 i j).
+(* chazelle.lem3.8 and chazelle.lem3.6.ii, for the two usual weights *)
+Check (@chazelle_losses.lemma_3_8 :
+  forall (R : rcfType) (n d : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  (4 <= n)%N -> (d <= n ^ 2)%N ->
+  chazelle_switches.flock (n%:R ^- (n ^ 4)) x v G w ->
+  (forall t i, w t i = 2%:R / (3 * degree (G t) i)%:R) \/ (forall t i, w t i = (degree (G t) i).+1%:R^-1) ->
+  (forall i, norm2 (row i (v 1%N)) <= n%:R) -> (forall i q, `|x 0%N i q| <= n%:R) ->
+  forall t i j, (n ^ (2 * n ^ 4) <= t.+1)%N -> G t i j -> G t.+1 i j).
+Check (@chazelle_losses.lemma_3_6_ii :
+  forall (R : rcfType) (n d : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  (4 <= n)%N ->
+  chazelle_switches.flock (n%:R ^- (n ^ 4)) x v G w ->
+  (forall t i, w t i = 2%:R / (3 * degree (G t) i)%:R) \/ (forall t i, w t i = (degree (G t) i).+1%:R^-1) ->
+  (forall i, norm2 (row i (v 1%N)) <= n%:R) ->
+  forall t i j, 1 + n%:R ^- (n ^ 3) < norm2 (row i (x t) - row j (x t)) -> ~~ G t i j).
 (* chazelle.lem3.1.count (corrected) *)
 Check (@chazelle_switches.count_corrected :
   forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (b : 'I_n) (T : nat -> nat)

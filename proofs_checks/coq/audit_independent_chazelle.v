@@ -3,7 +3,7 @@
 Set Warnings "-notation-overridden,-ambiguous-paths".
 From mathcomp Require Import all_ssreflect all_algebra zify ring.
 From Flockproof Require Import chazelle_model chazelle_ergodicity chazelle_fixed chazelle_limits chazelle_products chazelle_entries.
-From Flockproof Require chazelle_recurrent chazelle_agreement chazelle_switches chazelle_count chazelle_origins
+From Flockproof Require chazelle_recurrent chazelle_agreement chazelle_switches chazelle_count chazelle_losses
   chazelle_stabilisers chazelle_sharp chazelle_network chazelle_bits chazelle_spectral chazelle_contraction.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -19,7 +19,7 @@ Definition angle_2 : Prop := forall (R : rcfType) (n d a : nat) (G : nat -> rel 
   (x v : nat -> 'M[R]_(n, d)) (X : R),
   (0 < a)%N -> (forall t, (0 < t)%N -> network (G t)) -> (forall t, (0 < t)%N -> model_D (G t) (c t)) ->
   (forall t i j, (0 < t)%N -> 0 < transition (G t) (c t) i j -> (n%:R ^+ a)^-1 <= transition (G t) (c t) i j) ->
-  (forall s t, (0 < s)%N -> (0 < t)%N -> (forall i j, G s i j = G t i j) -> forall i, c s i = c t i) ->
+  (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, c t.+1 i = c t i) ->
   (forall t, x t.+1 = x t + v t.+1) -> (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
   (forall t i j, (0 < t)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R) ->
   (forall i q, `|x 0%N i q| <= X) ->
@@ -201,25 +201,8 @@ Definition modelD_12 : Prop := forall (R : realFieldType) n (G : rel 'I_n) (c : 
 Lemma angle_2_proved : angle_2.
 Proof.
 move=> R n d a G c x v X a0 net MD fl same Hx Hv sh X0 t i q t0.
-pose G' u := G u.-1.+1; pose c' u := c u.-1.+1.
-have E u : (0 < u)%N -> G' u = G u /\ c' u = c u by case: u.
-have := @chazelle_origins.origins_stay R n d a G' c' x v _ _ a0 _ _ Hx _ _ q t i X t0 (fun j => X0 j q).
-move=> H; apply: (le_trans (H _ _ _ _ _ _)).
-- by move=> u u0; case: (E u u0) => -> _; apply: net.
-- by move=> u u0; case: (E u u0) => -> ->; apply: MD.
-- by move=> u i' j' u0; case: (E u u0) => -> ->; apply: fl.
-- by move=> s u e; apply: same.
-- by move=> u u0; case: (E u u0) => -> ->; apply: Hv.
-- by move=> u i' j' u0; case: (E u u0) => -> _; apply: sh.
-suff -> : chazelle_origins.switches G' t = switches_up_to G t.-1 by [].
-rewrite /chazelle_origins.switches /switches_up_to -sum1_count [RHS]big_mkcond /=.
-rewrite (_ : iota 2 t.-1.-1 = [seq u.+1 | u <- index_iota 1 t.-1]); last first.
-  by rewrite /index_iota subn1 -(iotaDl 1).
-rewrite big_map; apply: eq_big_nat => k /andP[k0 _].
-rewrite /chazelle_origins.changes /differs /G' /= prednK //.
-rewrite (_ : [exists i', exists j', G k i' j' != G k.+1 i' j'] = [exists i', exists j', G k.+1 i' j' != G k i' j']).
-  by case: ifP.
-by apply: eq_existsb => i'; apply: eq_existsb => j'; rewrite eq_sym.
+apply: (le_trans (@chazelle_losses.origins_stay R n d a G c x v net MD a0 fl same Hx Hv sh q t i X t0 (fun j => X0 j q))).
+by rewrite /switches_up_to /chazelle_stabilisers.N subn1.
 Qed.
 Lemma entries_1_proved : entries_1.
 Proof.

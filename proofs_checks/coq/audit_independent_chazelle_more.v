@@ -3,7 +3,7 @@
 Set Warnings "-notation-overridden,-ambiguous-paths".
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Flockproof Require Import chazelle_model chazelle_ergodicity chazelle_fixed chazelle_limits chazelle_products chazelle_entries.
-From Flockproof Require chazelle_stabilisers chazelle_network chazelle_spectral chazelle_switches audit_independent_chazelle.
+From Flockproof Require chazelle_stabilisers chazelle_losses chazelle_network chazelle_spectral chazelle_switches audit_independent_chazelle.
 Module A := audit_independent_chazelle.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -59,6 +59,11 @@ Definition count_3 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) 
   (forall u i j, (T k < u)%N -> i \in V k -> j \in V k -> G u i j -> G u.+1 i j) ->
   forall T', (A.switches_up_to G T' <= \sum_(2 <= l < k.+1) changes_in G (T l) (T l.-1) + changes_in G (T 1%N) 1
     + 1 + 'C(#|V k|, 2) + changes_outside G (V k) T' (T k).+1)%N.
+(* beyond.chazelle.losses *)
+Definition losses_1 : Prop := forall (R : rcfType) n d a (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  (4 <= n)%N -> (d <= n ^ 2)%N -> a = 1%N \/ a = 2%N -> A.flock_D a 1 x v G w ->
+  (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i) -> (forall i q, `|x 0%N i q| <= n%:R) ->
+  forall t i j, (n ^ (n ^ 4 + 2 * n.-1 ^ 2 + 10 * n.-1 + 17) < t)%N -> G t.-1 i j -> G t i j.
 (* chazelle.eq3.16 clause 2; f numbers the m + 1 birds of the flock of bird f a, H and cf are its network and weights; the columns of U
    are the u_k, the first of them to the eigenvalue 1 *)
 Definition eq3_16_2 : Prop := forall (R : rcfType) n m d (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (x v : nat -> 'M[R]_(n, d)) t1 t
@@ -272,4 +277,15 @@ have EB : A.eigenbasis H cf lam u.
   by rewrite -!colE mxE mul_mx_diag !mxE mulrC.
 rewrite (A.Gamma_row net MD Hx Hv FL c0 EB a (ltnW tt) un); congr (_ - _); first by rewrite row_mul.
 by apply: eq_bigr => k _; rewrite scalerA /A.Phi -rowE.
+Qed.
+Lemma losses_1_holds : losses_1.
+Proof.
+move=> R n d a x v G w n4 dn a12 F same X0 [|t] i j // late Gij.
+have a0 : (0 < a <= 2)%N by case: a12 => ->.
+have [G0 Gn Hx W] := F.
+apply: (@chazelle_losses.losses R n d a x v G (A.from_0 G w) n4 dn a0 (A.flock_is F)) => //.
+- by case=> // u p q _; case: (W u.+1 isT) => _ _ + _; apply.
+- by case=> // u _ e; apply: same.
+- by move=> p; have := A.flock_speed F p; rewrite expr1.
+by rewrite !subn1; apply: ltnW.
 Qed.

@@ -1,7 +1,7 @@
 (* Chazelle, Lemmas 3.6 (ii) and 3.8, the latter sharpened: edges of a flock stay shorter than 1 + n^(-n^3), and after time
    n^(n^4 + 2(n-1)^2 + 10(n-1) + 17) the network loses none.
      beyond.chazelle.losses (losses), chazelle.lem3.8 (lemma_3_8), chazelle.lem3.6.ii (lemma_3_6_ii); beyond.chazelle.angle, clause 2, for
-     weights that change only when the network does (origins_stay_near).
+     weights that change only when the network does (origins_stay).
    Hypotheses of `losses`: n >= 4 birds in R^d, d <= n^2; the hysteresis rule with the threshold n^(-n^4); from t = 1 on positive entries of
    P(t) at least n^-a, a = 1 or 2, and G_(t+1) = G_t gives c(t+1) = c(t); |v_i(1)| <= n; coordinates of x(0) at most n.  The weights of
    time 0 do not matter.
@@ -322,8 +322,8 @@ case: s b ok {H Hc dgr cnn HP} => [|s] b ok; first by rewrite big_ord0 mulr_ge0 
 have [le ce al] := ok 0%N (ltn0Sn s).
 by apply: (bound_sum (net p) (MD p) a1 _ le ce s.+1 di) => k l; exact: floor.
 Qed.
-(* chazelle_origins.origins_stay with the weaker hypothesis *)
-Theorem origins_stay_near t i M : (0 < t)%N -> (forall j, `|x 0%N j q| <= M) ->
+(* beyond.chazelle.angle: the coordinates of the virtual origins *)
+Theorem origins_stay t i M : (0 < t)%N -> (forall j, `|x 0%N j q| <= M) ->
   `|x t i q - t%:R * v t i q| <= M + 4%:R * (N (changes G) t.-1 1).+1%:R * n%:R ^+ (2 * a + 3).
 Proof.
 move=> tp HM; have M0 : 0 <= M by exact: le_trans (normr_ge0 _) (HM i).
@@ -500,7 +500,7 @@ have [_ _ MD Hx Hv] := F; move=> t0; set m := N (changes G) t.-1 1.
 apply: le_trans (_ : _ <= n%:R * (n + 4 * m.+1 * n ^ 7)%:R) _; last first.
   by rewrite -natrM -natrX ler_nat; apply: origin_estimate => //; exact: few_switches.
 apply: norm2_le => // q; rewrite !mxE natrD natrM natrX natrM.
-exact: (@origins_stay_near R n d 2 G w x v (fun u _ => flock_network F u) (fun u _ => @MD u) isT floor2 st Hx Hv edges_short2 q t i n%:R t0 (fun k => first k q)).
+exact: (@origins_stay R n d 2 G w x v (fun u _ => flock_network F u) (fun u _ => @MD u) isT floor2 st Hx Hv edges_short2 q t i n%:R t0 (fun k => first k q)).
 Qed.
 Lemma no_loss t i j : (n ^ (n ^ 4 + 2 * (n - 1) ^ 2 + 10 * (n - 1) + 17) <= t.+1)%N -> G t i j -> G t.+1 i j.
 Proof.

@@ -1,6 +1,5 @@
-(* Chazelle, Lemma 3.7 sharpened: the virtual origins x_i(t) - t v_i(t) stay near the start, by a bound that grows with the
-   number of switches only.
-     beyond.chazelle.angle (the coordinates of the virtual origins).  No axioms. *)
+(* Chazelle, Lemma 3.7 sharpened: the virtual origins x_i(t) - t v_i(t) on a stretch of one network, for chazelle_losses.v, which
+   bounds them by the number of switches.  No axioms. *)
 Set Warnings "-notation-overridden,-ambiguous-paths".
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp Require Import ring zify.
@@ -203,7 +202,6 @@ Hypothesis net : forall t, (0 < t)%N -> network (G t).
 Hypothesis MD : forall t, (0 < t)%N -> model_D (G t) (c t).
 Hypothesis a1 : (0 < a)%N.
 Hypothesis floor : forall t i j, (0 < t)%N -> 0 < P t i j -> (n%:R ^+ a)^-1 <= P t i j.
-Hypothesis same : forall s t, (forall i j, G s i j = G t i j) -> forall i, c s i = c t i.
 Hypothesis Hx : forall t, x t.+1 = x t + v t.+1.
 Hypothesis Hv : forall t, (0 < t)%N -> v t.+1 = P t *m v t.
 Hypothesis short : forall t i j, (0 < t)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R.
@@ -212,9 +210,6 @@ Variable q : 'I_d.
 (* the virtual origins: E_i(t) = x_i(t) - t v_i(t) *)
 Definition origin (t : nat) (i : 'I_n) : R := x t i q - t%:R * v t i q.
 Definition taken (t : nat) (i : 'I_n) : R := x t i q - drive (G t) (c t) (fun j => x t j q) i.
-Definition changes (s t : nat) : bool := [exists i, [exists j, G s i j != G t i j]].
-(* the switches at the times 2, .., t - 1 *)
-Definition switches (t : nat) : nat := \sum_(1 <= k < t.-1) changes k k.+1.
 
 Lemma coordinate (y : 'rV[R]_d) : `|y 0 q| <= norm2 y.
 Proof.
@@ -267,85 +262,5 @@ rewrite (eq_bigr (fun j => P t0 i j * after (G t0) (c t0) s (origin t0) j
 rewrite big_split /=; congr (_ + _); rewrite exchange_big /=; apply: eq_bigr => r _.
 rewrite (pred_sub (ltn_ord r)).
 by rewrite afterS.
-Qed.
-Lemma run_bound t0 s M : (0 < t0)%N -> (forall r, (r < s)%N -> forall i j, G (t0 + r)%N i j = G t0 i j) ->
-  0 <= M -> (forall i, `|origin t0 i| <= M) -> forall i, `|origin (t0 + s) i| <= M + span_bound R n a.
-Proof.
-move=> p H M0 HM i.
-have Hc r : (r < s)%N -> forall j, c (t0 + r)%N j = c t0 j by move=> h; exact: same (H r h).
-have dgr r : (r < s)%N -> forall j, degree (G (t0 + r)%N) j = degree (G t0) j.
-  by move=> h j; apply: eq_card => k; rewrite !inE H.
-have cnn r : (r < s)%N -> forall k l, connect (G (t0 + r)%N) k l = connect (G t0) k l.
-  by move=> h k l; apply: eq_connect => y z; exact: H.
-have HP r : (r < s)%N -> P (t0 + r) = P t0.
-  move=> h; have [_ irr] := net p; have [_ irr'] : network (G (t0 + r)%N) by apply: net; rewrite addn_gt0 p.
-  by apply/matrixP=> k l; rewrite !transitionE // dgr // H // Hc.
-rewrite run_sum //; apply: le_trans (ler_norm_add _ _) _; apply: ler_add.
-  have SP : stochastic (P t0) by case: (model_D_stochastic (net p) (MD p)).
-  have [A0 A1] := stochastic_mpow s SP; rewrite /after; apply: le_trans (ler_norm_sum _ _ _) _.
-  rewrite -[X in _ <= X]mul1r -{1}(A1 i) mulr_suml; apply: ler_sum => j _; by rewrite normrM ger0_norm ?A0 //; apply: ler_wpmul2l.
-have ok r : (r < s)%N -> [/\ forall k, `|taken (t0 + r) k| <= 2%:R,
-   forall i0, (0 < degree (G t0) i0)%N -> centred (c t0) (connect (G t0) i0) (taken (t0 + r)) &
-   forall k, degree (G t0) k = 0%N -> taken (t0 + r) k = 0].
-  move=> h; have pr : (0 < t0 + r)%N by rewrite addn_gt0 p.
-  split=> [k|i0 d0|k d0]; first exact: taken_le.
-    have := @taken_centred (t0 + r)%N i0 pr; rewrite dgr // => /(_ d0); rewrite /centred => Z; rewrite -[RHS]Z.
-    by apply: eq_bigr => k _; rewrite /weigh cnn // Hc.
-  by apply: taken_alone; rewrite // dgr.
-case: (posnP (degree (G t0) i)) => [d0|di].
-  rewrite big1 ?normr0 ?mulr_ge0 ?exprn_ge0 ?ler0n // => r _; have [_ _ al] := ok r (ltn_ord r).
-  by apply: after_alone => //; exact: net.
-apply: le_trans (ler_norm_sum _ _ _) _.
-have b r : (r < s)%N -> `|after (G t0) (c t0) (s.-1 - r) (taken (t0 + r)) i| <= bound R n a (s.-1 - r).
-  move=> h; have [le ce al] := ok r h.
-  by apply: (after_bound (net p) (MD p) a1) => // k l; exact: floor.
-apply: (@le_trans _ _ (\sum_(r < s) bound R n a (s.-1 - r))); first by apply: ler_sum => r _; exact: b.
-rewrite (reindex_inj rev_ord_inj) /= (eq_bigr (fun r : 'I_s => bound R n a r)) => [|r _]; last by rewrite (rev_index (ltn_ord r)).
-case: s b ok {H Hc dgr cnn HP} => [|s] b ok; first by rewrite big_ord0 mulr_ge0 ?exprn_ge0 ?ler0n.
-have [le ce al] := ok 0%N (ltn0Sn s).
-by apply: (bound_sum (net p) (MD p) a1 _ le ce s.+1 di) => k l; exact: floor.
-Qed.
-(* beyond.chazelle.angle: the coordinates of the virtual origins *)
-Theorem origins_stay t i M : (0 < t)%N -> (forall j, `|x 0%N j q| <= M) ->
-  `|x t i q - t%:R * v t i q| <= M + 4%:R * (switches t).+1%:R * n%:R ^+ (2 * a + 3).
-Proof.
-move=> t1 HM; have M0 : 0 <= M by exact: le_trans (normr_ge0 _) (HM i).
-have B0 : 0 <= span_bound R n a by rewrite mulr_ge0 ?exprn_ge0 ?ler0n.
-suff [t0 [p [le [run H]]]] : exists t0, (0 < t0)%N /\ (t0 <= t)%N /\
-    (forall r, (t0 <= r < t)%N -> forall i j, G r i j = G t0 i j) /\
-    forall i, `|origin t0 i| <= M + span_bound R n a *+ switches t.
-  have := @run_bound t0 (t - t0) (M + span_bound R n a *+ switches t) p; rewrite subnKC // => h.
-  apply: (le_trans (h _ _ H i)).
-  - by move=> r hr; apply: run; rewrite leq_addr /= -ltn_subRL.
-  - by rewrite addr_ge0 ?mulrn_wge0.
-  by rewrite -addrA -mulrSr ler_add2l -[_ *+ (switches t).+1]mulr_natr /span_bound mulrAC lexx.
-elim: t t1 => // t IH _; case: (posnP t) => [->|tp].
-  exists 1%N; split=> //; split=> //; split; first by case=> [|r].
-  by move=> k; rewrite origin_first /switches big_geq // mulr0n addr0.
-have [t0 [p [le [run H]]]] := IH tp.
-have grow : (switches t <= switches t.+1)%N.
-  by rewrite /switches /=; case: (t) tp => // s _ /=; case: (posnP s) => [->|sp]; [rewrite !big_geq | rewrite big_nat_recr //= leq_addr].
-have weak k : `|origin t0 k| <= M + span_bound R n a *+ switches t.+1.
-  by apply: (le_trans (H k)); rewrite ler_add2l -(subnKC grow) mulrnDr ler_addl mulrn_wge0.
-case: (ltnP t0 t) => [lt|ge]; last first.
-  have E : t0 = t by apply/eqP; rewrite eqn_leq le ge.
-  exists t0; split=> //; split; first exact: leqW; split; last exact: weak.
-  move=> r /andP[h1 h2] k l; have -> // : r = t0 by apply/eqP; rewrite eqn_leq h1 andbT E -ltnS.
-case Ch: (changes t.-1 t); last first.
-  exists t0; split=> //; split; first exact: leqW; split; last exact: weak.
-  move=> r /andP[h1 h2] k l; case: (ltnP r t) => [rt|tr]; first by apply: run; rewrite h1.
-  have -> : r = t by apply/eqP; rewrite eqn_leq tr andbT -ltnS.
-  have <- : G t.-1 k l = G t0 k l by apply: run; move: lt; case: (t) => // s; rewrite ltnS => -> /=.
-  by apply/esym/eqP; apply: contraFT Ch => ne; apply/existsP; exists k; apply/existsP; exists l.
-exists t; split=> //; split=> //; split.
-  by move=> r /andP[h1 h2] k l; have -> // : r = t by apply/eqP; rewrite eqn_leq h1 -ltnS h2.
-move=> k; have sw : switches t.+1 = (switches t).+1.
-  rewrite /switches /=; move: lt Ch; case: (t) tp => // s _ /=; case: (posnP s) => [->|sp].
-    by rewrite ltnS leqn0 => /eqP e; move: p; rewrite e.
-  by move=> _ ch; rewrite big_nat_recr //= ch addn1.
-have := @run_bound t0 (t - t0) (M + span_bound R n a *+ switches t) p; rewrite subnKC // => h.
-rewrite sw mulrSr addrA; apply: (h _ _ H k).
-- by move=> r hr; apply: run; rewrite leq_addr /= -ltn_subRL.
-by rewrite addr_ge0 ?mulrn_wge0.
 Qed.
 End Flock.

@@ -8,14 +8,13 @@ pub fn angle() -> Record<OriginVariant> {
         "beyond.chazelle.angle",
         "See chazelle.lem3.7: E_i(t) = x_i(t) - t v_i(t) starts at x(0) and obeys E(t+1) = P(t) E(t) + (I - P(t)) \
          x(t); on a fixed network the last term has stationary mean zero and is mixed away, so it adds at most 4 \
-         sum_r tau_1(P^r) in all. The proof in the notes lets a network that comes back have other weights, as model D \
-         does; only the Coq theorem needs weights that depend on the network only.",
+         sum_r tau_1(P^r) in all. A network that comes back may have other weights, as in model D.",
         OriginVariant::SHARPER,
     )
     .stated("sharpens chazelle, Lemma 3.7", "")
     .clauses(&[
         "In model D, for any bird at any time t >= 1, the angle of (x_i(t), t) and (v_i(t), 1), the lifted birds, is at most |v_i(t) - x_i(t)/t| = |E_i(t)|/t with E_i(t) = x_i(t) - t v_i(t).",
-        "With a positive integer a, positive entries of every P(t) at least n^-a, weights that depend on the network only, and as long as no edge is longer than 2 (Lemma 3.6), each coordinate of E_i(t) is at most max|x(0)| + 4 (s(t) + 1) n^(2a+3) in absolute value, s(t) the number of switches before t: no waiting time and no log t.",
+        "With a positive integer a, positive entries of every P(t) at least n^-a, weights that change only when the network does, and as long as no edge is longer than 2 (Lemma 3.6), each coordinate of E_i(t) is at most max|x(0)| + 4 (s(t) + 1) n^(2a+3) in absolute value, s(t) the number of switches before t: no waiting time and no log t.",
     ])
 }
 

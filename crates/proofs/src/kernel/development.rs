@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 107] = sources![
+const SOURCES: [(&str, &str); 108] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -34,6 +34,7 @@ const SOURCES: [(&str, &str); 107] = sources![
     "chazelle_entries",
     "chazelle_estimates",
     "chazelle_switches",
+    "chazelle_losses",
     "chazelle_worked",
     "chazelle_angle",
     "paley_model",
