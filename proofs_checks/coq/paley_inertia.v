@@ -1,5 +1,5 @@
 (* Paley et al., critical points of U_1: the inertia of the Hessian, and that there are no others.
-     beyond.paley.inertia (clauses 1, 2, 3, 5), C1-C5 of notes/paley_phases.md.
+     beyond.paley.inertia (clauses 1, 2, 3, 5; of clause 4 the linearisation), C1-C6 of notes/paley_phases.md.
    U_1 = (N/2)|p|^2 is a polynomial in the cosines and sines c, s of the phases; a phase that moves by X moves its (c, s) to first order
    to (c - s X, s + c X), and `gradient` and `hessian` are made of coefficients of X.  The inertia is what it is by definition: the largest
    dimensions of row spaces on which the form is positive and negative definite, and the dimension of the kernel; Sylvester's law is not
@@ -65,6 +65,22 @@ split; [split=> [|W]; last exact: B|split=> [|W]; last exact: C|].
 have := rank_bound HT HP HN (mulmx_ker H).
 have : (\rank Z <= \rank (kermx H))%N by apply: mxrankS; apply/sub_kermxP.
 lia.
+Qed.
+Theorem inertia_scale H a p q z : inertia H p q z -> a != 0 -> if 0 < a then inertia (a *: H) p q z else inertia (a *: H) q p z.
+Proof.
+move=> [[[P HP rP] mP] [[N HN rN] mN] rK] a0; have F v : form (a *: H) v = a * form H v by rewrite /form -scalemxAr -scalemxAl mxE.
+have K : \rank (kermx (a *: H)) = z by rewrite -rK !mxrank_ker (eqmx_scale H a0).
+case: ltP => [a_gt0|a_le0]; last have a_lt0 : a < 0 by rewrite lt_neqAle a0.
+  split=> //; split.
+  - by exists P => // v vP v0; rewrite F pmulr_rgt0 // HP.
+  - by move=> W HW; apply: mP => v vW v0; have := HW v vW v0; rewrite F pmulr_rgt0.
+  - by exists N => // v vN v0; rewrite F pmulr_rlt0 // HN.
+  - by move=> W HW; apply: mN => v vW v0; have := HW v vW v0; rewrite F pmulr_rlt0.
+split=> //; split.
+- by exists N => // v vN v0; rewrite F nmulr_rgt0 // HN.
+- by move=> W HW; apply: mN => v vW v0; have := HW v vW v0; rewrite F nmulr_rgt0.
+- by exists P => // v vP v0; rewrite F nmulr_rlt0 // HP.
+- by move=> W HW; apply: mP => v vW v0; have := HW v vW v0; rewrite F nmulr_rlt0.
 Qed.
 End Inertia.
 
@@ -301,6 +317,11 @@ apply: (@inertia_from _ _ _ _ _ _ (rows R B) (rows R (~: B) :&: kermx one)%MS (c
 - exact: rank_ones.
 by lia.
 Qed.
+
+(* the linearisation - K_1 H of (6) with (9) there: as many positive directions as the unstable manifold has dimensions (C6) *)
+Corollary linearisation_two_clusters B K1 : two_clusters B -> K1 != 0 ->
+  if K1 < 0 then inertia (- K1 *: hessian c s) #|B| (n - #|B| - 1) 1 else inertia (- K1 *: hessian c s) (n - #|B| - 1) #|B| 1.
+Proof. by move=> H K0; have := inertia_scale (inertia_two_clusters H) (_ : - K1 != 0); rewrite oppr_eq0 oppr_gt0; apply. Qed.
 
 (* ---- no other critical points ---- *)
 Definition critical := forall k, gradient (2%:R * n%:R)^-1 c s k = 0.
