@@ -39,7 +39,7 @@ pub fn inertia() -> Record<InertiaVariant> {
     };
     Record::new(
         "beyond.paley.inertia",
-        "On a line the Hessian is s s^T/N - |p| diag(s): the second term has inertia (b, N-b, 0), the first lifts one eigenvalue (Weyl), and the kernel is exactly span{1}. Balanced: \
+        "On a line the Hessian is s s^T/N - |p| diag(s): positive on the b minority directions, negative on the majority vectors of sum 0, and the kernel is exactly span{1}. Balanced: \
          the Gram matrix of the phasors over N.",
         right,
         examine_inertia,
@@ -77,7 +77,7 @@ fn examine_inertia(variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, C
         };
         Ok((is_critical(&z)? && !known).then(|| format!("{place}: another critical point")))
     });
-    Run::all([line, balanced, others, argued(&[1, 2, 3, 4, 5], "every N", "notes/paley_phases.md, steps C1-C6")])
+    Run::all([line, balanced, others, argued(&[4], "the unstable manifold", "notes/paley_phases.md, step C6")])
 }
 
 pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {

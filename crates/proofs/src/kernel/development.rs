@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 108] = sources![
+const SOURCES: [(&str, &str); 114] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -51,6 +51,11 @@ const SOURCES: [(&str, &str); 108] = sources![
     "paley_stability",
     "tanner_energy",
     "paley_behaviours",
+    "paley_circulant",
+    "paley_subfield",
+    "paley_turning",
+    "paley_circulant_reals",
+    "paley_inertia",
     "tanner_flock",
     "tanner_paths",
     "tanner1_heading",
@@ -106,6 +111,7 @@ const SOURCES: [(&str, &str); 108] = sources![
     "audit_certificates",
     "audit_chazelle",
     "audit_paley",
+    "audit_paley_spectrum",
     "audit_tanner1",
     "audit_tanner2",
     "audit_veerman",
