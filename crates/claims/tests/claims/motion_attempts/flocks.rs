@@ -414,6 +414,39 @@ fn near_minima(random: &mut Random) -> Option<String> {
     (off > 1e-3 || !pair || !row || !triangle).then(|| format!("sec4.flocking, cor2_rate: {off}"))
 }
 
+/// Second differences of the controls of the first paper where velocities are equal, along the positive x axis, or any: they settle.
+fn smooth_controls(random: &mut Random) -> Option<String> {
+    let n = 1 + below(random, 3);
+    let graph = connected(random, n);
+    let flock = Flock::draw(random, graph, true);
+    let mut x = start(random, n, 2.0, 2.0);
+    match below(random, 3) {
+        0 => (0..n).for_each(|i| (x[4 * i + 2], x[4 * i + 3]) = (0.7, 0.4)),
+        1 => (0..n).for_each(|i| (x[4 * i + 2], x[4 * i + 3]) = (1.0 + i as f64, 0.0)),
+        _ => (),
+    }
+    if split(&x).1.iter().any(|v| heading(*v).abs() > 3.0) {
+        return None;
+    }
+    let way: Vec<f64> = x.iter().map(|_| between(random, -1.0, 1.0)).collect();
+    let second = |h: f64| -> Vec<f64> {
+        let at = |t: f64| flock.gyroscopic(&x.iter().zip(&way).map(|(x, w)| x + t * w).collect::<Vec<_>>(), raw);
+        at(h).iter().zip(at(0.0)).zip(at(-h)).map(|((a, b), c)| (a - 2.0 * b + c) / (h * h)).collect()
+    };
+    let pairs = second(1e-3).into_iter().zip(second(5e-4));
+    pairs
+        .map(|(a, b)| (a - b).abs() / (1.0 + a.abs()))
+        .find(|off| *off > 0.05)
+        .map(|off| format!("smooth: {off}, {x:?}"))
+}
+
+/// `1/d² + log d²` from a thousandth to a thousand: down to 1, up from there.
+fn figure_2(_: &mut Random) -> Option<String> {
+    let value = |k: i32| (10f64.powf(f64::from(k) / 100.0).powi(2)).ln() + 10f64.powf(-f64::from(k) / 50.0);
+    let wrong = (-300..300).find(|k| (value(*k) > value(k + 1)) != (*k < 0));
+    wrong.map(|k| format!("Vmono, fig2: at 10^({k}/100)"))
+}
+
 #[test]
 fn flocks_survive() {
     survive(&[
@@ -426,5 +459,7 @@ fn flocks_survive() {
         Attempt { name: "rates without potentials", tries: 40, seek: rates },
         Attempt { name: "exact motions", tries: 1, seek: exact_motions },
         Attempt { name: "near minima", tries: 4, seek: near_minima },
+        Attempt { name: "smooth controls", tries: 60, seek: smooth_controls },
+        Attempt { name: "the potential of Figure 2", tries: 1, seek: figure_2 },
     ]);
 }

@@ -296,6 +296,50 @@ fn unbalanced(random: &mut Random) -> Option<String> {
     (away < 0.05).then(|| format!("unbal: {few} of {n}, K_1 = {k}: {pushed:?} stays"))
 }
 
+/// Incidence matrices with one column for each edge, directed either way, and with one for each direction; no edges too.
+fn incidence(random: &mut Random) -> Option<String> {
+    let n = 1 + below(random, 5);
+    let graph = undirected(random, n);
+    let l = matrix(&graph);
+    let (mut once, mut twice) = (vec![vec![0.0; n]; n], vec![vec![0.0; n]; n]);
+    for (k, j) in pairs(n).filter(|(k, j)| graph[*k][*j] > 0.0) {
+        let way = sign(random);
+        for (product, ways) in [(&mut once, vec![way]), (&mut twice, vec![1.0, -1.0])] {
+            for way in ways {
+                let column: Vec<f64> = (0..n)
+                    .map(|i| {
+                        if i == k {
+                            way
+                        } else if i == j {
+                            -way
+                        } else {
+                            0.0
+                        }
+                    })
+                    .collect();
+                for (row, x) in product.iter_mut().zip(&column) {
+                    row.iter_mut().zip(&column).for_each(|(entry, y)| *entry += x * y);
+                }
+            }
+        }
+    }
+    let same = (0..n).all(|k| (0..n).all(|j| l[k][j] == once[k][j] && 2.0 * l[k][j] == twice[k][j]));
+    (!same).then(|| format!("incid: {graph:?}"))
+}
+
+/// All ways to put four fish at two opposite headings, by number.
+fn four_fish(_: &mut Random) -> Option<String> {
+    let unbalanced: Vec<(u32, f64)> = (1..15u32)
+        .map(|code| {
+            (code.count_ones(), (0..4).map(|k| if code >> k & 1 == 1 { PI } else { 0.0 }).collect::<Vec<f64>>())
+        })
+        .filter(|(_, t)| norm(order(t, 1)) > 1e-9)
+        .map(|(few, t)| (few.min(4 - few), 2.0 / 4.0 * w1(&complete(4), &t)))
+        .collect();
+    let wrong = unbalanced.iter().any(|(few, value)| *few != 1 || (value - 0.75).abs() > 1e-12);
+    (unbalanced.len() != 8 || wrong).then(|| format!("fishpeak: {unbalanced:?}"))
+}
+
 #[test]
 fn phases_survive() {
     survive(&[
@@ -309,5 +353,7 @@ fn phases_survive() {
         Attempt { name: "double eigenvalues of C_N", tries: 300, seek: double_eigenvalues },
         Attempt { name: "Laplacians", tries: 300, seek: laplacians },
         Attempt { name: "unbalanced arrangements", tries: 12, seek: unbalanced },
+        Attempt { name: "incidence", tries: 60, seek: incidence },
+        Attempt { name: "four fish", tries: 1, seek: four_fish },
     ]);
 }
