@@ -179,7 +179,7 @@ fn most_switches() {
     }
     // n^(a(n-1)² + (c+9)(n-1) + 1) with a = c = 1, and 2n N(n-1) + n.
     assert!(most[2] <= 1 << 12 && most[3] <= 3usize.pow(25), "{most:?}");
-    assert!(most[2] <= 2 && most[3] <= 3 * 2 * 2 + 3 + 3, "{most:?}");
+    assert!(most[2] <= 2 && most[3] <= 2 * 3 * 2 + 3, "{most:?}");
 }
 
 /// chazelle.lem2.1, beyond.chazelle.angle: random flocks without and with hysteresis, and birds far away.

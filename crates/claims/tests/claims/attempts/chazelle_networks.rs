@@ -553,6 +553,12 @@ fn worked_matrices() {
         assert!((0..9).all(|k| close(product[k / 3][k % 3], printed[k / 3][k % 3])));
     }
     let p = vec![vec![0.8, 0.2], vec![2.0 / 3.0, 1.0 / 3.0]];
+    // Model D with c_1 = 1/5, c_2 = 2/3; (3, -10) belongs to 2/15, and neither it nor the image of (1, -1) has the sum 0.
+    assert_eq!(p, vec![vec![1.0 - 0.2, 0.2], vec![2.0 / 3.0, 1.0 / 3.0]]);
+    let mode = apply(&p, &[3.0, -10.0]);
+    assert!(close(mode[0], 3.0 * 2.0 / 15.0) && close(mode[1], -10.0 * 2.0 / 15.0));
+    let off = apply(&p, &[1.0, -1.0]);
+    assert!((off[0] + off[1]).abs() > 0.1);
     let image = apply(&p, &[1.0, 0.0]);
     assert!((image[0].hypot(image[1]) - 1.041).abs() < 5e-4 && (p[0][0] + p[1][1] - 1.0 - 0.133).abs() < 5e-4);
 }
