@@ -1,5 +1,6 @@
 //! Every claim as recorded.
 
+mod attempted;
 mod attempts;
 mod motion_attempts;
 mod paley_runs;

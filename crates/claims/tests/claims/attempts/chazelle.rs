@@ -3,32 +3,32 @@
 use super::Dice;
 use arithmetic::Rational;
 
-type Q = Rational;
+pub type Q = Rational;
 
-fn q(p: i64, r: i64) -> Q {
+pub fn q(p: i64, r: i64) -> Q {
     Q::new(p.into(), r.into())
 }
 
-fn size(x: &Q) -> Q {
+pub fn size(x: &Q) -> Q {
     if *x < q(0, 1) { -x.clone() } else { x.clone() }
 }
 
 /// A flock on the line: `x(t)`, the velocities of the next step, the edges of `G_t`.
-struct Birds {
-    x: Vec<Q>,
-    v: Vec<Q>,
-    edges: Vec<Vec<bool>>,
+pub struct Birds {
+    pub x: Vec<Q>,
+    pub v: Vec<Q>,
+    pub edges: Vec<Vec<bool>>,
     /// The hysteresis threshold.
     eps: Option<Q>,
     /// `c_i` by the degree.
     c: fn(usize) -> Q,
 }
 
-const LAZY: fn(usize) -> Q = |d| q(2, 3 * d.max(1) as i64);
-const VICSEK: fn(usize) -> Q = |d| q(1, d as i64 + 1);
+pub const LAZY: fn(usize) -> Q = |d| q(2, 3 * d.max(1) as i64);
+pub const VICSEK: fn(usize) -> Q = |d| q(1, d as i64 + 1);
 
 impl Birds {
-    fn new(x: Vec<Q>, v: Vec<Q>, eps: Option<Q>, c: fn(usize) -> Q) -> Self {
+    pub fn new(x: Vec<Q>, v: Vec<Q>, eps: Option<Q>, c: fn(usize) -> Q) -> Self {
         let n = x.len();
         let near = |i: usize, j: usize| i != j && size(&(&x[i] - &x[j])) <= q(1, 1);
         let edges = (0..n).map(|i| (0..n).map(|j| near(i, j)).collect()).collect();
@@ -36,7 +36,7 @@ impl Birds {
     }
 
     /// Moves by one step; whether the network changed.
-    fn step(&mut self) -> bool {
+    pub fn step(&mut self) -> bool {
         let n = self.x.len();
         let next: Vec<Q> = self.x.iter().zip(&self.v).map(|(x, v)| x + v).collect();
         let mut edges = vec![vec![false; n]; n];
@@ -58,7 +58,7 @@ impl Birds {
     }
 }
 
-fn paper_threshold(n: i64) -> Q {
+pub fn paper_threshold(n: i64) -> Q {
     q(1, n).pow(n.pow(4) as i32)
 }
 
@@ -179,7 +179,7 @@ fn most_switches() {
     }
     // n^(a(n-1)² + (c+9)(n-1) + 1) with a = c = 1, and 2n N(n-1) + n.
     assert!(most[2] <= 1 << 12 && most[3] <= 3usize.pow(25), "{most:?}");
-    assert!(most[2] <= 2 && most[3] <= 3 * 2 * 2 + 3 + 3, "{most:?}");
+    assert!(most[2] <= 2 && most[3] <= 2 * 3 * 2 + 3, "{most:?}");
 }
 
 /// chazelle.lem2.1, beyond.chazelle.angle: random flocks without and with hysteresis, and birds far away.

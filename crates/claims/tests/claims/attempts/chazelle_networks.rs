@@ -2,7 +2,7 @@
 
 use super::{Dice, Matrix, apply, close, identity, largest, times};
 
-type Graph = Vec<Vec<bool>>;
+pub type Graph = Vec<Vec<bool>>;
 
 fn random_graph(n: usize, joined: f64, dice: &mut Dice) -> Graph {
     let mut graph = vec![vec![false; n]; n];
@@ -13,7 +13,7 @@ fn random_graph(n: usize, joined: f64, dice: &mut Dice) -> Graph {
     graph
 }
 
-fn from_edges(n: usize, joined: impl Fn(usize, usize) -> bool) -> Graph {
+pub fn from_edges(n: usize, joined: impl Fn(usize, usize) -> bool) -> Graph {
     (0..n).map(|i| (0..n).map(|j| i != j && (joined(i, j) || joined(j, i))).collect()).collect()
 }
 
@@ -21,7 +21,7 @@ fn degree(graph: &Graph, i: usize) -> usize {
     graph[i].iter().filter(|joined| **joined).count()
 }
 
-fn connected(graph: &Graph) -> bool {
+pub fn connected(graph: &Graph) -> bool {
     let mut reached = vec![false; graph.len()];
     let mut stack = vec![0];
     while let Some(i) = stack.pop() {
@@ -42,7 +42,7 @@ fn connected_graph(n: usize, dice: &mut Dice) -> Graph {
     }
 }
 
-fn model_d(graph: &Graph, c: &[f64]) -> Matrix {
+pub fn model_d(graph: &Graph, c: &[f64]) -> Matrix {
     let n = graph.len();
     let entry = |i: usize, j: usize| {
         if i == j { 1.0 - c[i] * degree(graph, i) as f64 } else { c[i] * f64::from(u8::from(graph[i][j])) }
@@ -51,11 +51,11 @@ fn model_d(graph: &Graph, c: &[f64]) -> Matrix {
 }
 
 /// `c_i = share/d_i`.
-fn shares(graph: &Graph, mut share: impl FnMut() -> f64) -> Vec<f64> {
+pub fn shares(graph: &Graph, mut share: impl FnMut() -> f64) -> Vec<f64> {
     (0..graph.len()).map(|i| share() / degree(graph, i).max(1) as f64).collect()
 }
 
-fn vicsek(graph: &Graph) -> Vec<f64> {
+pub fn vicsek(graph: &Graph) -> Vec<f64> {
     (0..graph.len()).map(|i| 1.0 / (degree(graph, i) as f64 + 1.0)).collect()
 }
 
@@ -225,7 +225,7 @@ fn range(v: &[f64]) -> f64 {
 }
 
 /// Eigenvalues, decreasing, and orthonormal eigenvectors of a symmetric matrix (Jacobi).
-fn modes(m: &Matrix) -> Vec<(f64, Vec<f64>)> {
+pub fn modes(m: &Matrix) -> Vec<(f64, Vec<f64>)> {
     let n = m.len();
     let (mut a, mut u) = (m.clone(), identity(n));
     for (p, q) in (0..12).flat_map(|_| pairs(n)) {
@@ -506,6 +506,9 @@ fn stabilisers() {
             }
             assert!(whole.iter().flatten().zip(parts.iter().flatten()).all(|(x, y)| close(*x, *y)));
             assert!(tau_2(&whole) <= 2f64.sqrt() * contraction + 1e-12);
+            // Entries of at least 1/40: n^-4 for three birds or more, and shares of a tenth for two.
+            let size = n as f64;
+            assert!(contraction <= (-(k as f64) * size.powf(-4.0 * size * size)).exp() + 1e-12);
             // The count, where joined birds of V_k remain so.
             let end = history.graphs.len() + 1;
             let v = &sets[k];
@@ -550,6 +553,12 @@ fn worked_matrices() {
         assert!((0..9).all(|k| close(product[k / 3][k % 3], printed[k / 3][k % 3])));
     }
     let p = vec![vec![0.8, 0.2], vec![2.0 / 3.0, 1.0 / 3.0]];
+    // Model D with c_1 = 1/5, c_2 = 2/3; (3, -10) belongs to 2/15, and neither it nor the image of (1, -1) has the sum 0.
+    assert_eq!(p, vec![vec![1.0 - 0.2, 0.2], vec![2.0 / 3.0, 1.0 / 3.0]]);
+    let mode = apply(&p, &[3.0, -10.0]);
+    assert!(close(mode[0], 3.0 * 2.0 / 15.0) && close(mode[1], -10.0 * 2.0 / 15.0));
+    let off = apply(&p, &[1.0, -1.0]);
+    assert!((off[0] + off[1]).abs() > 0.1);
     let image = apply(&p, &[1.0, 0.0]);
     assert!((image[0].hypot(image[1]) - 1.041).abs() < 5e-4 && (p[0][0] + p[1][1] - 1.0 - 0.133).abs() < 5e-4);
 }

@@ -2,6 +2,7 @@
 //! was tried and what survived is listed in notes/attempts.md.
 
 mod chazelle;
+mod chazelle_late;
 mod chazelle_networks;
 mod veerman;
 

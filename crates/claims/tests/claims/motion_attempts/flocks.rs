@@ -384,6 +384,13 @@ fn exact_motions(_: &mut Random) -> Option<String> {
     if (most - 2.0).abs() > 1e-2 || least > 0.9 || pushes != [true; 2] {
         return Some(format!("propIV3b, proof_cases: {least} to {most}"));
     }
+    // Two with the same heading, at (0, 0) and (1, 1), whose V_t grows.
+    let start = [0.0, 0.0, 0.0, 2.0, 1.0, 1.0, 0.0, 1.0];
+    let v_t = |x: &[f64]| pair.energy(x) + split(x).1.iter().map(|v| heading(*v).powi(2)).sum::<f64>() / 2.0;
+    let grows = along(v_t, &start, &pair.gyroscopic(&start, raw));
+    if (grows - PI / 8.0).abs() > 1e-6 {
+        return Some(format!("eq9: {grows}"));
+    }
     let three = Flock { graph: complete(3), scale: vec![vec![1.0; 3]; 3], stiffness: 1.0, logarithmic: true };
     let (radius, omega) = ((2.0f64 / 3.0).sqrt(), 1.5f64.sqrt());
     let r: Vec<Z> = (0..3).map(|k| turn(0.3 + TAU * f64::from(k) / 3.0) * radius).collect();
@@ -414,6 +421,64 @@ fn near_minima(random: &mut Random) -> Option<String> {
     (off > 1e-3 || !pair || !row || !triangle).then(|| format!("sec4.flocking, cor2_rate: {off}"))
 }
 
+/// Under (4), (5) of the first paper linked agents fly at each other: no nearer, and on connected graphs no further, than the energy allows.
+fn head_on(random: &mut Random) -> Option<String> {
+    let n = 2 + below(random, 2);
+    let graph = connected(random, n);
+    let flock = Flock::draw(random, graph, true);
+    let mut x = start(random, n, 2.0, 1.0);
+    let (i, j) = flock.edges()[0];
+    let way = split(&x).0[j] - split(&x).0[i];
+    for (k, side) in [(i, 3.0), (j, -3.0)] {
+        (x[4 * k + 2], x[4 * k + 3]) = (way.0 * side / norm(way), way.1 * side / norm(way) + 1e-3);
+    }
+    let c = flock.energy(&x);
+    let most = flock.edges().iter().map(|(i, j)| flock.reach(*i, *j, c)).fold(0.0, f64::max);
+    for _ in 0..40 {
+        x = flow(|x| flock.gyroscopic(x, wrapped), x, 5e-4, 100);
+        let r = split(&x).0;
+        let near = flock.edges().iter().any(|(i, j)| flock.value(*i, *j, dot(r[*i] - r[*j], r[*i] - r[*j])) > c + 1e-2);
+        let far = pairs(n).any(|(i, j)| norm(r[i] - r[j]) > (n as f64 - 1.0) * most + 1e-2);
+        if near || far || (flock.energy(&x) - c).abs() > 1e-2 * (1.0 + c) {
+            return Some(format!("collision, anyV, Vt_inv: from {c} to {}", flock.energy(&x)));
+        }
+    }
+    None
+}
+
+/// Second differences of the controls of the first paper where velocities are equal, along the positive x axis, or any: they settle.
+fn smooth_controls(random: &mut Random) -> Option<String> {
+    let n = 1 + below(random, 3);
+    let graph = connected(random, n);
+    let flock = Flock::draw(random, graph, true);
+    let mut x = start(random, n, 2.0, 2.0);
+    match below(random, 3) {
+        0 => (0..n).for_each(|i| (x[4 * i + 2], x[4 * i + 3]) = (0.7, 0.4)),
+        1 => (0..n).for_each(|i| (x[4 * i + 2], x[4 * i + 3]) = (1.0 + i as f64, 0.0)),
+        _ => (),
+    }
+    if split(&x).1.iter().any(|v| heading(*v).abs() > 3.0) {
+        return None;
+    }
+    let way: Vec<f64> = x.iter().map(|_| between(random, -1.0, 1.0)).collect();
+    let second = |h: f64| -> Vec<f64> {
+        let at = |t: f64| flock.gyroscopic(&x.iter().zip(&way).map(|(x, w)| x + t * w).collect::<Vec<_>>(), raw);
+        at(h).iter().zip(at(0.0)).zip(at(-h)).map(|((a, b), c)| (a - 2.0 * b + c) / (h * h)).collect()
+    };
+    let pairs = second(1e-3).into_iter().zip(second(5e-4));
+    pairs
+        .map(|(a, b)| (a - b).abs() / (1.0 + a.abs()))
+        .find(|off| *off > 0.05)
+        .map(|off| format!("smooth: {off}, {x:?}"))
+}
+
+/// `1/d² + log d²` from a thousandth to a thousand: down to 1, up from there.
+fn figure_2(_: &mut Random) -> Option<String> {
+    let value = |k: i32| (10f64.powf(f64::from(k) / 100.0).powi(2)).ln() + 10f64.powf(-f64::from(k) / 50.0);
+    let wrong = (-300..300).find(|k| (value(*k) > value(k + 1)) != (*k < 0));
+    wrong.map(|k| format!("Vmono, fig2: at 10^({k}/100)"))
+}
+
 #[test]
 fn flocks_survive() {
     survive(&[
@@ -426,5 +491,8 @@ fn flocks_survive() {
         Attempt { name: "rates without potentials", tries: 40, seek: rates },
         Attempt { name: "exact motions", tries: 1, seek: exact_motions },
         Attempt { name: "near minima", tries: 4, seek: near_minima },
+        Attempt { name: "straight at each other", tries: 8, seek: head_on },
+        Attempt { name: "smooth controls", tries: 60, seek: smooth_controls },
+        Attempt { name: "the potential of Figure 2", tries: 1, seek: figure_2 },
     ]);
 }

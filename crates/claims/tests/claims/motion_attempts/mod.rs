@@ -8,8 +8,6 @@ mod phases;
 mod switching;
 
 use arithmetic::random::{generator, uniform};
-use claims::RECORDED;
-use ledger::{Verdict, recorded};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::{PI, TAU};
 use std::ops::{Add, Mul, Neg, Sub};
@@ -31,19 +29,6 @@ pub fn survive(attempts: &[Attempt]) {
             assert!(found.is_none(), "{}, case {k}: {}", attempt.name, found.unwrap_or_default());
         }
     }
-}
-
-/// Every claim of these papers that holds is in the list of the note.
-#[test]
-fn every_claim_that_holds_is_attempted() {
-    let note = include_str!("../../../../../notes/attempts-oscillators-and-particles.md");
-    let missing: Vec<&str> = recorded(RECORDED)
-        .filter(|row| row.verdict == Verdict::Holds.word())
-        .map(|row| row.id)
-        .filter(|id| ["paley.", "tanner1.", "tanner2."].iter().any(|p| id.trim_start_matches("beyond.").starts_with(p)))
-        .filter(|id| !note.contains(&format!("`{}`", id)))
-        .collect();
-    assert_eq!(missing, Vec::<&str>::new());
 }
 
 // --- Numbers ---

@@ -416,6 +416,22 @@ fn printed_abscissae(_random: &mut Random) -> Option<String> {
             return Some(format!("abscissa: M = {clusters}: {found}, printed {printed}"));
         }
     }
+    for n in [5usize, 8, 12, 18, 24, 30] {
+        for clusters in (1..=n).filter(|clusters| n.is_multiple_of(*clusters)) {
+            let (m, value) = (n / clusters, |j: usize| if j.is_multiple_of(n) { 0.0 } else { n as f64 });
+            let one = |q: usize| {
+                let (up, down) = (value(m + q), value(m + n - q));
+                let h = if q == 0 { 0.0 } else { 0.04 + if q.is_multiple_of(m) { 0.2 } else { 0.0 } };
+                let k0 = 0.1 / n as f64 / 2.0;
+                [Z(k0 * (up + down) + h, 0.0), Z(w * w, -w * k0 * (up - down)), Z(h * w * w, 0.0)]
+            };
+            let found = abscissa(&(0..n).map(one).collect::<Vec<_>>(), w, 1);
+            let printed = [-0.0312191180, -0.0312191180, -0.0047433127, -0.0041665656][clusters.min(4) - 1];
+            if (found - printed).abs() > 1e-9 {
+                return Some(format!("abscissa: N = {n}, M = {clusters}: {found}, printed {printed}"));
+            }
+        }
+    }
     let others: [(usize, f64, f64, Spectrum, usize, f64); 6] = [
         (0, 1.2, -0.3, &ring, 1, -0.0068228870),
         (5, 1.2, 0.3, &ring, 1, -0.0045001538),
@@ -439,6 +455,10 @@ fn beacon_and_drift(random: &mut Random) -> Option<String> {
         let t = split(x).1;
         centres(x, w).iter().zip(t).map(|(c, t)| w + w * k * dot(turn(t), *c - target)).collect()
     };
+    let off = |x: &[f64]| centres(x, w).iter().map(|c| dot(*c - target, *c - target)).sum::<f64>();
+    if along(off, &start, &model(&start, &steer(&start), Z::default())) > 1e-9 {
+        return Some(format!("beacon.form: the potential grows, w0 = {w}, K = {k}"));
+    }
     let end = flow(|x| model(x, &steer(x), Z::default()), start, 0.03, 5000);
     if centres(&end, w).iter().any(|c| norm(*c - target) > 1e-2) {
         return Some(format!("beacon.form: w0 = {w}, K = {k}"));
@@ -463,6 +483,112 @@ fn perpendicular(random: &mut Random) -> Option<String> {
     (most > 2e-2).then(|| format!("fish28ori: {most} for K_1 = {}, w0 = {}, {:?}", law.k1, law.omega, law.graph))
 }
 
+/// Figure 8 with `K_1 >= K_0` from twelvefold symmetric starts, by one particle: its centre does not come to rest at 0.
+fn symmetric_zones(random: &mut Random) -> Option<String> {
+    let (w, k0) = (0.1, 0.1);
+    let k1 = k0 * [1.0, 1.3, 3.0, 10.0][below(random, 4)];
+    let radius = 2.0 * (PI / [2.0, 8.0, 12.0][below(random, 3)]).sin() / w;
+    let rate = |x: &[f64]| -> Vec<f64> {
+        let (r, t) = (Z(x[0], x[1]), x[2]);
+        let (mut align, mut away) = (0.0, Z::default());
+        for k in 1..12 {
+            let by = TAU * f64::from(k) / 12.0;
+            let step = r * turn(by) - r;
+            // Blind within 30 degrees of straight behind.
+            if dot(step, turn(t)) < -(0.75f64.sqrt()) * norm(step) {
+                continue;
+            }
+            away = away - step;
+            if norm(step) <= radius {
+                align -= by.sin();
+            }
+        }
+        let u = w + (k1 - k0) / 12.0 * align + w * k0 / 12.0 * dot(turn(t), away);
+        vec![t.cos(), t.sin(), u]
+    };
+    // Near the formation, or anywhere.
+    let t = between(random, 0.0, TAU);
+    let size = [0.3, 10.0][below(random, 2)];
+    let near = -(I * turn(t)) * (1.0 / w) + Z(between(random, -size, size), between(random, -size, size));
+    let mut x = flow(rate, vec![near.0, near.1, t], 0.2, 8000);
+    let mut far = 0.0f64;
+    for _ in 0..400 {
+        x = flow(rate, x, 0.2, 4);
+        far = far.max(norm(Z(x[0], x[1]) + I * turn(x[2]) * (1.0 / w)) * w);
+    }
+    (far < 0.01).then(|| format!("fig8.circ: {far} with K_1 = {k1}, radius {radius}"))
+}
+
+/// Two particles at constant rates: the shape, what one sees of the other, stays as it is exactly in parallel and circular formations; and
+/// shape controls do not see where the group is.
+fn relative_equilibria(random: &mut Random) -> Option<String> {
+    let (first, equal) = ([0.0, sign(random) * between(random, 0.4, 1.5)][below(random, 2)], below(random, 2) == 0);
+    let second = if equal { first } else { first + between(random, 0.4, 1.0) };
+    let turned = [0.0, between(random, 0.5, 2.5)][below(random, 2)];
+    let t = [between(random, 0.0, TAU), 0.0];
+    let t = [t[0], t[0] + turned];
+    let around = below(random, 2) == 0 && first != 0.0 && second != 0.0;
+    let place = |k: usize, w: f64| if around { -(I * turn(t[k])) * (1.0 / w) } else { Z(2.0 * k as f64, 0.7) };
+    let x = join(&[place(0, first), place(1, second)], &t);
+    let shape = |x: &[f64]| {
+        let (r, t) = split(x);
+        let seen = (r[1] - r[0]) * turn(-t[0]);
+        [seen.0, seen.1, (t[1] - t[0]).cos(), (t[1] - t[0]).sin()]
+    };
+    let (mut end, mut off) = (x.clone(), 0.0f64);
+    for _ in 0..8 {
+        end = flow(|x| model(x, &[first, second], Z::default()), end, 0.01, 100);
+        off = shape(&end).iter().zip(shape(&x)).map(|(a, b)| (a - b).abs()).fold(off, f64::max);
+    }
+    let rest = equal && if first == 0.0 { turned == 0.0 } else { around };
+    if rest != (off < 1e-6) || !rest && off < 1e-2 {
+        return Some(format!("releq: rates {first}, {second}, headings {turned} apart, one centre {around}: {off}"));
+    }
+    let n = 1 + below(random, 4);
+    let law = Law { gains: vec![0.7, -0.4], ..Law::draw(random, n) };
+    let x = join(&vectors(random, n, 2.0), &phases(random, n));
+    let (angle, shift, (r, t)) = (between(random, 0.0, TAU), Z(3.0, -2.0), split(&x));
+    let r: Vec<Z> = r.iter().map(|r| *r * turn(angle) + shift).collect();
+    let moved = law.steering(&join(&r, &t.iter().map(|t| t + angle).collect::<Vec<_>>()));
+    law.steering(&x).into_iter().zip(moved).find_map(|(a, b)| unlike("releq, shape space", a, b))
+}
+
+/// Equal phases under (9) or (14), at rest and turning, one particle too.
+fn synchronised(random: &mut Random) -> Option<String> {
+    let n = 1 + below(random, 4);
+    let w = [0.0, sign(random) * between(random, 0.3, 2.0)][below(random, 2)];
+    let mut law = Law { omega: w, k0: 0.0, ..Law::draw(random, n) };
+    if below(random, 2) == 0 {
+        (law.k1, law.gains) = (0.0, vec![sign(random)]);
+    }
+    // Spacing needs w0 in a denominator and is off.
+    let field = |x: &[f64]| {
+        let other = Law { omega: 1.0, ..law.clone() };
+        model(x, &other.steering(x).iter().map(|u| u - 1.0 + w).collect::<Vec<_>>(), Z::default())
+    };
+    let start = join(&vectors(random, n, 2.0), &vec![0.3; n]);
+    let end = split(&flow(field, start.clone(), 0.01, 200)).1;
+    let shared = end.iter().all(|t| (t - 0.3 - 2.0 * w).abs() < 1e-6);
+    let parallel = end.iter().all(|t| (t - 0.3).abs() < 1e-6);
+    (!shared || parallel != (w == 0.0)).then(|| format!("sync.par: w0 = {w}, {end:?}"))
+}
+
+/// Equation (26) with rates that depend on the state: its error over one step is of the second order.
+fn euler(random: &mut Random) -> Option<String> {
+    let n = 1 + below(random, 3);
+    let law = Law::draw(random, n);
+    let x = join(&vectors(random, n, 2.0), &phases(random, n));
+    let error = |step: f64| {
+        let ((r, t), u) = (split(&x), law.steering(&x));
+        let r: Vec<Z> = r.iter().zip(&t).map(|(r, t)| *r + turn(*t) * step).collect();
+        let t: Vec<f64> = t.iter().zip(u).map(|(t, u)| t + step * u).collect();
+        let exact = flow(|x| law.field(x), x.clone(), step / 10.0, 10);
+        join(&r, &t).iter().zip(exact).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+    };
+    let quotient = error(2e-3) / error(1e-3);
+    ((quotient - 4.0).abs() > 0.1).then(|| format!("eq26: {quotient}"))
+}
+
 #[test]
 fn particles_survive() {
     survive(&[
@@ -478,5 +604,9 @@ fn particles_survive() {
         Attempt { name: "printed abscissae", tries: 1, seek: printed_abscissae },
         Attempt { name: "beacon and drift", tries: 4, seek: beacon_and_drift },
         Attempt { name: "perpendicular motion", tries: 4, seek: perpendicular },
+        Attempt { name: "relative equilibria of two", tries: 40, seek: relative_equilibria },
+        Attempt { name: "symmetric zones", tries: 8, seek: symmetric_zones },
+        Attempt { name: "synchronised arrangements", tries: 20, seek: synchronised },
+        Attempt { name: "Euler's step", tries: 20, seek: euler },
     ]);
 }

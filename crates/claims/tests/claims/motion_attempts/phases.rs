@@ -211,6 +211,15 @@ fn circulants(random: &mut Random) -> Option<String> {
     let offsets: Vec<usize> = (1..n).filter(|_| below(random, 3) == 0).collect();
     let (both, column) = (below(random, 2) == 0, below(random, n));
     let graph = circulant(n, &offsets, both);
+    if n > 2 {
+        let (whole, ring) = (matrix(&complete(n)), matrix(&circulant(n, &[1], true)));
+        let joined = components(&circulant(n, &[1], true)).iter().all(|c| *c == 0);
+        let row = |j: usize| if j == 0 { 2.0 } else { -f64::from(u8::from(j == 1 || j + 1 == n)) };
+        let wrong = |j: usize| whole[0][j] != if j == 0 { n as f64 - 1.0 } else { -1.0 } || ring[0][j] != row(j);
+        if !joined || (0..n).any(|j| wrong(j) || ring[j][j] != 2.0 || whole[j][j] != n as f64 - 1.0) {
+            return Some(format!("CN: {n}"));
+        }
+    }
     let t: Vec<f64> = (0..n).map(|k| TAU * (column * k % n) as f64 / n as f64).collect();
     let z = circle(&t);
     let image = laplacian(&graph, &z);
@@ -244,6 +253,18 @@ fn double_eigenvalues(random: &mut Random) -> Option<String> {
         .collect();
     let off = vector.iter().map(|z| (norm(*z) - norm(vector[0])).abs()).fold(0.0, f64::max);
     let mixed = a > 0.01 && a < 0.99;
+    if n.is_multiple_of(4) {
+        // (u, v, -u, -v, ..): always of the eigenvalue 2, and hardly ever a pattern.
+        let (u, v) = (between(random, 0.0, TAU), between(random, 0.0, TAU));
+        let t: Vec<f64> = (0..n).map(|k| [u, v, u + PI, v + PI][k % 4]).collect();
+        let z = circle(&t);
+        let image = laplacian(&circulant(n, &[1], true), &z);
+        let symmetric = (1..=n).any(|m| n.is_multiple_of(m) && is_pattern(&t, m));
+        let special = (0..8).any(|k| wrap(v - u - f64::from(k) * PI / 4.0).abs() < 1e-2);
+        if (0..n).any(|k| norm(image[k] - z[k] * 2.0) > 1e-9) || symmetric && !special {
+            return Some(format!("C_{n}: {u}, {v}"));
+        }
+    }
     (off < 1e-9 && mixed && 4 * m != n).then(|| format!("C_{n}, column {m}: {vector:?}"))
 }
 
@@ -296,6 +317,71 @@ fn unbalanced(random: &mut Random) -> Option<String> {
     (away < 0.05).then(|| format!("unbal: {few} of {n}, K_1 = {k}: {pushed:?} stays"))
 }
 
+/// Opposite pairs and triangles at any angles, on a line or not: the Hessian of `U_1` has rank 2 or 1, positive.
+fn balanced(random: &mut Random) -> Option<String> {
+    let (pairs, triangles) = (1 + below(random, 3), below(random, 2));
+    let straight = triangles == 0 && below(random, 2) == 0;
+    let mut t = Vec::new();
+    for k in 0..pairs {
+        let start = if straight { 0.3 } else { 0.3 + k as f64 * between(random, 0.4, 0.9) };
+        t.extend([start, start + PI]);
+    }
+    (0..triangles).for_each(|_| t.extend([0.1, 0.1 + TAU / 3.0, 0.1 + 2.0 * TAU / 3.0]));
+    let line = triangles == 0 && (straight || pairs == 1);
+    let values = eigenvalues(&jacobian(|t| gradient(|t| potential(t, 1), t), &t));
+    let found = (values.iter().filter(|x| **x > 1e-3).count(), values.iter().filter(|x| **x < -1e-3).count());
+    (found != (if line { 1 } else { 2 }, 0)).then(|| format!("inertia: {found:?} at {t:?}"))
+}
+
+/// Incidence matrices with one column for each edge, directed either way, and with one for each direction; no edges too.
+fn incidence(random: &mut Random) -> Option<String> {
+    let n = 1 + below(random, 5);
+    let graph = undirected(random, n);
+    let l = matrix(&graph);
+    let (mut once, mut twice) = (vec![vec![0.0; n]; n], vec![vec![0.0; n]; n]);
+    for (k, j) in pairs(n).filter(|(k, j)| graph[*k][*j] > 0.0) {
+        let way = sign(random);
+        for (product, ways) in [(&mut once, vec![way]), (&mut twice, vec![1.0, -1.0])] {
+            for way in ways {
+                let column: Vec<f64> = (0..n)
+                    .map(|i| {
+                        if i == k {
+                            way
+                        } else if i == j {
+                            -way
+                        } else {
+                            0.0
+                        }
+                    })
+                    .collect();
+                for (row, x) in product.iter_mut().zip(&column) {
+                    row.iter_mut().zip(&column).for_each(|(entry, y)| *entry += x * y);
+                }
+            }
+        }
+    }
+    let same = (0..n).all(|k| (0..n).all(|j| l[k][j] == once[k][j] && 2.0 * l[k][j] == twice[k][j]));
+    (!same).then(|| format!("incid: {graph:?}"))
+}
+
+/// All ways to put four fish at two opposite headings, by number.
+fn four_fish(_: &mut Random) -> Option<String> {
+    let unbalanced: Vec<(u32, f64)> = (1..15u32)
+        .map(|code| {
+            (code.count_ones(), (0..4).map(|k| if code >> k & 1 == 1 { PI } else { 0.0 }).collect::<Vec<f64>>())
+        })
+        .filter(|(_, t)| norm(order(t, 1)) > 1e-9)
+        .map(|(few, t)| (few.min(4 - few), 2.0 / 4.0 * w1(&complete(4), &t)))
+        .collect();
+    let wrong = unbalanced.iter().any(|(few, value)| *few != 1 || (value - 0.75).abs() > 1e-12);
+    // On a square each hears the two next to it, all opposite: 4/3.
+    let square = 2.0 / 3.0 * w1(&circulant(4, &[1], true), &[0.0, PI, 0.0, PI]);
+    if (square - 4.0 / 3.0).abs() > 1e-12 {
+        return Some(format!("scale: {square}"));
+    }
+    (unbalanced.len() != 8 || wrong).then(|| format!("fishpeak: {unbalanced:?}"))
+}
+
 #[test]
 fn phases_survive() {
     survive(&[
@@ -309,5 +395,8 @@ fn phases_survive() {
         Attempt { name: "double eigenvalues of C_N", tries: 300, seek: double_eigenvalues },
         Attempt { name: "Laplacians", tries: 300, seek: laplacians },
         Attempt { name: "unbalanced arrangements", tries: 12, seek: unbalanced },
+        Attempt { name: "balanced arrangements", tries: 30, seek: balanced },
+        Attempt { name: "incidence", tries: 60, seek: incidence },
+        Attempt { name: "four fish", tries: 1, seek: four_fish },
     ]);
 }

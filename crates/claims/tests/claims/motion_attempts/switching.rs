@@ -107,6 +107,13 @@ fn distance_runs(random: &mut Random) -> Option<String> {
         before = now;
     }
     let off = disagreement(&x);
+    // Away from ties the forces vanish too.
+    let r = split(&x).0;
+    let tied = pairs(n).any(|(i, j)| (norm(r[i] - r[j]) - radius).abs() < 2e-2);
+    let force = flock(within(&r, radius)).gradients(&r).iter().map(|g| norm(*g)).fold(0.0, f64::max);
+    if joined && !tied && force > 5e-2 {
+        return Some(format!("thm2_pot: {force} from Q = {first}"));
+    }
     (joined && off > 2e-2).then(|| format!("thm2_vel: {off} from Q = {first}"))
 }
 
