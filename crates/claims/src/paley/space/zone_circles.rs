@@ -144,7 +144,8 @@ fn shares(variant: &CircularVariant, run: &mut Run) -> Result<Vec<(usize, Seen)>
 
 fn examine_circles(variant: &CircularVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     if let Some(excess) = variant.excesses.iter().find(|&&excess| !splay_turns_slower(excess)) {
-        let what = format!("K_1 = {} K_0: near the circular formation u_k >= w0 for some way to decide the ties", excess + 1);
+        let what =
+            format!("K_1 = {} K_0: near the circular formation u_k >= w0 for some way to decide the ties", excess + 1);
         return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "symmetric motions", "exact sines").on([3])));
     }
     let detail = "K_1 = K_0, 2 K_0, 5 K_0: near the circular formation of radius 1/w0 every u_k < w0 by exact sines, \
