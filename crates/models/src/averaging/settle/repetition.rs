@@ -93,7 +93,7 @@ impl Trajectory<'_> {
     }
 
     /// Goes round a cycle as long as it is known to go on, without a decision about any distance: only the exact numbers are kept up. All
-    /// switches are reported; stops at the limit of their number, and says so.
+    /// switches are reported; stops at the limit of their number, and says so. Stopped by the caller, it is where the last switch was.
     pub(super) fn go_round(
         &mut self,
         Round { cycle, mut flock, steps }: Round,
@@ -103,9 +103,12 @@ impl Trajectory<'_> {
         let before = |k: usize| &cycle[(k + cycle.len() - 1) % cycle.len()];
         let mut switches: Vec<Switch> =
             (0..cycle.len()).map(|k| Switch::between(before(k), &cycle[k], BigInt::ZERO)).collect();
-        let mut within = true;
+        let mut within = Ok(true);
         for phase in (0..cycle.len()).cycle().take(usize::try_from(steps).unwrap_or(usize::MAX)) {
-            self.progress.checkpoint()?;
+            if let Err(stopped) = self.progress.checkpoint() {
+                within = Err(stopped.into());
+                break;
+            }
             flock.step_on(&cycle[phase])?;
             let switch = &mut switches[phase];
             if switch.gained.is_empty() && switch.lost.is_empty() {
@@ -115,14 +118,14 @@ impl Trajectory<'_> {
             self.last_switch.clone_from(flock.time());
             self.switches += 1;
             found(switch);
-            within = self.switches < limits.switches;
-            if !within {
+            if self.switches >= limits.switches {
+                within = Ok(false);
                 break;
             }
         }
         self.flock = flock;
         (self.balls, self.before_jumps) = (None, None);
         self.recent.clear();
-        Ok(within)
+        within
     }
 }
