@@ -196,7 +196,7 @@ fn exact_difference(identity: &Identity<'_>, at: Vec<Rational>) -> Option<Identi
 fn small_counterexample(identity: &Identity<'_>, prime: u64) -> Option<IdentityOutcome> {
     const VALUES: [i64; 6] = [1, -1, 2, -2, 3, -3];
     const MOST_POINTS: usize = 20_000;
-    let residues = VALUES.map(|x| Probe::Residue(Residue::new(0, prime)).integer(x));
+    let residues = VALUES.map(|x| Probe::Residue(Residue::modulo(0, prime)).integer(x));
     let mut tried = 0;
     for level in 1..=VALUES.len() {
         // All index vectors below `level` with `level - 1` among them.
@@ -254,7 +254,7 @@ fn random_residue(prime: u64, random: &mut ChaCha8Rng) -> Residue {
     loop {
         let drawn = random.next_u64() >> 3;
         if drawn < prime {
-            return Residue::new(drawn, prime);
+            return Residue::modulo(drawn, prime);
         }
     }
 }

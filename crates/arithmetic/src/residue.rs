@@ -44,7 +44,19 @@ pub fn is_prime(n: u64) -> bool {
 
 impl Residue {
     /// The residue of a number modulo a prime.
-    pub fn new(value: u64, prime: u64) -> Self {
+    ///
+    /// # Errors
+    /// [`ArithmeticError::Domain`] for a modulus that is not prime.
+    pub fn new(value: u64, prime: u64) -> Result<Self, ArithmeticError> {
+        if is_prime(prime) {
+            Ok(Residue::modulo(value, prime))
+        } else {
+            Err(ArithmeticError::Domain("a prime modulus"))
+        }
+    }
+
+    /// The same for a modulus that is known to be prime.
+    pub(crate) fn modulo(value: u64, prime: u64) -> Self {
         Residue { value: value % prime, prime }
     }
 
@@ -79,7 +91,7 @@ operators!([] Residue, Residue::sum, |a, b| Residue::sum(a, &b.opposite()), Resi
 
 impl Ring for Residue {
     fn integer(&self, n: i64) -> Self {
-        let absolute = Residue::new(n.unsigned_abs(), self.prime);
+        let absolute = Residue::modulo(n.unsigned_abs(), self.prime);
         if n < 0 { absolute.opposite() } else { absolute }
     }
 }

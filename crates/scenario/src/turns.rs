@@ -2,8 +2,8 @@
 
 use super::links::Guard;
 use super::network::Pair;
-use models::angles::modulo_turns;
 use models::double_integrator::HeadingDifference;
+use motion::whole_turns;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
@@ -83,10 +83,7 @@ impl Turns {
                     let difference = headings[pair.0] - headings[pair.1];
                     match before.get(pair) {
                         Some(turns) => turns + jump(difference - TAU * *turns as f64),
-                        None => {
-                            let wrapped = HeadingDifference::Wrapped.read(modulo_turns(difference));
-                            ((difference - wrapped) / TAU).round() as i64
-                        }
+                        None => whole_turns(difference) as i64,
                     }
                 };
                 self.pairs = links.iter().map(|pair| (*pair, turns(pair))).collect();

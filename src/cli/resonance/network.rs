@@ -8,10 +8,10 @@ use flockproof::matrix::{RationalMatrix, SparseMatrix};
 use flockproof::platoon::growth::peak_of_car;
 use flockproof::platoon::margins::{Margins, margins, margins_of_cars};
 use flockproof::platoon::observe::Extreme;
-use flockproof::platoon::vector_form::motion_rows_of_cars;
+use flockproof::platoon::vector_form::{self, motion_rows_of_cars};
 use flockproof::platoon::{Communication, CommunicationGraph, Gains};
 use flockproof::report::{NamedMatrix, Provenance, matrix_files};
-use flockproof::spectrum::{Polynomial, matrix_spectrum};
+use flockproof::spectrum::matrix_spectrum;
 use num_traits::{Signed, ToPrimitive};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -178,15 +178,14 @@ fn is_stable(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Option<bool
         return None;
     }
     let motion = RationalMatrix::from_rows(&motion_rows_of_cars(reduced, |k| &gains[k])).ok()?;
-    let polynomial = motion.characteristic_polynomial().ok()?;
-    Some(Polynomial::from_rationals(&polynomial.coefficients()).is_hurwitz())
+    vector_form::is_stable(&motion).ok()
 }
 
 /// The margins.
 fn margins_of(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Option<Margins> {
     let equal = gains.iter().all(|other| *other == gains[0]);
     if !equal {
-        return (gains.len() <= MOST_OWN_MARGINS).then(|| margins_of_cars(reduced, gains));
+        return if gains.len() <= MOST_OWN_MARGINS { margins_of_cars(reduced, gains).ok() } else { None };
     }
     if gains.len() > MOST_MARGINS {
         return None;

@@ -1,39 +1,34 @@
 //! Graphs up to the names of their vertices.
 
 use super::Graph;
+use super::classes::connected_graphs;
+use arithmetic::Unwatched;
 use num_bigint::BigUint;
 
+/// Largest order of which all pairs are bits of 128.
+const LARGEST_IN_A_WORD: usize = 16;
+
 impl Graph {
-    /// One connected graph of each isomorphism class, the first in the order of [`Graph::all`] (1, 1, 2, 6, 21, 112, 853 of
-    /// them for the orders 1 to 7; larger orders take more time than anybody has).
+    /// One connected graph of each isomorphism class, the first in the order of [`Graph::all`], and in that order (1, 1, 2, 6, 21, 112, 853 of
+    /// them for the orders 1 to 7); none for orders above [`LARGEST_CLASSES`](super::classes::LARGEST_CLASSES).
     ///
-    /// Up to order 7 the whole orbit of each new graph is marked, so the cost is that of the classes times `order!`, plus one
-    /// bit for each labelled graph.
+    /// The classes are those of [`connected_graphs`]; finding the first of each costs `order!` renamings.
     pub fn connected_up_to_isomorphism(order: usize) -> Vec<Graph> {
-        const LARGEST_MARKED: usize = 7;
-        if order > LARGEST_MARKED {
-            let first = |graph: &Graph| graph.isomorphism_code() == code(&graph.edges(), |i| i);
-            return Graph::all(order).filter(Graph::is_connected).filter(first).collect();
-        }
-        let orders: Vec<Vec<usize>> = permutations(order).collect();
-        let mut seen = vec![false; 1 << (order * order.saturating_sub(1) / 2)];
-        let mut found = Vec::new();
-        for (code, graph) in Graph::all(order).enumerate() {
-            if seen[code] || !graph.is_connected() {
-                continue;
-            }
-            let edges = graph.edges();
-            for names in &orders {
-                seen[edges.iter().map(|&(i, j)| 1 << pair_bit(names[i], names[j])).sum::<usize>()] = true;
-            }
-            found.push(graph);
-        }
-        found
+        // Nobody stops it.
+        let classes = connected_graphs(order, &Unwatched).unwrap_or_default();
+        let mut codes: Vec<BigUint> = classes.iter().map(Graph::isomorphism_code).collect();
+        codes.sort_unstable();
+        codes.iter().map(|code| Graph::from_fn(order, |i, j| code.bit(pair_bit(i, j) as u64))).collect()
     }
 
     /// A number that isomorphic graphs of the same order share and others do not: the least code among all `order!` renamings.
     pub fn isomorphism_code(&self) -> BigUint {
         let edges = self.edges();
+        if self.order() <= LARGEST_IN_A_WORD {
+            let code =
+                |names: Vec<usize>| edges.iter().map(|&(i, j)| 1u128 << pair_bit(names[i], names[j])).sum::<u128>();
+            return permutations(self.order()).map(code).min().map(BigUint::from).unwrap_or_default();
+        }
         permutations(self.order()).map(|names| code(&edges, |i| names[i])).min().unwrap_or_default()
     }
 }

@@ -34,7 +34,7 @@ pub enum NamedGraph {
     /// `platoon1:M`: vertex 1 is the leader, who senses nobody; each of the M followers of the car in front
     /// (Veerman et al., equation (1)).
     PlatoonOne(usize),
-    /// `platoon2:M`: followers take account of the cars in front and behind with weights 1/2; the last of the one in front
+    /// `platoon2:M`: each follower senses the cars in front and behind with weights 1/2; the last one only the car in front,
     /// with weight 1 (equation (2)).
     PlatoonTwo(usize),
     /// `geometric:N:R:SEED`: N points at random in the unit square, joined at distance R or less.
@@ -166,15 +166,24 @@ impl NamedGraph {
             | NamedGraph::Star(n)
             | NamedGraph::Circulant(n, _)
             | NamedGraph::Geometric { order: n, .. } => *n,
-            NamedGraph::PlatoonOne(m) | NamedGraph::PlatoonTwo(m) => m + 1,
+            NamedGraph::PlatoonOne(m) | NamedGraph::PlatoonTwo(m) => m.saturating_add(1),
         }
+    }
+
+    /// Whether its numbers are those of a graph: whether the name that it would have can be read.
+    ///
+    /// # Errors
+    /// [`NameError`] where they are not.
+    pub fn check(&self) -> Result<(), NameError> {
+        self.to_string().parse().map(|_: NamedGraph| ())
     }
 
     /// The graph itself.
     ///
     /// # Errors
-    /// [`NameError::TooManyArcs`].
+    /// [`NameError::TooManyArcs`], and those of [`NamedGraph::check`].
     pub fn build(&self) -> Result<WeightedGraph, NameError> {
+        self.check()?;
         let n = self.order();
         let arcs = match self {
             NamedGraph::Complete(_) => n.saturating_mul(n),

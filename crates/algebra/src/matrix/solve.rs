@@ -131,8 +131,11 @@ fn eliminate(rows: &mut [Vec<BigInt>], columns: usize, progress: &dyn Progress) 
 /// The determinant over any ordered field; 1 for no rows.
 ///
 /// # Errors
-/// [`ArithmeticError`] where a pivot cannot be inverted (an interval around zero).
+/// [`ArithmeticError`] where a pivot cannot be inverted (an interval around zero), or where there are not as many columns as rows.
 pub fn determinant_over_field<T: Field + Signed>(mut rows: Vec<Vec<T>>, one: T) -> Result<T, ArithmeticError> {
+    if rows.iter().any(|row| row.len() != rows.len()) {
+        return Err(ArithmeticError::Domain("as many columns as rows"));
+    }
     let mut product = one;
     for column in 0..rows.len() {
         let found = (column..rows.len()).find(|&i| rows[i][column].sign() != Some(Sign::Zero));
@@ -157,9 +160,13 @@ pub fn determinant_over_field<T: Field + Signed>(mut rows: Vec<Vec<T>>, one: T) 
 /// Solves `A x = b` over any scalars, given as rows `(A | b)`, taking as pivot the first entry that can be inverted.
 ///
 /// # Errors
-/// [`ArithmeticError::DivisionByZero`] where no pivot can be inverted.
+/// [`ArithmeticError::DivisionByZero`] where no pivot can be inverted; [`ArithmeticError::Domain`] where `A` is not square or `b` is not
+/// one column.
 pub fn solve_over_field<T: Field>(mut rows: Vec<Vec<T>>) -> Result<Vec<T>, ArithmeticError> {
     let order = rows.len();
+    if rows.iter().any(|row| row.len() != order + 1) {
+        return Err(ArithmeticError::Domain("one column more than rows"));
+    }
     for column in 0..order {
         let pivot = (column..order).find_map(|i| rows[i][column].recip().ok().map(|inverse| (i, inverse)));
         let (i, inverse) = pivot.ok_or(ArithmeticError::DivisionByZero)?;

@@ -29,6 +29,7 @@ const USUAL_EXACT_ORDER: usize = 12;
 /// [`SpectrumError`].
 pub fn named_spectrum(graph: &NamedGraph, kind: LaplacianKind, digits: Option<u32>) -> Result<Spectrum, SpectrumError> {
     check(digits)?;
+    graph.check()?;
     let Some(form) = closed_form(graph, kind) else {
         return match named_circulant(graph, kind) {
             Some(matrix) => circulant_spectrum(&matrix?, digits),

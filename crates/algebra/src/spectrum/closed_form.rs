@@ -57,9 +57,10 @@ pub struct ClosedForm {
 /// Work, in terms of sums, beyond which the eigenvalues of circulants are not told apart exactly.
 const MOST_TERMS: usize = 1 << 25;
 
-/// The closed form for that matrix of a named graph, where there is one.
+/// The closed form for that matrix of a named graph, where there is one (and such a graph).
 pub fn closed_form(graph: &NamedGraph, kind: LaplacianKind) -> Option<ClosedForm> {
     use LaplacianKind::{Adjacency, Normalised, Reduced, Walk};
+    graph.check().ok()?;
     let n = graph.order();
     let walk = matches!(kind, Walk | Normalised);
     match graph {
@@ -116,7 +117,7 @@ fn cosines(
     let value = |(p, q): (usize, usize)| {
         let (p, q) = (p as u64, q as u64);
         let terms = [(0, constant), (p, half), (q - p % q, half)];
-        (ClosedValue::Cyclotomic(CyclotomicSum::new(q, denominator, terms)), 1)
+        (ClosedValue::Cyclotomic(CyclotomicSum::of(q, denominator, terms)), 1)
     };
     ClosedForm { values: turns.map(value).collect(), formula: formula.to_string() }
 }
@@ -194,7 +195,7 @@ fn circulant(n: usize, steps: &[usize], kind: LaplacianKind, apart: bool) -> Opt
     let order = n as u64;
     let value = |k: usize| {
         let terms = steps.iter().map(|&a| ((a as u64 * k as u64) % order, sign));
-        CyclotomicSum::new(order, denominator, terms.chain([(0, constant)]))
+        CyclotomicSum::of(order, denominator, terms.chain([(0, constant)]))
     };
     let symmetric = steps.iter().all(|&a| steps.contains(&((n - a) % n)));
     // The eigenvalues of k and n - k are equal.
@@ -304,8 +305,8 @@ fn enclose_sum(
     let mut finer: Option<RootTable> = None;
     loop {
         let z = match finer.as_ref().or(first) {
-            Some(table) => sum.enclose(table),
-            None => sum.enclose(finer.insert(RootTable::new(sum.order(), precision)?)),
+            Some(table) => sum.enclose(table)?,
+            None => sum.enclose(finer.insert(RootTable::new(sum.order(), precision)?))?,
         };
         if real && let Some(exact) = sum.exact(&z.re) {
             return Ok(Eigenvalue::rational(exact, multiplicity, bits(digits) + 8));

@@ -21,6 +21,9 @@ pub struct CyclotomicSum {
     terms: Vec<(u64, i64)>,
 }
 
+/// What there is no such sum or table without.
+const ROOTS_OF_UNITY: ArithmeticError = ArithmeticError::Domain("roots of unity of an order from 1 to 2^31");
+
 fn collected(order: u64, terms: impl IntoIterator<Item = (u64, i128)>) -> Vec<(u64, i128)> {
     let mut sum: BTreeMap<u64, i128> = BTreeMap::new();
     for (exponent, coefficient) in terms {
@@ -30,9 +33,29 @@ fn collected(order: u64, terms: impl IntoIterator<Item = (u64, i128)>) -> Vec<(u
 }
 
 impl CyclotomicSum {
-    /// From exponents (taken modulo the order) and coefficients, which are meant to be below `2^31`; `order` and
-    /// `denominator` must be at least 1.
-    pub fn new(order: u64, denominator: i64, terms: impl IntoIterator<Item = (u64, i64)>) -> Self {
+    /// From exponents (taken modulo the order) and coefficients. Both numbers and all coefficients may be up to `2^31`.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::Domain`] for an order or a denominator below 1, and for numbers that are larger.
+    pub fn new(
+        order: u64,
+        denominator: i64,
+        terms: impl IntoIterator<Item = (u64, i64)>,
+    ) -> Result<Self, ArithmeticError> {
+        const MOST: i64 = 1 << 31;
+        if !(1..=MOST as u64).contains(&order) {
+            return Err(ROOTS_OF_UNITY);
+        }
+        if !(1..=MOST).contains(&denominator) {
+            return Err(ArithmeticError::Domain("a denominator from 1 to 2^31"));
+        }
+        let sum = CyclotomicSum::of(order, denominator, terms);
+        let small = sum.terms.iter().all(|(_, c)| (-MOST..=MOST).contains(c));
+        if small { Ok(sum) } else { Err(ArithmeticError::Domain("coefficients up to 2^31")) }
+    }
+
+    /// The same for an order and a denominator of at least 1.
+    pub(super) fn of(order: u64, denominator: i64, terms: impl IntoIterator<Item = (u64, i64)>) -> Self {
         let terms = collected(order, terms.into_iter().map(|(e, c)| (e, i128::from(c))));
         CyclotomicSum { order, denominator, terms: terms.into_iter().map(|(e, c)| (e, c as i64)).collect() }
     }
@@ -59,12 +82,16 @@ impl CyclotomicSum {
 
     /// Whether it is real.
     pub fn is_real(&self) -> bool {
-        let mirrored = |&(e, c): &(u64, i64)| self.coefficient((self.order - e) % self.order) == c;
-        if self.terms.iter().all(mirrored) {
+        if self.is_mirrored() {
             return true;
         }
         let conjugate = self.terms.iter().map(|&(e, c)| (self.order - e, -c));
-        CyclotomicSum::new(self.order, 1, self.terms.iter().copied().chain(conjugate)).is_zero()
+        CyclotomicSum::of(self.order, 1, self.terms.iter().copied().chain(conjugate)).is_zero()
+    }
+
+    /// Whether its terms are those of its conjugate.
+    fn is_mirrored(&self) -> bool {
+        self.terms.iter().all(|&(e, c)| self.coefficient((self.order - e) % self.order) == c)
     }
 
     fn coefficient(&self, exponent: u64) -> i64 {
@@ -73,24 +100,33 @@ impl CyclotomicSum {
 
     /// Its real part: half its sum with its conjugate.
     pub fn real_part(&self) -> Self {
+        if self.is_mirrored() {
+            return self.clone();
+        }
         let conjugate = self.terms.iter().map(|&(e, c)| (self.order - e, c));
-        CyclotomicSum::new(self.order, 2 * self.denominator, self.terms.iter().copied().chain(conjugate))
+        CyclotomicSum::of(self.order, 2 * self.denominator, self.terms.iter().copied().chain(conjugate))
     }
 
     /// Whether it is `numerator/denominator` with its own denominator.
     fn is_multiple(&self, numerator: i64) -> bool {
         let terms = self.terms.iter().copied().chain([(0, -numerator)]);
-        CyclotomicSum::new(self.order, 1, terms).is_zero()
+        CyclotomicSum::of(self.order, 1, terms).is_zero()
     }
 
     /// Encloses real and imaginary part with the roots of a table of the same order.
-    pub fn enclose(&self, roots: &RootTable) -> Complex<Interval> {
+    ///
+    /// # Errors
+    /// [`ArithmeticError::Domain`] for a table of another order.
+    pub fn enclose(&self, roots: &RootTable) -> Result<Complex<Interval>, ArithmeticError> {
+        if roots.order != self.order {
+            return Err(ArithmeticError::Domain("a table of roots of unity of the same order"));
+        }
         let factor = |n: i64| Interval::from_rational(&rational(n, 1), roots.precision);
         let mut sum = Complex::real(factor(0));
         for &(exponent, coefficient) in &self.terms {
             sum = sum + roots.root(exponent).scale(&factor(coefficient));
         }
-        sum.scale(&Interval::from_rational(&rational(1, self.denominator), roots.precision))
+        Ok(sum.scale(&Interval::from_rational(&rational(1, self.denominator), roots.precision)))
     }
 
     /// Real and imaginary part in floats, and a bound of the error of both. The real part is taken as the sum of the
@@ -117,7 +153,7 @@ impl CyclotomicSum {
         // An algebraic integer over its denominator is rational only if it is an integer over it.
         let scaled = re.clone() * re.integer(self.denominator);
         let (lo, hi) = (-scaled.lo().negated().floor(), scaled.hi().floor());
-        let exact = lo == hi && self.is_multiple(lo.to_i64()?);
+        let exact = lo == hi && self.is_multiple(lo.to_i64().filter(|n| n.unsigned_abs() < 1 << 62)?);
         exact.then(|| Rational::new(lo, BigInt::from(self.denominator)))
     }
 }
@@ -145,6 +181,7 @@ fn prime_divisors(mut n: u64) -> Vec<u64> {
 /// and cosines.
 #[derive(Debug)]
 pub struct RootTable {
+    order: u64,
     step: u64,
     low: Vec<Complex<Interval>>,
     high: Vec<Complex<Interval>>,
@@ -155,8 +192,11 @@ impl RootTable {
     /// The table for an order of at least 1.
     ///
     /// # Errors
-    /// [`ArithmeticError`], which does not happen for angles in one turn.
+    /// [`ArithmeticError::Domain`] for the order 0.
     pub fn new(order: u64, precision: u32) -> Result<Self, ArithmeticError> {
+        if order == 0 {
+            return Err(ROOTS_OF_UNITY);
+        }
         let root = order.isqrt();
         let step = if root * root < order { root + 1 } else { root };
         let turn = Interval::from_rational(&rational(2, 1), precision);
@@ -168,7 +208,7 @@ impl RootTable {
         };
         let low = (0..step).map(root).collect::<Result<_, ArithmeticError>>()?;
         let high = (0..order.div_ceil(step)).map(|k| root(k * step)).collect::<Result<_, ArithmeticError>>()?;
-        Ok(RootTable { step, low, high, precision })
+        Ok(RootTable { order, step, low, high, precision })
     }
 
     /// `z^exponent`, for exponents below the order.

@@ -1,5 +1,6 @@
 //! Integer polynomials in one variable: exact signs, common divisors, real roots isolated by Sturm's theorem.
 
+use crate::matrix::{MatrixError, RationalMatrix};
 use arithmetic::{Cancelled, Interval, Progress, Rational, Ring, Unwatched, common_denominator, content, rational};
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
@@ -36,6 +37,14 @@ impl Polynomial {
     pub fn from_rationals(coefficients: &[Rational]) -> Self {
         let denominator = common_denominator(coefficients);
         Polynomial::new(coefficients.iter().map(|c| c.numer() * (&denominator / c.denom())).collect())
+    }
+
+    /// The primitive multiple of the characteristic polynomial `det(xI - A)`.
+    ///
+    /// # Errors
+    /// [`MatrixError::NotSquare`].
+    pub fn characteristic(matrix: &RationalMatrix) -> Result<Self, MatrixError> {
+        Ok(Polynomial::from_rationals(&matrix.characteristic_polynomial()?.coefficients()))
     }
 
     /// The coefficients, the constant one first.

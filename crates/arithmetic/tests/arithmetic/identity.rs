@@ -76,7 +76,7 @@ fn residues_are_remainders() {
         let p = random_prime(&mut random);
         assert!((1 << 60..1 << 61).contains(&p) && is_prime(p));
         let (a, b) = (random.next_u64(), random.next_u64() >> 1);
-        let (x, y) = (Residue::new(a, p), Residue::new(b, p));
+        let (x, y) = (Residue::new(a, p).unwrap(), Residue::new(b, p).unwrap());
         let wide = |n: u128| (n % u128::from(p)) as u64;
         assert_eq!((x * y).value(), wide(u128::from(a % p) * u128::from(b % p)));
         assert_eq!((x + y).value(), wide(u128::from(a) + u128::from(b)));

@@ -139,7 +139,7 @@ fn residues_are_drawn_evenly() {
 
 #[test]
 fn ratios_are_of_the_kind_of_the_probe() {
-    let residue = Residue::new(5, 101);
+    let residue = Residue::new(5, 101).unwrap();
     assert_eq!(Probe::Residue(residue).ratio(3, 7), Probe::Residue(residue.rational(&rational(3, 7))));
     let exact = Probe::Exact(rational(1, 2));
     assert_eq!((exact.ratio(3, 7), exact.exact()), (Probe::Exact(rational(3, 7)), Some(&rational(1, 2))));
@@ -147,7 +147,14 @@ fn ratios_are_of_the_kind_of_the_probe() {
 }
 
 #[test]
+fn residues_need_a_prime() {
+    for modulus in [0, 1, 4, 91, u64::MAX] {
+        assert_eq!(Residue::new(3, modulus), Err(ArithmeticError::Domain("a prime modulus")), "{modulus}");
+    }
+}
+
+#[test]
 fn the_residue_zero_has_no_inverse() {
-    let zero = Residue::new(0, (1 << 61) - 1);
+    let zero = Residue::new(0, (1 << 61) - 1).unwrap();
     assert!(zero.recip().is_err() && -zero == zero && zero.integer(0) == zero);
 }

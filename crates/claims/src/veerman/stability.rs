@@ -5,7 +5,7 @@ use crate::prelude::*;
 use algebra::matrix::{RationalMatrix, characteristic_coefficients};
 use algebra::spectrum::Polynomial;
 use arithmetic::Series;
-use models::platoon::vector_form::{characteristic_by_modes, mode_block, motion_matrix, motion_rows};
+use models::platoon::vector_form::{characteristic_by_modes, is_stable, mode_block, motion_matrix, motion_rows};
 use models::platoon::{Communication, CommunicationGraph, Gains, chebyshev, slowest_rate};
 
 const SYSTEMS: [Communication; 2] = [Communication::Front, Communication::FrontAndBack];
@@ -17,7 +17,7 @@ fn systems(most: usize) -> impl Iterator<Item = (Communication, usize)> {
 
 /// `det(xI - A)` up to a factor, over the integers.
 fn polynomial(matrix: &RationalMatrix) -> Result<Polynomial, CheckError> {
-    Ok(Polynomial::from_rationals(&matrix.characteristic_polynomial()?.coefficients()))
+    Ok(Polynomial::characteristic(matrix)?)
 }
 
 /// `spec(M)`, without 0 or with it, is the union of the spectra of `A + factor lambda K`, where `lambda` runs through the spectrum of
@@ -296,7 +296,7 @@ fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, Ch
     let cases = systems(MOST).flat_map(|system| pairs().map(move |gains| (system, gains)));
     let instances = run.instances("instances", &detail, cases, |((communication, followers), gains)| {
         let reduced = CommunicationGraph::of(communication, followers)?.reduced_laplacian()?;
-        let stable = polynomial(&motion_matrix(&reduced, &gains)?)?.is_hurwitz();
+        let stable = is_stable(&motion_matrix(&reduced, &gains)?)?;
         let is = if stable { "stable" } else { "not stable" };
         let Gains { f, g } = gains;
         let what = || format!("{communication:?}, N = {}, f = {f}, g = {g}: M is {is}", followers - 1);

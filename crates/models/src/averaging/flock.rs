@@ -193,6 +193,7 @@ impl Flock {
         time: BigInt,
     ) -> Result<Self, FlockError> {
         let (birds, dimension) = (state.positions.len(), state.positions[0].len());
+        check_order(&network, birds)?;
         let rule = Rule::new(&network, &weights, dimension, &time)?;
         let mut positions: Vec<BigInt> = state.positions.concat();
         positions.push(state.unit.clone());
@@ -359,8 +360,9 @@ impl Flock {
     /// One step with a network that is given instead of being decided: to follow what a network would do.
     ///
     /// # Errors
-    /// [`FlockError`] where the weights do not suit the network.
+    /// [`FlockError`] where the weights do not suit the network, or it has another number of vertices.
     pub fn step_on(&mut self, network: &Graph) -> Result<(), FlockError> {
+        check_order(network, self.birds)?;
         self.advance();
         if *network != self.network {
             self.replace_network(network.clone())?;
@@ -495,6 +497,12 @@ impl Flock {
         let decided = (ratio - 1.0).abs() > slack * (1.0 + ratio);
         decided.then_some(if ratio < 1.0 { Ordering::Less } else { Ordering::Greater })
     }
+}
+
+/// Whether a network is one of so many birds.
+fn check_order(network: &Graph, birds: usize) -> Result<(), FlockError> {
+    let vertices = network.order();
+    if vertices == birds { Ok(()) } else { Err(FlockError::Network { birds, vertices }) }
 }
 
 /// Whether a matrix can be the control of so many birds in so many dimensions.

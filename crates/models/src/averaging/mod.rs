@@ -125,6 +125,14 @@ pub enum FlockError {
         /// Number of velocities.
         found: usize,
     },
+    /// A network of another number of vertices.
+    #[error("there are {birds} birds, but the network has {vertices} vertices")]
+    Network {
+        /// Number of birds.
+        birds: usize,
+        /// Number of vertices.
+        vertices: usize,
+    },
     /// A position or velocity of another dimension.
     #[error("the {what} of bird {bird} has {found} coordinates instead of {dimension}")]
     Coordinates {

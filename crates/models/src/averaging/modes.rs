@@ -1,7 +1,8 @@
 //! The eigenvectors of a transition matrix `P = I - CL`, exactly, where its eigenvalues are rational.
 
 use algebra::matrix::{MatrixError, RationalMatrix};
-use arithmetic::Rational;
+use arithmetic::{ArithmeticError, Field, Rational};
+use num_traits::Signed;
 
 /// One pair `(lambda_k, u_k)` of the symmetric matrix `M = C^-1/2 P C^1/2` (Chazelle, equation (3.7)). The square roots are
 /// kept out: what is stored is `r = sqrt(norm) C^1/2 u_k`, a right eigenvector of `P`.
@@ -17,24 +18,40 @@ pub struct Mode {
 
 impl Mode {
     /// `sqrt(norm) C^(a/2) u_k` for odd `a`.
-    pub fn scaled(&self, c: &[Rational], a: i32) -> Vec<Rational> {
-        // u = C^-1/2 r / sqrt(norm).
-        self.right.iter().zip(c).map(|(r, c)| r * c.pow((a - 1) / 2)).collect()
+    ///
+    /// # Errors
+    /// [`ArithmeticError::Domain`] where `c` are not as many weights above 0 as there are birds.
+    pub fn scaled(&self, c: &[Rational], a: i32) -> Result<Vec<Rational>, ArithmeticError> {
+        if c.len() != self.right.len() || !c.iter().all(Signed::is_positive) {
+            return Err(ArithmeticError::Domain("a positive weight for each bird"));
+        }
+        // u = C^-1/2 r / sqrt(norm), and (a - 1)/2 is a/2 rounded down.
+        Ok(self.right.iter().zip(c).map(|(r, c)| r * c.pow(a >> 1)).collect())
     }
 
     /// `C^(a/2) u_k u_k^T C^(b/2)` for odd `a` and `b`, row by row; for `a = 1`, `b = -1` the term of equation (3.8).
-    pub fn dyad(&self, c: &[Rational], a: i32, b: i32) -> Vec<Vec<Rational>> {
-        let right: Vec<Rational> = self.scaled(c, b).iter().map(|y| y / &self.norm).collect();
-        self.scaled(c, a).iter().map(|x| right.iter().map(|y| x * y).collect()).collect()
+    ///
+    /// # Errors
+    /// As [`Mode::scaled`]; [`ArithmeticError::DivisionByZero`] where the norm is 0.
+    pub fn dyad(&self, c: &[Rational], a: i32, b: i32) -> Result<Vec<Vec<Rational>>, ArithmeticError> {
+        let share = Field::recip(&self.norm)?;
+        let right: Vec<Rational> = self.scaled(c, b)?.iter().map(|y| y * &share).collect();
+        Ok(self.scaled(c, a)?.iter().map(|x| right.iter().map(|y| x * y).collect()).collect())
     }
 }
 
 /// All modes, eigenvalues from the largest to the least, eigenvectors of equal ones made orthogonal; `None` where some
-/// eigenvalue is irrational (or `P` is no matrix `I - CL`). `c` are the (positive) weights.
+/// eigenvalue is irrational (or `P` is no matrix `I - CL` with such weights). `c` are the (positive) weights.
 ///
 /// # Errors
-/// [`MatrixError::NotSquare`].
+/// [`MatrixError::NotSquare`]; [`MatrixError::Shapes`] where there are not as many weights as rows.
 pub fn rational_modes(p: &RationalMatrix, c: &[Rational]) -> Result<Option<Vec<Mode>>, MatrixError> {
+    if c.len() != p.rows() {
+        return Err(MatrixError::Shapes { left_cols: p.cols(), right_rows: c.len() });
+    }
+    if !c.iter().all(Signed::is_positive) {
+        return Ok(None);
+    }
     let spectrum = p.characteristic_polynomial()?.rational_eigenvalues();
     // Right eigenvectors C^1/2 u of P are orthogonal for the weights 1/c.
     let product =

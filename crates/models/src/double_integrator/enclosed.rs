@@ -138,6 +138,7 @@ impl EnclosedFlock {
         until: f64,
         observe: &mut dyn FnMut(f64, &Step),
     ) -> Result<EnclosedRun, EnclosureError> {
+        start.check().map_err(|reason| ValidationError::Law { time: 0.0, reason })?;
         let flat = start.to_list();
         let mut graph = match &self.threshold {
             None => Graph::from_fn(start.count(), |i, j| edges.contains(&(i, j)) || edges.contains(&(j, i))),

@@ -82,6 +82,7 @@ pub fn fork<T: Field + Signed>(
     coordinates: Coordinates,
     potential: &Potential,
 ) -> Result<Fork<T>, ForkError> {
+    state.check()?;
     let links = linked_within(&state.positions, square, coordinates).edges();
     let ties = tied(&state.positions, square, coordinates);
     Law { coordinates, potential }.fork(state, &links, &ties, &[])

@@ -1,6 +1,6 @@
 //! Positions and velocities of agents in the plane, vectors, and rates of change by duals.
 
-use arithmetic::{Dual, Field, Ring};
+use arithmetic::{ArithmeticError, Dual, Field, Ring};
 
 /// A vector of the plane.
 pub type Vector<T> = [T; 2];
@@ -101,6 +101,15 @@ impl<T: Ring> State<T> {
     /// The list that [`Self::from_list`] reads.
     pub fn to_list(&self) -> Vec<T> {
         self.positions.iter().chain(&self.velocities).flatten().cloned().collect()
+    }
+
+    /// Whether there is a velocity for each position.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::Domain`] where there is not.
+    pub(super) fn check(&self) -> Result<(), ArithmeticError> {
+        let one_of_each = self.positions.len() == self.velocities.len();
+        if one_of_each { Ok(()) } else { Err(ArithmeticError::Domain("a velocity for each position")) }
     }
 
     /// The number of agents.

@@ -21,12 +21,14 @@ fn opening(state: &State<Rational>, (i, j): Pair) -> Rational {
 /// potential without logarithm.
 ///
 /// # Errors
-/// [`ArithmeticError::DivisionByZero`] where linked agents coincide.
+/// [`ArithmeticError::DivisionByZero`] where linked agents coincide, [`ArithmeticError::Domain`] where there is not a velocity for each
+/// position.
 pub fn saturated_rate(
     state: &State<Rational>,
     square: &Rational,
     potential: &Potential,
 ) -> Result<(Rational, Rational), ArithmeticError> {
+    state.check()?;
     let edges = linked_within(&state.positions, square, PLANE).edges();
     let accelerations = velocity_alignment(state, &edges, PLANE, |_, _, s| potential.slope(s))?;
     let moving = state.moving(&accelerations);
@@ -54,8 +56,9 @@ impl TiedRate {
     /// At a state with links below `R`, whose square this is.
     ///
     /// # Errors
-    /// [`ArithmeticError::DivisionByZero`] for `R = 0`.
+    /// [`ArithmeticError::DivisionByZero`] for `R = 0`, [`ArithmeticError::Domain`] where there is not a velocity for each position.
     pub fn of(state: &State<Rational>, square: &Rational, potential: &Potential) -> Result<Self, ArithmeticError> {
+        state.check()?;
         let slope = potential.slope(square)?;
         let ties = tied(&state.positions, square, PLANE);
         let tie = |&pair: &Pair| (&slope * opening(state, pair), squared_speeds(state, &[pair]));

@@ -169,8 +169,8 @@ impl FourierFormation {
 
     /// `lambda_{m+q}` and `lambda_{m-q}`.
     fn neighbours(&self, q: usize) -> (&RealCyclotomic, &RealCyclotomic) {
-        let order = self.order();
-        (&self.laplacian[(self.wave + q) % order], &self.laplacian[(self.wave + order - q % order) % order])
+        let (order, q) = (self.order(), q % self.order());
+        (&self.laplacian[(self.wave + q) % order], &self.laplacian[(self.wave + order - q) % order])
     }
 
     /// The linearisation on the mode `q`.
@@ -198,7 +198,7 @@ impl FourierFormation {
         if q % order == self.wave {
             found.push(turning(self.omega.clone()));
         }
-        if (q + self.wave).is_multiple_of(order) {
+        if (q % order + self.wave).is_multiple_of(order) {
             found.push(turning(-self.omega.clone()));
         }
         found

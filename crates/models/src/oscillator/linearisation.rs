@@ -12,17 +12,23 @@ use arithmetic::{ArithmeticError, Complex, Dual, Field};
 /// otherwise the matrix is that of the field at that instant only.
 ///
 /// # Errors
-/// Whatever the steering returns.
+/// Whatever the steering returns; [`ArithmeticError::Domain`] where there are not as many positions and rates of steering as phasors.
 pub fn linearisation<T: Field>(
     state: &State<T>,
     omega: &T,
     steering: impl Fn(&State<Dual<T>>) -> Result<Vec<Dual<T>>, ArithmeticError>,
 ) -> Result<Vec<Vec<T>>, ArithmeticError> {
     let particles = state.phasors.len();
+    if state.positions.len() != particles {
+        return Err(ArithmeticError::Domain("a position for each phasor"));
+    }
     let mut columns = Vec::with_capacity(3 * particles);
     for direction in 0..3 * particles {
         let moved = displaced(state, direction);
         let rates = steering(&moved)?;
+        if rates.len() != particles {
+            return Err(ArithmeticError::Domain("a rate of steering for each phasor"));
+        }
         let turning = Dual::constant(omega.clone());
         let velocity = |k: usize| moved.phasors[k].clone() - quarter_turn(&moved.positions[k]).scale(&turning);
         let velocities: Vec<Complex<Dual<T>>> = (0..particles).map(velocity).collect();

@@ -107,8 +107,9 @@ impl Neighbours {
     }
 
     /// The circulant graph: `k` and `j` are neighbours where `k - j` modulo `N` is one of the offsets or its negative; `[1]`
-    /// gives the cyclic graph `C_N`.
+    /// gives the cyclic graph `C_N`. Offsets count modulo `N`; nobody is its own neighbour.
     pub fn circulant(particles: usize, offsets: &[usize]) -> Self {
+        let offsets: Vec<usize> = offsets.iter().filter_map(|offset| offset.checked_rem(particles)).collect();
         let joined = |k: usize, j: usize| {
             let difference = (k + particles - j) % particles;
             offsets.iter().any(|&offset| offset == difference || offset == particles - difference)

@@ -39,13 +39,16 @@ pub fn pattern_control<T: Field>(gains: &[T], phasors: &[Complex<T>]) -> Result<
 /// arc from `k` to `j` means that `j` is a neighbour of `k`.
 ///
 /// # Errors
-/// [`ArithmeticError::Domain`] for no particles.
+/// [`ArithmeticError::Domain`] for no particles, and for a graph of another number of vertices.
 pub fn pairwise_control<T: Field>(
     gain: &T,
     graph: &WeightedGraph,
     phasors: &[Complex<T>],
 ) -> Result<Vec<T>, ArithmeticError> {
     let share = kind(phasors)?.ratio(1, phasors.len() as i64) * gain;
+    if graph.order() != phasors.len() {
+        return Err(ArithmeticError::Domain("a vertex for each particle"));
+    }
     let sum = |(k, z): (usize, &Complex<T>)| {
         let term = |(j, weight): &(usize, _)| sine_of_difference(z, &phasors[*j]) * share.rational(weight);
         graph.adjacency().row(k).iter().map(term).fold(share.zero(), |sum, term| sum + term)

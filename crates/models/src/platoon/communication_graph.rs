@@ -80,7 +80,7 @@ impl CommunicationGraph {
     pub fn nth_neighbours(n: usize, followers: usize) -> Result<Self, CommunicationError> {
         let row = |k: usize| {
             let front = k.checked_sub(n);
-            let behind = Some(k + n).filter(|&agent| agent <= followers);
+            let behind = k.checked_add(n).filter(|&agent| agent <= followers);
             front.into_iter().chain(behind).collect::<Vec<_>>()
         };
         CommunicationGraph::with_equal_weights(&(1..=followers).map(row).collect::<Vec<_>>())
@@ -186,7 +186,8 @@ impl CommunicationGraph {
     }
 
     /// The accelerations of the followers, `f e_k + g e'_k`, where `e_k` is the deviation of follower `k` from the weighted mean
-    /// of the agents it tracks. `leader` is `(y_0, u_0)`; `positions` and `velocities` hold `y_1..y_M` and `u_1..u_M`.
+    /// of the agents it tracks. `leader` is `(y_0, u_0)`; `positions` and `velocities` hold `y_1..y_M` and `u_1..u_M`. From shorter lists only
+    /// those of the cars before the first one that is not in both, or tracks one that is not.
     pub fn accelerations<T: Field>(
         &self,
         gains: &Gains<T>,
@@ -201,8 +202,14 @@ impl CommunicationGraph {
             });
             terms.reduce(|sum, term| sum + term)
         };
-        let cars = self.followers().min(positions.len());
-        accelerations_by(mean, gains, leader, &positions[..cars], velocities)
+        let given = positions.len().min(velocities.len());
+        let is_there = |row: &Vec<(usize, Rational)>| row.iter().all(|(agent, _)| *agent <= given);
+        let cars = if given < self.followers() {
+            self.tracked[..given].iter().position(|row| !is_there(row)).unwrap_or(given)
+        } else {
+            self.followers()
+        };
+        accelerations_by(cars, mean, gains, leader, (positions, velocities))
     }
 
     /// The amplitudes `a_1..a_M` of the harmonic response to `y_0 = e^{iwt}`: the solution of

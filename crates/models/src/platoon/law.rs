@@ -30,7 +30,8 @@ impl Communication {
     }
 }
 
-/// The accelerations of the followers of systems (1) and (2): see `accelerations_by`.
+/// The accelerations of the followers of systems (1) and (2), `f e_k + g e'_k` with the deviation `e_k` of car `k` from the mean of the
+/// agents it tracks. `leader` is `(y_0, u_0)`; there are as many cars as there are positions and velocities of both.
 pub fn accelerations<T: Field>(
     communication: Communication,
     gains: &Gains<T>,
@@ -38,25 +39,25 @@ pub fn accelerations<T: Field>(
     positions: &[T],
     velocities: &[T],
 ) -> Vec<T> {
-    let followers = positions.len();
+    let followers = positions.len().min(velocities.len());
     let mean = |k: usize, value: &dyn Fn(usize) -> T| match communication.tracked(k, followers)[..] {
         [front, behind] => Some((value(front) + value(behind)) * value(front).ratio(1, 2)),
         [front] => Some(value(front)),
         _ => None,
     };
-    accelerations_by(mean, gains, leader, positions, velocities)
+    accelerations_by(followers, mean, gains, leader, (positions, velocities))
 }
 
-/// The accelerations of the followers: `f e_k + g e'_k`, where `e_k` is the deviation of car `k` from the mean of the agents it
+/// The accelerations of the first `cars` followers: `f e_k + g e'_k`, where `e_k` is the deviation of car `k` from the mean of the agents it
 /// tracks, and zero where it tracks nobody. `mean(k, value)` is the weighted mean of `value(agent)` over these agents.
 ///
-/// `leader` is `(y_0, u_0)`; `positions` and `velocities` hold `y_1..y_M` and `u_1..u_M` and have the same length.
+/// `leader` is `(y_0, u_0)`; `positions` and `velocities` hold `y_1..y_M` and `u_1..u_M`, at least those of all agents that are tracked.
 pub(super) fn accelerations_by<T: Field>(
+    cars: usize,
     mean: impl Fn(usize, &dyn Fn(usize) -> T) -> Option<T>,
     gains: &Gains<T>,
     leader: (&T, &T),
-    positions: &[T],
-    velocities: &[T],
+    (positions, velocities): (&[T], &[T]),
 ) -> Vec<T> {
     let deviation = |values: &[T], first: &T, k: usize| {
         let value = |agent: usize| if agent == 0 { first.clone() } else { values[agent - 1].clone() };
@@ -64,7 +65,7 @@ pub(super) fn accelerations_by<T: Field>(
     };
     let acceleration =
         |k: usize| deviation(positions, leader.0, k) * &gains.f + deviation(velocities, leader.1, k) * &gains.g;
-    (1..=positions.len().min(velocities.len())).map(acceleration).collect()
+    (1..=cars).map(acceleration).collect()
 }
 
 impl<T: Ring> Gains<T> {

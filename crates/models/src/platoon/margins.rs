@@ -12,7 +12,7 @@ use super::Gains;
 use super::vector_form::motion_rows_of_cars;
 use algebra::matrix::{RationalMatrix, SparseMatrix};
 use algebra::spectrum::matrix_spectrum;
-use arithmetic::{Complex, Rational, rational};
+use arithmetic::{ArithmeticError, Complex, Rational, rational};
 use std::f64::consts::PI;
 
 /// Margins of all modes together.
@@ -56,7 +56,13 @@ pub fn margins(gains: &Gains<f64>, eigenvalues: &[Complex<f64>]) -> Option<Margi
 
 /// The margins where follower `k` has the gains `gains[k - 1]`, below zero, and the reduced Laplacian is `reduced`. Angles are tried in steps of
 /// pi/32, factors from 2^20 down to 2^-20 in steps of a factor of 2: what is stable again between two of them is passed over.
-pub fn margins_of_cars(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Margins {
+///
+/// # Errors
+/// [`ArithmeticError::Domain`] where there are not as many gains as rows and columns of `reduced`.
+pub fn margins_of_cars(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Result<Margins, ArithmeticError> {
+    if [reduced.rows(), reduced.cols()] != [gains.len(); 2] {
+        return Err(ArithmeticError::Domain("gains for each follower"));
+    }
     const STEPS: i32 = 32;
     let turned = |angle: f64| turned_is_stable(reduced, gains, angle);
     let first = (0..=STEPS).map(|k| PI * f64::from(k) / f64::from(STEPS)).find(|angle| turned(*angle) != Some(true));
@@ -67,7 +73,7 @@ pub fn margins_of_cars(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> M
     let last = (-POWERS..=POWERS).rev().map(f64::from).find(|power| multiplied(*power) != Some(true));
     let last = last.filter(|power| *power < f64::from(POWERS));
     let critical_factor = last.and_then(|power| edge(power + 1.0, power, multiplied)).map(f64::exp2);
-    Margins { phase, critical_factor }
+    Ok(Margins { phase, critical_factor })
 }
 
 /// Where stability ends between a number with and one without; nothing where enclosures leave that open.

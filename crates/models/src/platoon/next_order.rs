@@ -22,7 +22,7 @@ pub const AMPLITUDE_BOUND: (i64, i64) = (11, 1);
 /// # Errors
 /// [`ArithmeticError::DivisionByZero`] for M = 0.
 pub fn square_of_leading<T: Real>(like: &T, followers: u64) -> Result<T, ArithmeticError> {
-    let m = like.integer(followers as i64);
+    let m = theorem1::count(like, followers);
     like.pi().square().over(&(m.square() * like.integer(8)))
 }
 

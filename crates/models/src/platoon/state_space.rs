@@ -2,8 +2,9 @@
 //! written by another program.
 
 use super::observe::{Extreme, largest};
+use super::vector_form::is_stable;
 use algebra::matrix::{RationalMatrix, SparseMatrix};
-use algebra::spectrum::{Polynomial, matrix_spectrum};
+use algebra::spectrum::matrix_spectrum;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring};
 
 /// Why matrices make no system.
@@ -99,8 +100,7 @@ impl StateSpace {
 
     /// Whether all motions without input die out, decided exactly.
     pub fn is_stable(&self) -> Option<bool> {
-        let polynomial = self.a.characteristic_polynomial().ok()?;
-        Some(Polynomial::from_rationals(&polynomial.coefficients()).is_hurwitz())
+        is_stable(&self.a).ok()
     }
 
     /// The largest modulus of the response over frequencies `w > 0`, in floating point: 48 frequencies per factor of 10 from a tenth of the

@@ -3,12 +3,20 @@
 use super::Gains;
 use arithmetic::{ArithmeticError, Complex, Field, Real, Ring, Series};
 
+/// The number of followers in a scalar of the kind of `like`, exactly also where it has 64 bits.
+pub(super) fn count<T: Ring>(like: &T, followers: u64) -> T {
+    match i64::try_from(followers) {
+        Ok(followers) => like.integer(followers),
+        Err(_) => like.integer((followers / 2) as i64) * like.integer(2) + like.integer((followers % 2) as i64),
+    }
+}
+
 /// `sqrt(|f|) pi / (M 2 sqrt 2)` with `M = N + 1` followers (Theorem 1), in rad/s.
 ///
 /// # Errors
 /// [`ArithmeticError`] where `f` may be positive or `M` is zero.
 pub fn frequency<T: Real>(gains: &Gains<T>, followers: u64) -> Result<T, ArithmeticError> {
-    let m = gains.f.integer(followers as i64);
+    let m = count(&gains.f, followers);
     let root = (-gains.f.clone()).sqrt()? * gains.f.pi();
     root.over(&(m * gains.f.integer(2) * gains.f.integer(2).sqrt()?))
 }
@@ -18,7 +26,7 @@ pub fn frequency<T: Real>(gains: &Gains<T>, followers: u64) -> Result<T, Arithme
 /// # Errors
 /// [`ArithmeticError`] where `f` may be positive or `g` may be zero.
 pub fn amplitude<T: Real>(gains: &Gains<T>, followers: u64) -> Result<T, ArithmeticError> {
-    let m = gains.f.integer(followers as i64);
+    let m = count(&gains.f, followers);
     let root = (gains.f.integer(-2) * &gains.f).sqrt()?;
     (root * gains.f.integer(8) * m).over(&(gains.f.pi().square() * -gains.g.clone()))
 }

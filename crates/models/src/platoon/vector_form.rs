@@ -2,6 +2,7 @@
 
 use super::Gains;
 use algebra::matrix::{MatrixError, RationalMatrix};
+use algebra::spectrum::Polynomial;
 use arithmetic::{Field, Rational, Ring};
 
 /// A 2 x 2 matrix that acts on the pair (position, velocity) of one agent.
@@ -58,6 +59,15 @@ pub fn motion_rows_of_cars<'a, T: Field + 'a>(
 /// [`MatrixError`] where `P` is not square.
 pub fn motion_matrix(reduced: &RationalMatrix, gains: &Gains<Rational>) -> Result<RationalMatrix, MatrixError> {
     RationalMatrix::from_rows(&motion_rows(reduced, gains))
+}
+
+/// Whether every motion `x' = M x` dies out: whether all eigenvalues of `M` have negative real parts, decided exactly from the characteristic
+/// polynomial. Of [`motion_matrix`] it says whether the followers come to rest behind a resting leader.
+///
+/// # Errors
+/// [`MatrixError::NotSquare`].
+pub fn is_stable(motion: &RationalMatrix) -> Result<bool, MatrixError> {
+    Ok(Polynomial::characteristic(motion)?.is_hurwitz())
 }
 
 /// `A + lambda K`, by which a mode of the eigenvalue `lambda` of `P` moves.

@@ -1,6 +1,7 @@
 //! Scaled phase potentials on the networks of nearest neighbours.
 
 use super::Vector;
+use crate::oscillator;
 use arithmetic::Complex;
 
 /// The factors with which `W_1` on the network of the nearest `n` is compared for different `n`.
@@ -8,9 +9,9 @@ use arithmetic::Complex;
 pub enum Scale {
     /// `2/(n + 1)`, the labels of Figure S3.
     Figure,
-    /// `2/n + 1`, as printed in the text; the values leave `[0, 1]` (paley.scale).
+    /// `2/n + 1`, as printed in the text; the values leave `[0, 1]`.
     Text,
-    /// `1/n`: half the mean of `1 - cos theta_kj` over the arcs, which compares like with like (paley.figS3.difference).
+    /// `1/n`: half the mean of `1 - cos theta_kj` over the arcs, which compares networks with different numbers of arcs.
     PerArc,
 }
 
@@ -48,20 +49,19 @@ impl Scale {
     }
 }
 
-/// `(1/N) sum_k x_k`.
+/// `(1/N) sum_k x_k`; of nothing, nothing that is a number.
 pub(super) fn mean(x: &[Vector]) -> Vector {
-    let sum = x.iter().fold(Complex::new(0.0, 0.0), |sum, x| sum + x);
-    sum.scale(&(1.0 / x.len() as f64))
+    oscillator::mean(x).unwrap_or(Complex::new(f64::NAN, f64::NAN))
 }
 
-/// `W_1` where fish `k` has the one neighbour `partners[k]`: `(1/(2N)) sum_k (1 - cos theta_kj)`; a neighbour that is not there adds
+/// `W_1` where fish `k` has the one neighbour `partners[k]`, of headings of length 1: `(1/(2N)) sum_k (1 - cos theta_kj)`; a neighbour that is not there adds
 /// nothing.
 pub fn partner_potential(partners: &[usize], headings: &[Vector]) -> f64 {
     let sum: f64 = headings.iter().zip(partners).filter_map(|(z, &j)| Some(1.0 - z.dot(headings.get(j)?))).sum();
     sum / (2 * headings.len()) as f64
 }
 
-/// `W_1` on the complete graph: `(N/2)(1 - |p_theta|^2)`, (13) with (8).
+/// `W_1` on the complete graph, of headings of length 1: `(N/2)(1 - |p_theta|^2)`, (13) with (8).
 pub fn complete_potential(headings: &[Vector]) -> f64 {
     0.5 * headings.len() as f64 * (1.0 - mean(headings).norm_squared())
 }

@@ -16,7 +16,7 @@ mod watch;
 
 pub use law::{IndividualLaw, Moving, Rates, Turns};
 
-use crate::FollowError;
+use crate::{FollowError, whole_turns};
 use arithmetic::Progress;
 use cells::Cells;
 use influence::Neighbour;
@@ -287,7 +287,7 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
     /// Of a new pair the difference of the angles is read in `(-pi, pi]`.
     fn link(&mut self, time: f64, (i, j): Pair) {
         let turns = match self.law.turns() {
-            Turns::OfPairs => ((self.agents[i].angle(time) - self.agents[j].angle(time)) / TAU - 0.5).ceil(),
+            Turns::OfPairs => whole_turns(self.agents[i].angle(time) - self.agents[j].angle(time)),
             Turns::Never | Turns::OfAgents => 0.0,
         };
         for (own, agent, turns) in self.directions((i, j), turns) {

@@ -11,6 +11,7 @@ use crate::number::Number;
 use crate::timeline::Measured;
 use algebra::spectrum::Polynomial;
 use arithmetic::{ArithmeticError, Complex, Interval, Rational, Real, Ring, Sign, Signed, rational, shown};
+use models::platoon::vector_form::motion_matrix;
 use models::platoon::{
     Communication, CommunicationGraph, Gains, Resonance, ResonanceError, chebyshev, gain_squared_one_sided,
     gamma_minus_one, growth, peak_on_graph, resonance, slowest_rate, strongest_one_sided_square,
@@ -310,19 +311,9 @@ fn tracked(graph: &GraphValue) -> Result<CommunicationGraph, Failure> {
     CommunicationGraph::new((1..weighted.order()).map(row).collect()).map_err(|error| refused(error.to_string()))
 }
 
-/// The polynomial of the modes of `y'' = P (f y + g y')`, with the reduced Laplacian `P`: `det(z² - P (f + g z))`.
+/// The characteristic polynomial of the motion `y'' = P (f y + g y')`, with the reduced Laplacian `P`.
 fn characteristic(graph: &CommunicationGraph, f: &Rational, g: &Rational) -> Result<Polynomial, Failure> {
-    let unmade = |error: algebra::matrix::MatrixError| refused(error.to_string());
-    let rows = graph.reduced_laplacian().map_err(unmade)?.to_rows();
-    let (size, zero) = (rows.len(), rational(0, 1));
-    let entry = |i: usize, j: usize| match (i < size, j < size) {
-        (true, true) => zero.clone(),
-        (true, false) => rational(i64::from(i + size == j), 1),
-        (false, true) => &rows[i - size][j] * f,
-        (false, false) => &rows[i - size][j - size] * g,
-    };
-    let all: Vec<Vec<Rational>> = (0..2 * size).map(|i| (0..2 * size).map(|j| entry(i, j)).collect()).collect();
-    let matrix = algebra::matrix::RationalMatrix::from_rows(&all).map_err(unmade)?;
-    let coefficients = matrix.characteristic_polynomial().map_err(unmade)?.coefficients();
-    Ok(Polynomial::from_rationals(&coefficients))
+    let gains = Gains { f: f.clone(), g: g.clone() };
+    let motion = graph.reduced_laplacian().and_then(|reduced| motion_matrix(&reduced, &gains));
+    motion.and_then(|motion| Polynomial::characteristic(&motion)).map_err(|error| refused(error.to_string()))
 }

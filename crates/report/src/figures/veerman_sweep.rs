@@ -3,12 +3,11 @@
 use super::veerman::{UNIT, unit};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Colour, Panel, Picture, Series};
-use algebra::spectrum::Polynomial;
 use arithmetic::{Rational, Signed, rational};
 use ledger::CheckError;
 use models::platoon::growth::{Growth, LARGEST_PEAK, peak};
 use models::platoon::observe::Extreme;
-use models::platoon::vector_form::motion_matrix;
+use models::platoon::vector_form::{self, motion_matrix};
 use models::platoon::{CommunicationGraph, Neighbourhood};
 use motion::side_by_side;
 use num_traits::{ToPrimitive, Zero};
@@ -57,8 +56,7 @@ fn family() -> Vec<[Rational; 6]> {
 }
 
 fn is_stable(graph: &CommunicationGraph) -> Result<bool, CheckError> {
-    let motion = motion_matrix(&graph.reduced_laplacian()?, &unit())?;
-    Ok(Polynomial::from_rationals(&motion.characteristic_polynomial()?.coefficients()).is_hurwitz())
+    Ok(vector_form::is_stable(&motion_matrix(&graph.reduced_laplacian()?, &unit())?)?)
 }
 
 fn explore(weights: [Rational; 6]) -> Result<Found, CheckError> {

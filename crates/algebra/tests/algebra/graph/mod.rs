@@ -317,6 +317,36 @@ fn isomorphism_codes() {
     assert_eq!(path.isomorphism_code(), renamed.isomorphism_code());
 }
 
+/// The classes against all labelled graphs: of each orbit under all renamings the first.
+#[test]
+fn connected_graphs_are_the_first_of_their_orbits() {
+    for order in 0..=6usize {
+        let names = renamings(order);
+        let bit = |i: usize, j: usize| 1usize << (i.max(j) * (i.max(j) - 1) / 2 + i.min(j));
+        let mut seen = vec![false; 1 << (order * order.saturating_sub(1) / 2)];
+        let mut first = Vec::new();
+        for (code, graph) in Graph::all(order).enumerate() {
+            if !seen[code] && graph.is_connected() {
+                for name in &names {
+                    seen[graph.edges().iter().map(|&(i, j)| bit(name[i], name[j])).sum::<usize>()] = true;
+                }
+                first.push(graph);
+            }
+        }
+        assert_eq!(Graph::connected_up_to_isomorphism(order), first, "{order}");
+    }
+    assert_eq!(Graph::connected_up_to_isomorphism(7).len(), 853);
+    assert!(Graph::connected_up_to_isomorphism(10).is_empty());
+}
+
+/// All orders of `0..count`.
+fn renamings(count: usize) -> Vec<Vec<usize>> {
+    let Some(last) = count.checked_sub(1) else { return vec![Vec::new()] };
+    let inserted =
+        |shorter: Vec<usize>| (0..count).map(move |place| [&shorter[..place], &[last], &shorter[place..]].concat());
+    renamings(last).into_iter().flat_map(inserted).collect()
+}
+
 #[test]
 fn edges_come_and_go() {
     for n in [1, 64, 65, 70, 130] {

@@ -78,6 +78,19 @@ fn results_are_reduced_and_can_be_stopped() {
 }
 
 #[test]
+fn rows_of_other_lengths_are_refused() {
+    let rows = |lengths: &[usize]| lengths.iter().map(|&n| vec![rational(1, 1); n]).collect::<Vec<_>>();
+    for lengths in [&[2][..], &[0], &[2, 1], &[1, 2], &[3, 3]] {
+        let wrong = Err(ArithmeticError::Domain("as many columns as rows"));
+        assert_eq!(determinant_over_field(rows(lengths), rational(1, 1)), wrong, "{lengths:?}");
+    }
+    for lengths in [&[1][..], &[3], &[3, 2], &[3, 4], &[0, 3]] {
+        let wrong = Err(ArithmeticError::Domain("one column more than rows"));
+        assert_eq!(solve_over_field(rows(lengths)), wrong, "{lengths:?}");
+    }
+}
+
+#[test]
 fn pivots_of_intervals_are_those_that_can_be_inverted() {
     let between = |lo: i64, hi: i64| Interval::hull_of_rationals(&rational(lo, 1), &rational(hi, 1), 64);
     let point = |x: i64| between(x, x);

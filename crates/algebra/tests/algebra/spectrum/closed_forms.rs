@@ -2,7 +2,7 @@
 
 use super::UNIT;
 use algebra::graph::{LaplacianKind, NamedGraph};
-use algebra::spectrum::{ClosedForm, ClosedValue, CyclotomicSum, Eigenvalue, closed_form};
+use algebra::spectrum::{ClosedForm, ClosedValue, CyclotomicSum, Eigenvalue, RootTable, closed_form, named_spectrum};
 use arithmetic::{Field, Interval, Rational, Real, Ring, rational};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
@@ -90,7 +90,7 @@ fn small_sums_have_their_digits() {
             }
             let term = |(j, &c): (usize, &i64)| (n + shift + j as u64 - k, if j % 2 == 0 { c } else { -c });
             let terms = binomials.iter().enumerate().map(term);
-            let values = vec![(ClosedValue::Cyclotomic(CyclotomicSum::new(n, 1, terms)), 1)];
+            let values = vec![(ClosedValue::Cyclotomic(CyclotomicSum::new(n, 1, terms).unwrap()), 1)];
             let part = ClosedForm { values, formula: String::new() }.enclose(2).expect("enclosed").remove(0);
             assert!(has_digits(&part, 2), "{k} {shift} {n} {part:?}");
             let turn = one.pi() * one.ratio(2, n as i64);
@@ -158,4 +158,53 @@ fn floats_of_rationals_and_roots() {
         assert_eq!((found.re, found.im), (sign as f64 * 2f64.sqrt(), 0.0));
         assert_eq!(found.radius, 4.0 * UNIT * 2f64.sqrt());
     }
+}
+
+/// Numbers that no name has: an error or nothing, never a panic.
+#[test]
+fn graphs_that_are_none_have_no_spectrum() {
+    let offsets = |list: &[usize]| list.iter().copied().collect();
+    let graphs = [
+        NamedGraph::Ring(0),
+        NamedGraph::Ring(2),
+        NamedGraph::Cycle(0),
+        NamedGraph::Path(0),
+        NamedGraph::Path(usize::MAX),
+        NamedGraph::Complete(0),
+        NamedGraph::Star(0),
+        NamedGraph::Circulant(0, offsets(&[])),
+        NamedGraph::Circulant(5, offsets(&[7])),
+        NamedGraph::Circulant(5, offsets(&[])),
+        NamedGraph::PlatoonOne(0),
+        NamedGraph::PlatoonTwo(0),
+        NamedGraph::PlatoonTwo(usize::MAX),
+        NamedGraph::Geometric { order: 0, radius: rational(1, 1), seed: 1 },
+        NamedGraph::Geometric { order: 3, radius: rational(0, 1), seed: 1 },
+    ];
+    for graph in graphs {
+        assert!(graph.check().is_err() && graph.build().is_err(), "{graph}");
+        for kind in
+            [LaplacianKind::Combinatorial, LaplacianKind::Adjacency, LaplacianKind::Walk, LaplacianKind::Reduced]
+        {
+            assert!(closed_form(&graph, kind).is_none(), "{graph}");
+            assert!(named_spectrum(&graph, kind, None).is_err(), "{graph}");
+        }
+    }
+}
+
+#[test]
+fn sums_of_no_roots_of_unity_are_refused() {
+    let sum = |order, denominator, coefficient| CyclotomicSum::new(order, denominator, [(1, coefficient)]);
+    assert!(sum(1 << 31, 1 << 31, -(1 << 31)).is_ok());
+    for refused in
+        [(0, 1, 1), (1 << 32, 1, 1), (3, 0, 1), (3, -1, 1), (3, 1 << 32, 1), (3, 1, 1 << 32), (3, 1, i64::MIN)]
+    {
+        assert!(sum(refused.0, refused.1, refused.2).is_err(), "{refused:?}");
+    }
+    assert!(RootTable::new(0, 64).is_err());
+    let five = RootTable::new(5, 64).unwrap();
+    assert!(sum(7, 1, 1).unwrap().enclose(&five).is_err() && sum(5, 1, 1).unwrap().enclose(&five).is_ok());
+    // A real sum is its own real part, however often that is taken.
+    let half = sum(5, 3, 1).unwrap().real_part();
+    assert_eq!(half.real_part(), half);
 }

@@ -67,7 +67,7 @@ impl ClosedFormVariant {
             if gap.is_zero() {
                 return Ok(Err(format!("the term k = {k} divides by 1 - lambda_{k} = 0")));
             }
-            let mut dyad = mode.dyad(&flock.network.c, self.halves.0, self.halves.1);
+            let mut dyad = mode.dyad(&flock.network.c, self.halves.0, self.halves.1)?;
             let row: Vec<Rational> = dyad.swap_remove(bird).into_iter().map(|x| x / &gap).collect();
             terms.push(Term { base: mode.eigenvalue.clone(), factor: combine(&row, velocities) });
         }

@@ -23,7 +23,9 @@ const LARGEST_POWER: u64 = 6;
 impl PowersVariant {
     fn fails_at(&self, network: &Network, modes: &[Mode]) -> Result<Option<String>, CheckError> {
         let limit = every_row(&network.pi())?;
-        let dyad = |mode: &Mode| RationalMatrix::from_rows(&mode.dyad(&network.c, self.halves.0, self.halves.1));
+        let dyad = |mode: &Mode| -> Result<_, CheckError> {
+            Ok(RationalMatrix::from_rows(&mode.dyad(&network.c, self.halves.0, self.halves.1)?)?)
+        };
         let dyads: Vec<RationalMatrix> = modes.iter().map(dyad).collect::<Result<_, _>>()?;
         let mut power = network.identity()?;
         for s in 0..=LARGEST_POWER {
@@ -49,7 +51,7 @@ impl PowersVariant {
         let sides = [("left", &transposed, self.eigenvectors.0), ("right", &network.p, self.eigenvectors.1)];
         for (k, mode) in modes.iter().enumerate() {
             for (side, matrix, half) in sides {
-                let vector = mode.scaled(&network.c, half);
+                let vector = mode.scaled(&network.c, half)?;
                 let scaled: Vec<Rational> = vector.iter().map(|x| x * &mode.eigenvalue).collect();
                 if matrix.apply(&vector)? != scaled {
                     let (k, eigenvalue) = (k + 1, &mode.eigenvalue);

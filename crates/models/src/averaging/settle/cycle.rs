@@ -19,6 +19,13 @@ pub(super) enum Future {
     Keeps(u64),
     /// These two approach, and may end it when they come within distance 1: that is not followed, since it is far away.
     Until((usize, usize)),
+    /// Some approach, but if it goes on for `from` steps then it goes on for `to` steps.
+    For {
+        /// Steps to be followed one by one.
+        from: u64,
+        /// Steps before anybody can come within distance 1.
+        to: u64,
+    },
     /// It ends, or that is not known.
     Ends,
 }
@@ -34,18 +41,23 @@ pub(super) fn future(
     let union = Graph::from_fn(birds, |i, j| cycle.iter().any(|network| network.has_edge(i, j)));
     let parts = union.components();
     let mut follower = flock.clone();
-    let (mut horizon, mut ties, mut meeting) = (0, Vec::new(), None);
+    let (mut horizon, mut ties, mut meeting, mut contact) = (0, Vec::new(), None, None::<u64>);
+    let length = cycle.len() as u64;
     for phase in 0..cycle.len() {
         let from_here: Vec<&Graph> = (0..cycle.len()).map(|k| &cycle[(phase + k) % cycle.len()]).collect();
         let rounds = Rounds::new(&follower, &from_here, &parts, progress)?;
         let network = from_here[cycle.len() - 1];
+        let steps = |rounds: u64| rounds.saturating_mul(length).saturating_add(phase as u64);
         for (i, j) in (0..birds).flat_map(|j| (0..j).map(move |i| (i, j))) {
             match rounds.long_run(i, j, most) {
                 Run::Tie => ties.push((i, j)),
                 Run::MeetLater if !network.has_edge(i, j) => meeting = Some((i, j)),
                 Run::Keeps { near, rounds } if near == network.has_edge(i, j) => {
-                    let steps = rounds.saturating_mul(cycle.len() as u64).saturating_add(phase as u64);
-                    horizon = horizon.max(steps);
+                    horizon = horizon.max(steps(rounds));
+                }
+                Run::Approach { from, to } if !network.has_edge(i, j) => {
+                    horizon = horizon.max(steps(from));
+                    contact = Some(contact.map_or(steps(to), |known| known.min(steps(to))));
                 }
                 _ => return Ok(Future::Ends),
             }
@@ -60,7 +72,11 @@ pub(super) fn future(
             None => return Ok(Future::Ends),
         }
     }
-    Ok(meeting.map_or(Future::Keeps(horizon), Future::Until))
+    Ok(match (contact, meeting) {
+        (Some(to), _) => Future::For { from: horizon, to },
+        (None, Some(pair)) => Future::Until(pair),
+        (None, None) => Future::Keeps(horizon),
+    })
 }
 
 /// A distance that tends to 1: by the leading terms of its recurrence, among the birds that matter to the two.
@@ -108,7 +124,17 @@ enum Run {
     Meet,
     /// They may, but once the transients are small not for more rounds than were allowed.
     MeetLater,
+    /// They may, but not in these rounds.
+    Approach {
+        /// The first round from which the transients are small.
+        from: u64,
+        /// The last round before they may meet.
+        to: u64,
+    },
 }
+
+/// `|A + B k|² - 1` while two that approach are left to go round: small, so that few steps are left when they come near.
+const NEAR: (i64, i64) = (1, 1 << 10);
 
 /// The motion at one phase of the cycle.
 struct Rounds {
@@ -211,7 +237,18 @@ impl Rounds {
                 // Falling until then, and far from zero.
                 let falling = (&speed * &k * rational(2, 1) + &along).is_negative();
                 let later = falling && (&speed * &k + &along) * &k + &excess > rational(1, 1);
-                return if later && until(&rational(1, 4)) <= most { Run::MeetLater } else { Run::Meet };
+                if later && until(&rational(1, 4)) <= most {
+                    return Run::MeetLater;
+                }
+                // Falling until the round k, and not below `near` there, where 2 z sqrt(q + 1) + z² < q for z < near/4 and q >= near.
+                let near = rational(NEAR.0, NEAR.1);
+                let apart = |k: u64| {
+                    let k = Rational::from_integer(k.into());
+                    let falling = !(&speed * &k * rational(2, 1) + &along).is_positive();
+                    falling && (&speed * &k + &along) * &k + &excess >= near
+                };
+                let (from, to) = (until(&(&near * rational(1, 4))), last_with(most, apart));
+                return to.filter(|to| from < *to).map_or(Run::Meet, |to| Run::Approach { from, to });
             }
             // 2 z sqrt(q + 1) + z² < q for z < min(1, q)/4.
             let limit = least.min(rational(1, 1)) * rational(1, 4);
@@ -225,6 +262,19 @@ impl Rounds {
             if excess.is_negative() { -excess.clone() * rational(1, 2) } else { &excess / (&excess + rational(3, 1)) };
         Run::Keeps { near: excess.is_negative(), rounds: until(&gap) }
     }
+}
+
+/// The last number up to `most` with a property that all smaller ones have; none where 0 does not have it.
+fn last_with(most: u64, property: impl Fn(u64) -> bool) -> Option<u64> {
+    if property(most) {
+        return Some(most);
+    }
+    let (mut with, mut without) = (0, most);
+    while without - with > 1 {
+        let middle = with + (without - with) / 2;
+        if property(middle) { with = middle } else { without = middle }
+    }
+    property(with).then_some(with)
 }
 
 #[cfg(test)]

@@ -160,9 +160,12 @@ pub fn settle(
                 trajectory.last_switch.clone_from(&switch.time);
                 trajectory.switches += 1;
                 found(&switch);
-                if trajectory.switches >= limits.switches {
+                let enough = || {
                     let why = format!("stopped after {} switches", limits.switches);
-                    break (Ending::Undecided(why.clone()), why);
+                    (Ending::Undecided(why.clone()), why)
+                };
+                if trajectory.switches >= limits.switches {
+                    break enough();
                 }
                 let cycle = match trajectory.proved_cycle(limits) {
                     Err(SettleError::Cancelled(stopped)) => break (Ending::Interrupted, stopped.to_string()),
@@ -178,6 +181,12 @@ pub fn settle(
                         break (Ending::Alternating { period }, why);
                     }
                     Cycle::TooFar(why) => break (Ending::Undecided(why.clone()), why),
+                    Cycle::For(round) => match trajectory.go_round(*round, limits, found) {
+                        Err(SettleError::Cancelled(stopped)) => break (Ending::Interrupted, stopped.to_string()),
+                        Ok(true) => {}
+                        Ok(false) => break enough(),
+                        Err(error) => return Err(error),
+                    },
                 }
             }
             Ok(Next::Moved) => {}

@@ -76,3 +76,28 @@ fn exact_linear_algebra_asks() {
     );
     assert!(matches!(settled(&start, &Asked::at_most(0)).1, Ending::Interrupted));
 }
+
+/// Four birds that alternate until a fifth comes back: stopped while they go round, the network is that after the last switch that was found.
+#[test]
+fn a_cycle_that_is_gone_round_can_be_stopped() {
+    let number = |p: i64, q: i64| arithmetic::rational(p, q);
+    let x = [0, 8, 21, 29, 160].map(|p| number(p, 16)).to_vec();
+    let v = [number(1, 8), number(-1, 8), number(1, 8), number(-1, 8), number(-1, 1000)].to_vec();
+    let start = Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None);
+    let initial = Flock::new(&start).unwrap().network().clone();
+    let mut found_by = Vec::new();
+    for most in [6000, 6001] {
+        let (mut network, mut count) = (initial.clone(), 0);
+        let mut found = |switch: &Switch| {
+            switch.apply_to(&mut network);
+            count += 1;
+        };
+        let flock = Flock::new(&start).unwrap();
+        let settled = settle(flock, &Limits::default(), &mut found, &Asked::at_most(most)).unwrap();
+        assert!(matches!(settled.ending, Ending::Interrupted));
+        assert_eq!((settled.network, settled.last_switch), (network, count.into()));
+        found_by.push(count);
+    }
+    // One step more between two questions: they were stopped while they went round.
+    assert_eq!(found_by[1], found_by[0] + 1);
+}

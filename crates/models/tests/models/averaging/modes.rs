@@ -18,7 +18,7 @@ fn graphs_up_to_isomorphism() {
 /// The sum of the terms of equation (3.8).
 fn rebuilt(modes: &[Mode], c: &[Rational]) -> RationalMatrix {
     modes.iter().fold(RationalMatrix::from_integers(&[[0; 4]; 4], 1).unwrap(), |sum, mode| {
-        let dyad = RationalMatrix::from_rows(&mode.dyad(c, 1, -1)).unwrap();
+        let dyad = RationalMatrix::from_rows(&mode.dyad(c, 1, -1).unwrap()).unwrap();
         sum.plus(&dyad.scaled(&mode.eigenvalue)).unwrap()
     })
 }
@@ -35,7 +35,7 @@ fn modes_rebuild_the_matrix() {
     let times = |a: i32, power: fn(&Rational) -> Rational| {
         assert!(modes.iter().all(|mode| {
             let naive: Vec<Rational> = mode.right.iter().zip(&c).map(|(r, c)| r * power(c)).collect();
-            mode.scaled(&c, a) == naive
+            mode.scaled(&c, a).unwrap() == naive
         }));
     };
     times(3, Clone::clone);

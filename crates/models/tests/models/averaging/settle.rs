@@ -494,6 +494,48 @@ fn alternating_birds_and_others_far_away() {
     assert!(settled.why.contains("birds 4 and 5 approach") && settled.why.contains("400000"), "{}", settled.why);
 }
 
+/// Four birds that alternate, and a fifth at distance 10 that comes back at speed `1/q`.
+fn coming_back(q: i64) -> Start {
+    let x = [(0, 16), (8, 16), (21, 16), (29, 16), (160, 16)].map(|(p, q)| rational(p, q)).to_vec();
+    let mut v = [1, -1, 1, -1].map(|p| rational(p, 8)).to_vec();
+    v.push(rational(-1, q));
+    Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None)
+}
+
+/// The cycle is gone round as long as the fifth cannot be there, and what follows is what stepping finds.
+#[test]
+fn a_bird_that_comes_back_ends_a_cycle_when_it_arrives() {
+    for q in [20, 61, 100] {
+        let (switches, settled) = all_switches(&coming_back(q), &Limits { switches: 2000, ..Limits::default() });
+        let mut flock = Flock::new(&coming_back(q)).unwrap();
+        let until = switches[switches.len() - 1].time.clone().min((8 * q + 100).into());
+        let mut stepped = Vec::new();
+        while *flock.time() < until {
+            stepped.extend(flock.step().unwrap());
+        }
+        let jumped: Vec<Switch> = switches.into_iter().filter(|s| s.time <= until).collect();
+        assert!(jumped == stepped, "{q}: {} {}", jumped.len(), stepped.len());
+        assert!(jumped.iter().any(|s| s.gained.contains(&(3, 4))), "{q}: {}", settled.why);
+    }
+    // By hand: the third and fourth bird end with 29/16 as the largest limit, so the contact comes after about (10 - 29/16 - 1) q steps.
+    let (switches, _) = all_switches(&coming_back(3000), &Limits::default());
+    let contact = switches.iter().find(|s| s.gained.contains(&(3, 4))).expect("a contact");
+    let steps = contact.time.to_string().parse::<f64>().unwrap() / 3000.0;
+    assert!((7.0..7.4).contains(&steps), "{steps}");
+}
+
+/// A contact after more switches than are allowed: so many are reported, and the limit is named.
+#[test]
+fn a_cycle_is_left_at_the_limit_of_switches() {
+    let (switches, settled) = all_switches(&coming_back(30_000), &Limits { switches: 20_000, ..Limits::default() });
+    assert_eq!(settled.why, "stopped after 20000 switches");
+    assert!(matches!(settled.ending, Ending::Undecided(_)));
+    assert_eq!((switches.len(), &settled.last_switch), (20_000, &20_000.into()));
+    assert!(switches.iter().enumerate().all(|(k, s)| s.time == (k as u32 + 1).into()));
+    // The edge of the second and third bird is there at even times.
+    assert_eq!(settled.network.edges(), [(0, 1), (1, 2), (2, 3)]);
+}
+
 /// Contacts just before, at and just after the step at which exact numbers are taken, and from which a jump may start.
 #[test]
 fn lone_birds_meet_when_they_must() {

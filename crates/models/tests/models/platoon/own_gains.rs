@@ -85,10 +85,10 @@ fn margins_are_where_stability_ends() {
     let factor = known.critical_factor.unwrap();
     // The way for cars with gains of their own finds the same, from a stable start.
     let own = |f: i64| vec![Gains { f: rational(-5 * f, 1), g: rational(-f, 1) }; 3];
-    let found = margins_of_cars(&reduced, &own(1));
+    let found = margins_of_cars(&reduced, &own(1)).unwrap();
     assert!((found.critical_factor.unwrap() / factor - 1.0).abs() < 1e-6, "{found:?}");
     let strong = margins(&gains(-50.0, -10.0), &eigenvalues).unwrap();
-    let found = margins_of_cars(&reduced, &own(10));
+    let found = margins_of_cars(&reduced, &own(10)).unwrap();
     assert!((found.phase.unwrap() - strong.phase.unwrap()).abs() < 1e-6, "{found:?} {strong:?}");
     assert!((10.0 * found.critical_factor.unwrap() / factor - 1.0).abs() < 1e-6, "{found:?}");
     let stable = |factor: f64| {
@@ -167,7 +167,7 @@ fn margins_of_unstable_cars() {
         let own = vec![Gains { f: rational(f, scale), g: rational(-1, scale) }; 3];
         let known = margins(&gains(f as f64 / scale as f64, -1.0 / scale as f64), &[small.clone(), eigenvalue.clone()]);
         let known = known.unwrap().critical_factor.unwrap();
-        let found = margins_of_cars(&reduced, &own);
+        let found = margins_of_cars(&reduced, &own).unwrap();
         assert_eq!(found.phase, None, "unstable as they are");
         match found.critical_factor {
             Some(factor) => assert!((factor / known - 1.0).abs() < 1e-6 && factor > 4.0),
@@ -182,7 +182,7 @@ fn margins_of_unstable_cars() {
 fn margins_of_different_cars_are_those_of_the_worst() {
     let reduced = CommunicationGraph::of(Communication::Front, 3).unwrap().reduced_laplacian().unwrap();
     let own = [(-1, -1), (-4, -1), (-2, -3)].map(|(f, g)| Gains { f: rational(f, 1), g: rational(g, 1) });
-    let found = margins_of_cars(&reduced, &own);
+    let found = margins_of_cars(&reduced, &own).unwrap();
     let single = |(f, g): (f64, f64)| margins(&gains(f, g), &[Complex::real(1.0)]).unwrap().phase.unwrap();
     let least = [(-1.0, -1.0), (-4.0, -1.0), (-2.0, -3.0)].map(single).into_iter().fold(9.0, f64::min);
     assert!((found.phase.unwrap() - least).abs() < 1e-6, "{found:?}, {least}");

@@ -48,7 +48,7 @@ const MOST: u64 = 24;
 
 #[test]
 fn rounds_of_a_cycle_go_where_they_are_said_to_go() {
-    let mut seen = [0; 5];
+    let mut seen = [0; 6];
     for case in 0..160 {
         let (mut flock, cycle, parts) = random_case(&mut generator("rounds", "cycle", case));
         let networks: Vec<&Graph> = cycle.iter().collect();
@@ -85,6 +85,15 @@ fn rounds_of_a_cycle_go_where_they_are_said_to_go() {
                         assert!(ahead.is_negative());
                         assert!(k != MOST || !near, "case {case}, birds {i} and {j}");
                         seen[4] += 1;
+                    }
+                    Run::Approach { from, to } => {
+                        assert!(!(from..=to).contains(&k) || !near, "case {case}, birds {i} and {j}, round {k}");
+                        // It ends when they are about to be near, but for small transients, or are not waited for.
+                        let then: Vec<Rational> =
+                            place.iter().zip(&drift).map(|(a, b)| a + b * rational(to as i64 + 1, 1)).collect();
+                        let past = then.iter().zip(&drift).map(|(x, b)| x * b).sum::<Rational>().is_positive();
+                        assert!(to == MOST || past || square(&then) < rational(1025, 1024));
+                        seen[5] += 1;
                     }
                 }
             }
