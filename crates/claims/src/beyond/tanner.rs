@@ -118,7 +118,7 @@ pub fn alternating_trees() -> Record<Trees> {
     )
     .stated(
         "sharpens tanner2, Abstract (arbitrary switching)",
-        "Four agents in the plane under (4) with V = s + 1/s - 2, s the squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each: from no start without collision do the velocities agree in the limit.",
+        "Four agents in the plane under (4) with V = s + 1/s - 2, s the squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, for the same fixed time each: from no start without collision do the velocities agree in the limit.",
     )
     .altered("in space", |v| v.dimension = 3)
     .altered("one tree only", |v| v.trees = [printed.trees[0].clone(), printed.trees[0].clone()])
