@@ -82,8 +82,8 @@ fn large_flocks(variant: &DecayRateVariant, run: &Run) -> Result<Outcome, CheckE
         let claimed = variant.rate(&gains, m)?;
         let bound = -gains.g.clone() * gains.g.pi().square() * claimed.ratio(variant.bound.0, variant.bound.1);
         let room = bound.over(&gains.f.integer(m as i64).square())? - &claimed;
-        let right = are_within(&slowest_rate(&gains, m)?, &claimed, &claimed.scaled(-40))?
-            && !at_most(&room, &room.zero())?;
+        let right =
+            are_within(&slowest_rate(&gains, m)?, &claimed, &claimed.scaled(-40))? && !at_most(&room, &room.zero())?;
         let rate = interval_value(&claimed, 8);
         Ok((!right).then(|| format!("f = {}, g = {}, {m} followers: {rate}", exact.f, exact.g)))
     })

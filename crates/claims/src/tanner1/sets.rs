@@ -56,7 +56,10 @@ fn examine_smooth(variant: &SmoothVariant, run: &mut Run) -> Result<Outcome, Che
         let (rest, cut) = ((x, y) == (0, 0), y == 0 && x < 0);
         (variant.at_cut || !cut) && (variant.at_rest || !rest)
     });
-    let evidence = certified("the law on both sides", "enclosures at velocities 10^-9 to either side, between which the acceleration changes by at most 10^-7");
+    let evidence = certified(
+        "the law on both sides",
+        "enclosures at velocities 10^-9 to either side, between which the acceleration changes by at most 10^-7",
+    );
     let enclosures = run.every(evidence, meant, |(x, y)| {
         // Two velocities close by, one on each side.
         let near = |side: i64| [x, y].map(|k| rational(k, 1) + &step * rational(side, 1));
@@ -185,7 +188,8 @@ fn examine_bounded(variant: &BoundedVariant, run: &mut Run) -> Result<Outcome, C
     let far = Interval::from_rational(&rational(10, 1).pow(40), PRECISION);
     let rise = variant.potential.value(&far)? - variant.potential.value(&far.one())?;
     let small = at_most(&rise, &rise.integer(10))?;
-    let detail = "graphs of up to 4 agents, enclosures of V at the squared distances 1 and 10^40: it grows by more than 10";
+    let detail =
+        "graphs of up to 4 agents, enclosures of V at the squared distances 1 and 10^40: it grows by more than 10";
     let evidence = certified("distances", detail);
     let graphs = (1..=4).flat_map(Graph::all).filter(|graph| (variant.graphs)(graph));
     let distances = run.every(evidence, graphs, |graph| {
@@ -193,9 +197,8 @@ fn examine_bounded(variant: &BoundedVariant, run: &mut Run) -> Result<Outcome, C
         Ok(if !graph.is_connected() {
             Some(format!("{}: V_t does not see how far the components are apart", shown(&graph)))
         } else {
-            (!graph.edges().is_empty() && small).then(|| {
-                format!("{}: from distance 1 to 10^20 V_ij grows by {:.1} only", shown(&graph), rise.to_f64())
-            })
+            (!graph.edges().is_empty() && small)
+                .then(|| format!("{}: from distance 1 to 10^20 V_ij grows by {:.1} only", shown(&graph), rise.to_f64()))
         })
     })?;
     // V_t >= |v_i|²/2, as no V_ij is negative.

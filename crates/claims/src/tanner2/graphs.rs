@@ -210,7 +210,9 @@ fn against(variant: Growth, graph: &Graph, more: &Graph) -> Result<Option<usize>
     let (before, after) = (before?, after?);
     // Counts above a grid of rationals, and the eigenvalues themselves where all are rational.
     let grid = (0..=8 * graph.order() as i64).map(|k| rational(k, 4));
-    if matches!(variant, Growth::NoneDecreases { .. }) && grid.into_iter().any(|x| after.count_above(&x) < before.count_above(&x)) {
+    if matches!(variant, Growth::NoneDecreases { .. })
+        && grid.into_iter().any(|x| after.count_above(&x) < before.count_above(&x))
+    {
         return Ok(Some(0));
     }
     let (Some(a), Some(b)) = (rational_spectrum(graph)?, rational_spectrum(more)?) else { return Ok(None) };

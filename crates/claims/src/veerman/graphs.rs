@@ -56,6 +56,7 @@ fn examine_neighbour(variant: &NeighbourVariant, run: &mut Run) -> Result<Outcom
             let names: Vec<String> = behind.iter().map(ToString::to_string).collect();
             let stay = match names.as_slice() {
                 [] => "every follower moves".to_string(),
+                all if all.len() == followers => "every follower stays at rest".to_string(),
                 [one] => format!("of the followers 1 to {followers} only {one} stays at rest"),
                 more => format!("of the followers 1 to {followers} only {} stay at rest", more.join(", ")),
             };
@@ -73,7 +74,7 @@ fn staying_behind(graph: &CommunicationGraph) -> Vec<usize> {
     let leader = rational(7, 1);
     let mut moves = vec![false; graph.followers()];
     loop {
-        // Numbers that do not cancel.
+        // Positive, so that they do not cancel where a follower is at rest.
         let place = |k: usize| if moves[k] { rational(1, 3 * (k as i64 + 1)) } else { rational(0, 1) };
         let state: Vec<Rational> = (0..moves.len()).map(place).collect();
         let forces = graph.accelerations(&gains(((-2, 1), (-1, 3))), (&leader, &leader), &state, &state);
