@@ -1,5 +1,6 @@
 //! Evidence of each grade, and what a check makes of it.
 
+use arithmetic::Interval;
 use ledger::{CheckError, Evidence, Grade, Outcome, Run};
 
 /// Exact arithmetic on instances.
@@ -28,6 +29,29 @@ pub(crate) fn unless(wrong: Option<String>, evidence: Evidence) -> Result<Outcom
         Some(counterexample) => Outcome::fails(counterexample, evidence),
         None => Outcome::Holds(vec![evidence]),
     })
+}
+
+/// Whether `x <= bound`, where the enclosures decide it.
+///
+/// # Errors
+/// Enclosures that overlap: then neither is shown, and the check is undecided.
+pub(crate) fn at_most(x: &Interval, bound: &Interval) -> Result<bool, CheckError> {
+    if x.hi() <= bound.lo() {
+        return Ok(true);
+    }
+    if x.lo() > bound.hi() {
+        return Ok(false);
+    }
+    Err(CheckError::Other("the enclosures are too wide to decide".to_string()))
+}
+
+/// Whether `x` and `y` differ by at most `slack`, where the enclosures decide it.
+///
+/// # Errors
+/// As [`at_most`].
+pub(crate) fn are_within(x: &Interval, y: &Interval, slack: &Interval) -> Result<bool, CheckError> {
+    let difference = x.clone() - y;
+    Ok(at_most(&difference, slack)? && at_most(&-difference, slack)?)
 }
 
 /// Says which clauses the evidence of a check bears on.

@@ -49,7 +49,7 @@ pub fn inertia() -> Record<InertiaVariant> {
         "N >= 2. With two opposite clusters of N-b > b phases (b = 0: synchronised) the Hessian of U_1 has the inertia (b, N-b-1, 1).",
         "At a balanced arrangement not on a line it has the inertia (2, 0, N-2).",
         "At a balanced arrangement on a line it has the inertia (1, 0, N-1).",
-        "The unstable manifold of an unbalanced arrangement under (6) with (9) has dimension N-b-1 for K_1 > 0 and b for K_1 < 0.",
+        "The unstable manifold of such an arrangement of two clusters under (6) with (9) has dimension N-b-1 for K_1 > 0 and b for K_1 < 0.",
         "There are no other critical points.",
     ])
     .altered("(b + 1, N-b-2, 1)", |v| v.unbalanced = |n, b| [b + 1, (n - b).saturating_sub(2), 1])

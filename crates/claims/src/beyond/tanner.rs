@@ -5,8 +5,9 @@ use crate::tanner2::fixtures::{PLANE, printed as logarithmic, spring};
 use crate::tanner2::switching::{Trees, no_common_configuration};
 use algebra::graph::Graph;
 use models::double_integrator::{
-    AnyPotentials, Potential, State, cross, crosses_for_ever, difference, dot, gyroscopic, kinetic_energy,
-    potential_gradients, scaled, sum,
+    AnyPotentials, Coordinates, HeadingDifference, Potential, State, cross, crosses_for_ever, difference, dot,
+    gyroscopic, heading, kinetic_energy, linked_within, potential_gradients, rhombus, scaled, sum, symmetric_modes,
+    tied,
 };
 
 /// `d/dt ½|v_1 + v_2|² = factor d (v_2 x v_1)/s`, where `d` is the heading difference of the law.
@@ -15,6 +16,8 @@ pub struct TotalVariant {
     factor: i64,
     power: u64,
     linked: bool,
+    /// What the law takes for the difference of the headings, in clause 2.
+    difference: HeadingDifference,
 }
 
 /// Positions, speeds, half-angle tangents of the headings, the heading difference and the slope of the potential.
@@ -46,17 +49,49 @@ fn total_velocity(variant: &TotalVariant) -> Identity<'_> {
     })
 }
 
+/// The rate of `½|v_1 + v_2|²` under the law with this difference of headings, of two linked agents at (0, 0) and (1, 0); potential forces
+/// cancel in it. At opposite directions the wrapped difference jumps; there the rate is 0 for any number in its place.
+fn never_decreases(variant: &TotalVariant, run: &Run) -> Result<Outcome, CheckError> {
+    const PRECISION: u32 = 80;
+    let enclose = |q: &Rational| Interval::from_rational(q, PRECISION);
+    let vector = |x: i64, y: i64| [rational(x, 1), rational(y, 1)];
+    let mut list: Vec<(i64, i64)> =
+        (-2..=2).flat_map(|x| (-2..=2).map(move |y| (x, y))).filter(|v| *v != (0, 0)).collect();
+    list.sort_by_key(|(x, y)| (x * x + y * y, *x, *y));
+    let both = list.iter().flat_map(|v| list.iter().map(move |w| (*v, *w)));
+    let cases = both.filter(|((a, b), (c, d))| a * d != b * c || a * c + b * d > 0);
+    let detail = "enclosures at least -2^-64, positions (0, 0), (1, 0), velocities with coordinates up to 2 in different directions that are not opposite, or equal ones";
+    run.every(certified("the rate of ½|v_1 + v_2|²", detail), cases, |((a, b), (c, d))| {
+        let exact = State { positions: vec![vector(0, 0), vector(1, 0)], velocities: vec![vector(a, b), vector(c, d)] };
+        let state = exact.map(enclose);
+        let angles = [heading(&state.velocities[0])?, heading(&state.velocities[1])?];
+        let none = state.velocities.iter().map(|v| v.each_ref().map(Ring::zero)).collect::<Vec<_>>();
+        let differ = |i: usize, j: usize| variant.difference.read(angles[i].clone() - &angles[j]);
+        let accelerations = gyroscopic(&state, &none, &[(0, 1)], differ)?;
+        let total = |list: &[[Interval; 2]]| sum(&list[0], &list[1]);
+        let rate = dot(&total(&state.velocities), &total(&accelerations));
+        Ok(at_most(&rate, &-rate.one().scaled(-64))?.then(|| {
+            format!(
+                "two linked agents at (0, 0) and (1, 0) with velocities ({a}, {b}) and ({c}, {d}), headings apart by {:.4} as numbers: ½|v_1 + v_2|² has the rate {:.4}",
+                (angles[0].clone() - &angles[1]).to_f64(),
+                rate.to_f64()
+            )
+        }))
+    })
+}
+
 pub fn two_agents() -> Record<TotalVariant> {
     Record::new(
         "beyond.tanner1.two_agents",
         "Of two linked agents potential forces cancel in v_1 + v_2, and the alignment forces give d/dt ½|v_1 + v_2|² = 2 d |v_1||v_2| sin(theta_1 - theta_2)/s, for any number d in place of theta_1 - theta_2. With d in [-pi, pi] and equal to it modulo 2 pi, d sin d >= 0. The raw difference may lie \
          beyond pi, and then the sum of the velocities loses length.",
-        TotalVariant { factor: 2, power: 1, linked: true },
+        TotalVariant { factor: 2, power: 1, linked: true, difference: HeadingDifference::Wrapped },
         |variant, run| {
             let names = ["x1", "y1", "x2", "y2", "speed 1", "speed 2", "tan(theta_1/2)", "tan(theta_2/2)", "d", "V'"];
             let rates = run.identity(&total_velocity(variant), &names, "the rates of ½|v_1 + v_2|² and of the energy, any potential")?;
             Run::all([
                 Ok(rates.on([1, 3]).for_all()),
+                never_decreases(variant, run).on([2]),
                 argued(&[2], "d sin d >= 0, however many jumps", "notes/tanner1.md, Two agents, steps 1 to 3"),
             ])
         },
@@ -70,6 +105,7 @@ pub fn two_agents() -> Record<TotalVariant> {
     .altered("half of it", |v| v.factor = 1)
     .altered("over the fourth power of the distance", |v| v.power = 2)
     .altered("not linked", |v| v.linked = false)
+    .altered("raw differences in clause 2", |v| v.difference = HeadingDifference::Raw)
 }
 
 /// `omega` over `sqrt(3/2)`, and the whole turns by which heading differences are off the wrapped ones.
@@ -118,7 +154,7 @@ pub fn alternating_trees() -> Record<Trees> {
     )
     .stated(
         "sharpens tanner2, Abstract (arbitrary switching)",
-        "Four agents in the plane under (4) with V = s + 1/s - 2, s the squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each: from no start without collision do the velocities agree in the limit.",
+        "Four agents in the plane under (4) with V = s + 1/s - 2, s the squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, for the same fixed time each: from no start without collision do the velocities agree in the limit.",
     )
     .altered("in space", |v| v.dimension = 3)
     .altered("one tree only", |v| v.trees = [printed.trees[0].clone(), printed.trees[0].clone()])
@@ -143,6 +179,28 @@ fn out_of_reach(potential: &Potential, square: &Rational) -> Result<Option<Strin
     }))
 }
 
+/// A motion near the rhombus that does not turn: where all modes of the linked side are real, one that tends to the rhombus along the slowest
+/// of them from within R. The bars couple both diagonals, so that the long one takes part in it.
+fn settles_without_turning(potential: &Potential, square: &Rational) -> Result<Option<String>, CheckError> {
+    let state = rhombus();
+    if tied(&state.positions, square, Coordinates::Triangular) != [(0, 2)] {
+        return Ok(None);
+    }
+    let flat = [rational(1, 1), square.clone()].map(|s| potential.slope(&s));
+    let [side, diagonal] = flat;
+    let rests = side? == rational(0, 1) && diagonal? == rational(0, 1);
+    let linked = linked_within(&state.positions, square, Coordinates::Triangular).with_edges(&[(0, 2)]);
+    let modes = symmetric_modes(&linked.edges(), potential)?;
+    let bound = Rational::from_integer(modes.coefficients().iter().map(num_traits::Signed::abs).sum());
+    let real = modes.roots_in(&-bound.clone(), &bound).len();
+    let decays = rests && modes.is_hurwitz() && modes.is_square_free();
+    Ok((decays && real == modes.degree()).then(|| {
+        format!(
+            "R² = {square}: with the link 1-3 all {real} modes of symmetric motions near the rhombus decay without turning; one that tends to it along the slowest of them with |r_13| < R does not pass R any more"
+        )
+    }))
+}
+
 fn examine_endless(setting: &(Potential, Rational), _run: &mut Run) -> Result<Outcome, CheckError> {
     let (potential, square) = setting;
     if potential.check_definition3().is_ok()
@@ -155,6 +213,9 @@ fn examine_endless(setting: &(Potential, Rational), _run: &mut Run) -> Result<Ou
         "characteristic polynomials of the symmetric modes with and without the link: stable, no real root (Sturm, Routh)",
     );
     let fulfilled = potential.check_definition3().is_ok();
+    if let Some(what) = settles_without_turning(potential, square)?.filter(|_| fulfilled) {
+        return Ok(Outcome::fails(what, evidence));
+    }
     if fulfilled && crosses_for_ever(potential, square)? {
         return Run::all([
             Ok(Outcome::Holds(vec![evidence])),
@@ -178,6 +239,7 @@ pub fn endless_switching() -> Record<(Potential, Rational)> {
     )
     .control("V = s + 1/s - 2, whose slope at R is positive", (spring(), q(3)))
     .control("R² = 4", (Potential::with_inflection(&q(4)), q(4)))
+    .control("V' a hundredth of that, so that motions are overdamped", (Potential::with_inflection(&q(3)).times(&rational(1, 100)), q(3)))
 }
 
 /// The share of the jump `8 V'(R²) R²` that is claimed, and whether the slope at R may be zero.

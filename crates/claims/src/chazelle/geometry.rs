@@ -64,9 +64,10 @@ impl AngleVariant {
         let reach = Interval::from_rational(&dot(a, a).max(dot(b, b)), PRECISION).sqrt()?;
         let ratio = angle.over(&distance.power(self.of))?;
         let lower = (reach.one() + reach.power(self.power)).recip()?;
-        // Certainly outside; both bounds are approached, so that enclosures alone do not decide the limit cases.
-        let above = (ratio.clone() - ratio.one()).is_certainly_positive();
-        let below = (lower - &ratio).is_certainly_positive();
+        // Both bounds are approached, so that they are decided up to 2^-64 of the quotient.
+        let slack = ratio.scaled(-64);
+        let above = !at_most(&ratio, &(ratio.one() + &slack))?;
+        let below = !at_most(&lower, &(ratio.clone() + slack))?;
         let side = if above { "above 1" } else { "below the lower bound" };
         let list = |x: &[Rational]| x.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         let what = || format!("w = ({}), v = ({}): the quotient {:.6} is {side}", list(a), list(b), ratio.to_f64());
@@ -116,7 +117,7 @@ fn check_quotient(variant: &AngleVariant, run: &mut Run) -> Result<Outcome, Chec
             pairs.push(pair);
         }
     }
-    let detail = "enclosures for vectors in dimension 1 to 3, obtuse angles among them";
+    let detail = "enclosures for vectors in dimension 1 to 3, obtuse angles among them; up to 2^-64 of the quotient";
     let evidence = certified("1/(1 + R²) <= angle/distance <= 1", detail).on([1, 2]);
     Run::all([
         run.every(evidence, &pairs, |(w, v)| variant.fails_at(w, v)),

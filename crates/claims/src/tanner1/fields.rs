@@ -253,8 +253,8 @@ fn examine_sign(potential: &Potential, run: &mut Run) -> Result<Outcome, CheckEr
         let s = enclose(rational(10, 1).pow(k));
         let v = [enclose(rational(x, 100)), enclose(rational(y, 100))];
         let angle = heading(&v)?;
-        let value = potential.value(&s)? + PLANE.square(&v) + angle.clone() * angle;
-        Ok(value.is_certainly_negative().then(|| {
+        let value = potential.value(&s)? + PLANE.square(&v) + angle.square();
+        Ok((!at_most(&value.zero(), &value)?).then(|| {
             format!("two agents at |r|² = 10^{k}, both with velocity ({x}/100, {y}/100): V_t = {:.4}", value.to_f64())
         }))
     })?;

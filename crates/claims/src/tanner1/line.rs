@@ -75,7 +75,7 @@ enum End {
 fn ends(swing: Swing, end: End, run: &mut Run) -> Result<Result<Evidence, Outcome>, CheckError> {
     let evidence = certified(
         "two agents on a line",
-        "enclosure of V(4) - V(1), conservation of energy; notes/tanner1.md, A pair on a line, steps 1 to 4",
+        "enclosure of V(4) - V(1): more than 0, less than the square of the common speed; what follows is in notes/tanner1.md, A pair on a line",
     );
     let excess = swing.excess()?;
     run.value("largest_squared_swing", interval_value(&excess, 12));
@@ -113,7 +113,11 @@ fn examine_distances(variant: &DistanceVariant, run: &mut Run) -> Result<Outcome
         Ok(swing) => swing,
         Err(outcome) => return Ok(outcome),
     };
-    Run::all([energy_is_constant(run).on([1]), Ok(Outcome::Holds(vec![swing.on([2]).for_all()]))])
+    Run::all([
+        energy_is_constant(run).on([1]),
+        Ok(Outcome::Holds(vec![swing.on([2])])),
+        argued(&[2], "the swing for ever", "notes/tanner1.md, A pair on a line, steps 1 to 3"),
+    ])
 }
 
 pub fn distances() -> Record<DistanceVariant> {
@@ -202,7 +206,8 @@ fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckE
     Run::all([
         forces.on([1]),
         argued(&[1], "forces at equal constant headings", "notes/tanner1.md, Heading dynamics, steps 5 and 6"),
-        Ok(Outcome::Holds(vec![swing.on([2]).for_all()])),
+        Ok(Outcome::Holds(vec![swing.on([2])])),
+        argued(&[2], "the swing for ever", "notes/tanner1.md, A pair on a line, steps 1 to 4"),
     ])
 }
 

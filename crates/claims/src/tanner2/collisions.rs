@@ -6,7 +6,7 @@
 
 use super::fixtures::{PLANE, SMOOTH, connected, energy_decreases, pairs, soft, spring};
 use super::graphs::shown;
-use super::nonsmooth::{HullVariant, hulls};
+use super::nonsmooth::{HullVariant, along_solutions, hulls};
 use crate::prelude::*;
 use algebra::graph::Graph;
 use models::double_integrator::{Pair, Potential, State, linked_within, velocity_alignment};
@@ -41,6 +41,17 @@ pub struct CollisionVariant {
     pairs: Pairs,
     avoided: bool,
     potential: Potential,
+    /// The alignment of (4) times this, on a fixed graph.
+    damping: i64,
+    /// What is said of Q, for links by distance.
+    hull: HullVariant,
+}
+
+impl CollisionVariant {
+    fn new(networks: Networks, pairs: Pairs) -> Self {
+        let potential = spring();
+        CollisionVariant { networks, pairs, avoided: true, potential, damping: 1, hull: HullVariant::Subset }
+    }
 }
 
 /// Agents apart from each other with different velocities, but for `pair`, which is in one place.
@@ -89,7 +100,14 @@ fn examine(variant: &CollisionVariant, run: &mut Run) -> Result<Outcome, CheckEr
         let meet = can_meet(fixed, graph.order(), pair, &variant.potential);
         let (i, j) = (pair.0 + 1, pair.1 + 1);
         Ok((meet == variant.avoided).then(|| match variant.avoided {
-            true => format!("{}: the law is smooth where agents {i} and {j} meet with different velocities; followed back from there they start apart", shown(graph)),
+            true => {
+                let why = if fixed.is_none_or(|graph| graph.has_edge(pair.0, pair.1)) {
+                    "linked by a potential with a slope at distance 0"
+                } else {
+                    "which are not linked"
+                };
+                format!("{}: the law is smooth where agents {i} and {j}, {why}, meet with different velocities; followed back from there they start apart", shown(graph))
+            }
             false => format!("{}: the energy is infinite where agents {i} and {j} meet", shown(graph)),
         }))
     })?;
@@ -103,9 +121,10 @@ fn examine(variant: &CollisionVariant, run: &mut Run) -> Result<Outcome, CheckEr
         return Ok(Outcome::Undecided(format!("no barrier: {problem}")));
     }
     let (decrease, steps) = if variant.networks == Networks::ByDistance {
-        (hulls(&HullVariant::Subset, run), "notes/tanner2.md, Section 5, steps 1 to 5")
+        let both = [hulls(&variant.hull, run), along_solutions(&variant.hull, run)];
+        (Run::all(both), "notes/tanner2.md, Section 5, steps 1 to 5")
     } else {
-        (energy_decreases(run, 1), "notes/tanner2.md, Theorem 1, steps 1 and 2")
+        (energy_decreases(run, variant.damping), "notes/tanner2.md, Theorem 1, steps 1 and 2")
     };
     Run::all([Ok(meetings), decrease, argued(&[1], "the barrier", steps)])
 }
@@ -114,11 +133,12 @@ pub fn thm1b() -> Record<CollisionVariant> {
     Record::new(
         "tanner2.thm1b",
         "W does not increase and is at least V_ij, which tends to infinity where linked agents meet: |r_ij| stays above the smallest distance with V_ij <= W(0).",
-        CollisionVariant { networks: Networks::Connected, pairs: Pairs::Linked, avoided: true, potential: spring() },
+        CollisionVariant::new(Networks::Connected, Pairs::Linked),
         examine,
     )
     .reading(SMOOTH)
     .altered("all agents", |v| v.pairs = Pairs::All)
+    .altered("alignment with the other sign", |v| v.damping = -1)
     .altered("V = (s - 1)², which stays bounded", |v| v.potential = soft())
 }
 
@@ -126,11 +146,12 @@ pub fn cor3() -> Record<CollisionVariant> {
     Record::new(
         "tanner2.cor3",
         "All pairs are linked: Theorem 1's bound for linked agents is one for all.",
-        CollisionVariant { networks: Networks::Complete, pairs: Pairs::All, avoided: true, potential: spring() },
+        CollisionVariant::new(Networks::Complete, Pairs::All),
         examine,
     )
     .reading(SMOOTH)
     .altered("complete but for one edge", |v| v.networks = Networks::AllButOne)
+    .altered("alignment with the other sign", |v| v.damping = -1)
     .altered("V = (s - 1)², which stays bounded", |v| v.potential = soft())
 }
 
@@ -138,17 +159,17 @@ pub fn thm2_coll() -> Record<CollisionVariant> {
     Record::new(
         "tanner2.thm2_coll",
         "Q does not increase along any Filippov solution (tanner2.eq13) and is at least U_ij, which is V_ij near a collision, as close agents are linked, and tends to infinity. Connectivity is not needed.",
-        CollisionVariant { networks: Networks::ByDistance, pairs: Pairs::All, avoided: true, potential: spring() },
+        CollisionVariant::new(Networks::ByDistance, Pairs::All),
         examine,
     )
     .reading("every Filippov solution, K of the whole vector field; potentials of Definition 3 with a continuous gradient, starts in which no two agents coincide")
     .altered("links fixed, any connected graph", |v| v.networks = Networks::Connected)
+    .altered("Q with potentials that are not cut off at R", |v| v.hull = HullVariant::Uncut)
     .altered("V = (s - 1)², which stays bounded", |v| v.potential = soft())
 }
 
 pub fn noninter() -> Record<CollisionVariant> {
-    let printed =
-        CollisionVariant { networks: Networks::Connected, pairs: Pairs::Unlinked, avoided: false, potential: spring() };
+    let printed = CollisionVariant { avoided: false, ..CollisionVariant::new(Networks::Connected, Pairs::Unlinked) };
     Record::new(
         "tanner2.noninter",
         "At a state where two agents without link meet and no linked ones do, the law is smooth. Let the two have different velocities there and follow the motion back for a short time: it starts with all agents apart and ends in \

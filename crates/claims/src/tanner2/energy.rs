@@ -1,13 +1,14 @@
 //! tanner2.eq6, eq8, eq9, cor2_decomp, S_config, eq14, vdotB: the energy and its rate of change on a fixed graph.
 
 use super::fixtures::{PLANE, energy_decreases, on_connected, quadratic, spring, total};
+use super::motions::{motions, pair};
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Signed, gradient};
 use models::double_integrator::{
-    AnyPotentials, Potential, State, difference, disagreements, dot, kinetic_energy, potential_energy, scaled, sum,
-    velocity_alignment,
+    AnyPotentials, Potential, State, SteadyMotion, difference, disagreements, dot, kinetic_energy, potential_energy,
+    scaled, sum, velocity_alignment,
 };
 
 fn most(run: &Run) -> usize {
@@ -296,6 +297,8 @@ pub struct SteadyVariant {
     mutual: bool,
     /// Velocities stay equal, not only at one instant.
     invariant: bool,
+    /// Accelerations are equal too, for the conclusion that they are zero.
+    equal: bool,
 }
 
 /// The sum of all accelerations is zero; the slope at the second agent of each edge is a variable of its own where forces are not mutual.
@@ -320,17 +323,56 @@ fn examine_steady(variant: &SteadyVariant, run: &mut Run) -> Result<Outcome, Che
         sum_of_accelerations(graph, variant.mutual)
     });
     let momentum = momentum.on([1]);
-    if variant.invariant {
-        let steps = "notes/tanner2.md, Identities, step 4";
-        return Run::all([momentum, argued(&[1, 2, 3], "accelerations in the invariant set", steps)]);
+    let steps = "notes/tanner2.md, Identities, step 4";
+    Run::all([
+        momentum,
+        equal_velocities(variant, run).on([2, 3]),
+        only_zero(variant, run).on([3]),
+        argued(&[1, 2, 3], "accelerations in the invariant set", steps),
+    ])
+}
+
+/// The accelerations of states with equal velocities: of those that have equal velocities just after too, or of all.
+fn equal_velocities(variant: &SteadyVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let name = "two linked agents at distance 3/2 with a common velocity, V = s + 1/s - 2";
+    let drifting = SteadyMotion { state: drifting_pair(), name, ..pair() };
+    let meant = motions().into_iter().chain([drifting]).filter(SteadyMotion::agrees);
+    let mut cases = Vec::new();
+    for motion in meant {
+        let slope = |_: usize, _: usize, s: &Rational| motion.potential.slope(s);
+        let accelerations = velocity_alignment(&motion.state, &motion.graph.edges(), motion.coordinates, slope)?;
+        // How the velocities relative to agent 1 change.
+        let moving = motion.state.moving(&accelerations);
+        let rates = (0..accelerations.len()).flat_map(|i| moving.relative_velocity(i, 0).map(|x| x.derivative));
+        let stays = rates.into_iter().all(|x| num_traits::Zero::is_zero(&x));
+        if stays || !variant.invariant {
+            cases.push((motion.name, accelerations));
+        }
     }
-    let state = drifting_pair();
-    let accelerations = velocity_alignment(&state, &[(0, 1)], PLANE, |_, _, s| spring().slope(s))?;
-    let [x, y] = &accelerations[0];
-    let moves = accelerations.iter().flatten().any(|a| !num_traits::Zero::is_zero(a));
-    let what = format!("two agents with a common velocity at distance 3/2: vdot_1 = ({x}, {y})");
-    let evidence = exact("equal velocities at one instant", "exact accelerations").on([3]);
-    Run::all([unless(moves.then_some(what), evidence), momentum])
+    let detail =
+        "exact accelerations of equilibria of two and three agents with a common velocity, in which it stays common";
+    run.instances("accelerations where velocities stay equal", detail, cases, |(name, accelerations)| {
+        let moves = accelerations.iter().find(|a| a.iter().any(|x| !num_traits::Zero::is_zero(x)));
+        Ok(moves.map(|[x, y]| format!("{name}: an agent has the acceleration ({x}, {y})")))
+    })
+}
+
+/// What lies in the complement of 1 and, if so said, in the span of 1 too: only zero, by the kernel of these conditions.
+fn only_zero(variant: &SteadyVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let detail = "the conditions \"sum zero\" and \"equal\" have the kernel 0, N = 1 to 8";
+    run.instances("span{1} and its complement", detail, 1..=8_usize, |count| {
+        let mut rows = vec![vec![rational(1, 1); count]];
+        if variant.equal {
+            rows.extend((1..count).map(|i| {
+                (0..count).map(|j| rational(i64::from(j == i) - i64::from(j == 0), 1)).collect::<Vec<Rational>>()
+            }));
+        }
+        let kernel = RationalMatrix::from_rows(&rows)?.kernel();
+        Ok(kernel.first().map(|x| {
+            let list: Vec<String> = x.iter().map(ToString::to_string).collect();
+            format!("{count} agents: ({}) is normal to 1 and not zero", list.join(", "))
+        }))
+    })
 }
 
 pub fn eq14() -> Record<SteadyVariant> {
@@ -338,7 +380,7 @@ pub fn eq14() -> Record<SteadyVariant> {
         "tanner2.eq14",
         "All forces are mutual, so the accelerations sum to zero in every state (they are normal to 1), and so does every convex \
          combination of them over graphs. In an invariant set of equal velocities all accelerations are equal. Equal vectors that sum to zero are zero.",
-        SteadyVariant { mutual: true, invariant: true },
+        SteadyVariant { mutual: true, invariant: true, equal: true },
         examine_steady,
     )
     .clauses(&[
@@ -348,6 +390,7 @@ pub fn eq14() -> Record<SteadyVariant> {
     ])
     .altered("forces that are not mutual", |v| v.mutual = false)
     .altered("equal velocities at one instant only", |v| v.invariant = false)
+    .altered("from vdot_x, vdot_y in span{1}^perp alone", |v| v.equal = false)
 }
 
 /// `vdot = factor (B kron I_2) [grad_{r_ij} V_ij]`; in `B` the entry of the vertex an edge leaves is -1, that of the one it enters `incoming`.

@@ -116,15 +116,22 @@ pub fn laplacian() -> Record<LaplacianVariant> {
     .altered("one more zero eigenvalue", |v| v.offset = 1)
 }
 
-/// For which graphs the range of `B` is said to be the complement of 1, and for which the columns to be independent.
+/// For which graphs the range of `B` is said to be the complement of 1, for which the columns to be independent, and how many edges fewer than
+/// vertices a tree is said to have.
 #[derive(Clone, Copy)]
 pub struct RangeVariant {
     range: fn(&Graph) -> bool,
     independent: fn(&Graph) -> bool,
+    fewer: usize,
 }
 
+/// Connected and without a cycle: leaves can be taken away until one vertex is left.
 fn is_tree(graph: &Graph) -> bool {
-    graph.is_connected() && graph.edges().len() + 1 == graph.order()
+    let mut left: Vec<usize> = (0..graph.order()).collect();
+    while let Some(leaf) = left.iter().position(|&i| left.iter().filter(|&&j| graph.has_edge(i, j)).count() == 1) {
+        left.remove(leaf);
+    }
+    graph.is_connected() && left.len() == 1
 }
 
 fn examine_range(variant: &RangeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -137,6 +144,8 @@ fn examine_range(variant: &RangeVariant, run: &mut Run) -> Result<Outcome, Check
         // Every column sums to zero, so the range lies in the complement of 1, which has N - 1 dimensions.
         Ok(if (variant.range)(&graph) && rank + 1 != graph.order() {
             Some(format!("{}: the rank of B is {rank}", shown(&graph)))
+        } else if is_tree(&graph) && edges + variant.fewer != graph.order() {
+            Some(format!("{}: a tree with {edges} edges", shown(&graph)))
         } else if (variant.independent)(&graph) && rank != edges {
             Some(format!("{}: {edges} columns of rank {rank}", shown(&graph)))
         } else {
@@ -151,7 +160,7 @@ pub fn range() -> Record<RangeVariant> {
         "tanner2.rangeB",
         "Every column sums to zero. y^T B = 0 says that y is equal at both ends of every edge, so for a connected graph the range is the whole \
          complement of 1, of dimension N - 1. A tree has N - 1 edges: its columns are independent. (Full rank means full column rank.)",
-        RangeVariant { range: Graph::is_connected, independent: is_tree },
+        RangeVariant { range: Graph::is_connected, independent: is_tree, fewer: 1 },
         examine_range,
     )
     .clauses(&[
@@ -162,13 +171,14 @@ pub fn range() -> Record<RangeVariant> {
     .reading("full rank of the columns")
     .altered("any graph", |v| v.range = |_| true)
     .altered("as many edges as vertices", |v| v.independent = |graph| graph.is_connected() && graph.edges().len() == graph.order())
+    .altered("a tree has N - 2 edges", |v| v.fewer = 2)
 }
 
 /// What a new edge does to the eigenvalues.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Growth {
-    /// None decreases; the sum increases by two.
-    NoneDecreases,
+    /// None decreases; the sum increases by this.
+    NoneDecreases { sum: i64 },
     /// Every eigenvalue but the zero one increases.
     AllIncrease,
     /// The second smallest increases.
@@ -185,18 +195,29 @@ pub(crate) fn rational_spectrum(graph: &Graph) -> Result<Option<Vec<Rational>>, 
     Ok((list.len() == graph.order()).then_some(list))
 }
 
+/// By how much the sum of the eigenvalues grows: that of the diagonal, which is minus the second coefficient of the characteristic polynomial.
+fn growth_of_sum(graph: &Graph, more: &Graph) -> Result<Rational, CheckError> {
+    let sum = |graph: &Graph| -> Result<Rational, CheckError> {
+        let coefficients = graph.laplacian()?.characteristic_polynomial()?.coefficients();
+        coefficients.iter().rev().nth(1).map(|c| -c.clone()).ok_or(CheckError::Other("no eigenvalues".to_string()))
+    };
+    Ok(sum(more)? - sum(graph)?)
+}
+
 /// Which eigenvalue from below goes against the statement, from 0; an eigenvalue whose numbers are not rational counts as the first.
 fn against(variant: Growth, graph: &Graph, more: &Graph) -> Result<Option<usize>, CheckError> {
     let [before, after] = [graph, more].map(|graph| graph.laplacian().and_then(|l| l.characteristic_polynomial()));
     let (before, after) = (before?, after?);
     // Counts above a grid of rationals, and the eigenvalues themselves where all are rational.
     let grid = (0..=8 * graph.order() as i64).map(|k| rational(k, 4));
-    if variant == Growth::NoneDecreases && grid.into_iter().any(|x| after.count_above(&x) < before.count_above(&x)) {
+    if matches!(variant, Growth::NoneDecreases { .. })
+        && grid.into_iter().any(|x| after.count_above(&x) < before.count_above(&x))
+    {
         return Ok(Some(0));
     }
     let (Some(a), Some(b)) = (rational_spectrum(graph)?, rational_spectrum(more)?) else { return Ok(None) };
     Ok((0..a.len()).find(|&k| match variant {
-        Growth::NoneDecreases => b[k] < a[k],
+        Growth::NoneDecreases { .. } => b[k] < a[k],
         Growth::AllIncrease => k > 0 && b[k] <= a[k],
         Growth::SecondIncreases => k == 1 && b[k] <= a[k],
         Growth::AtMostOne => &b[k] - &a[k] > rational(1, 1),
@@ -205,7 +226,7 @@ fn against(variant: Growth, graph: &Graph, more: &Graph) -> Result<Option<usize>
 
 fn examine_growth(variant: &Growth, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "a new edge and the eigenvalues of L";
-    let detail = "every connected graph of up to 5 vertices and every new edge: numbers of eigenvalues above the multiples of 1/4, and rational eigenvalues";
+    let detail = "every connected graph of up to 5 vertices and every new edge: numbers of eigenvalues above the multiples of 1/4, rational eigenvalues, and the sum of all";
     let additions = connected(5).into_iter().flat_map(|graph| {
         let free: Vec<_> = pairs(graph.order()).filter(|&(i, j)| !graph.has_edge(i, j)).collect();
         free.into_iter().map(move |pair| (graph.clone(), pair))
@@ -213,6 +234,13 @@ fn examine_growth(variant: &Growth, run: &mut Run) -> Result<Outcome, CheckError
     let evidence = exhaustive(part, detail);
     let growth = run.every(evidence, additions, |(graph, pair): (Graph, (usize, usize))| {
         let more = graph.with_edges(&[pair]);
+        if let Growth::NoneDecreases { sum } = *variant {
+            let grown = growth_of_sum(&graph, &more)?;
+            if grown != rational(sum, 1) {
+                let what = format!("{} and then {pair:?}: the sum of the eigenvalues grows by {grown}", shown(&graph));
+                return Ok(Some(what));
+            }
+        }
         let Some(k) = against(*variant, &graph, &more)? else { return Ok(None) };
         let change = rational_spectrum(&graph)?.zip(rational_spectrum(&more)?);
         let change = change.map(|(a, b)| format!("from {} to {}", a[k], b[k])).unwrap_or_default();
@@ -227,11 +255,12 @@ pub fn merris() -> Record<Growth> {
         "A new edge adds b b^T, which is positive semidefinite of trace 2: no eigenvalue decreases (Courant and Fischer), and their sum increases by 2. \
          Some may stay: 0 always, 3 from the path to the triangle, lambda_2 = 1 from the star of 4 to the star with \
          an edge.",
-        Growth::NoneDecreases,
+        Growth::NoneDecreases { sum: 2 },
         examine_growth,
     )
     .reading("\"generally increases\": no eigenvalue decreases, and their sum grows by 2")
     .control("every eigenvalue but 0 increases", Growth::AllIncrease)
     .control("lambda_2 increases", Growth::SecondIncreases)
     .control("none by more than 1", Growth::AtMostOne)
+    .control("the sum grows by 1", Growth::NoneDecreases { sum: 1 })
 }

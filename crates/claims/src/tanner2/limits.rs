@@ -125,6 +125,32 @@ pub struct ManifoldVariant {
     minima: bool,
     /// The alignment of (4) times this.
     damping: i64,
+    /// Only minima near which there are no other critical configurations.
+    isolated: bool,
+}
+
+/// Equilibria of two agents near the strict minimum `s = 1` of the potential with `V' = (s - 1)³ sin²(1/(s - 1))/s²`, as near as one likes:
+/// between two squared distances at which `sin(1/(s - 1))` has different signs there is one at which it vanishes, and `V'` with it.
+fn equilibria_near_one(variant: &ManifoldVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let detail = "signs of sin(1/(s - 1)) at 1/(s - 1) = k pi - 1/10 and k pi + 1/10, enclosed";
+    let meant = (!variant.isolated).then_some([10_i64, 100, 1000, 10_000]);
+    run.every(certified("two agents near a minimum that is not isolated", detail), meant, |list| {
+        let one = Interval::from_rational(&rational(1, 1), 80);
+        for k in list {
+            let sine = |tenths: i64| -> Result<Interval, CheckError> {
+                let s = one.clone() + (one.pi() * one.integer(k) + one.ratio(tenths, 10)).recip()?;
+                Ok((s - &one).recip()?.sin_cos()?.0)
+            };
+            // Between the two s is less than 1 + 1/(3k).
+            if !at_most(&(sine(-1)? * sine(1)?), &one.zero())? {
+                return Ok(None);
+            }
+        }
+        let within = list.map(|k| format!("1 + 1/{}", 3 * k)).join(", ");
+        Ok(Some(format!(
+            "two linked agents, V' = (s - 1)³ sin²(1/(s - 1))/s²: between 1 and each of {within} there is an s at which the slope vanishes; at rest there they stay, so the minimum s = 1 does not attract them"
+        )))
+    })
 }
 
 fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -149,6 +175,7 @@ fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome,
     })?;
     Run::all([
         Ok(equilibria.on([1, 2])),
+        equilibria_near_one(variant, run).on([1]),
         energy_decreases(run, variant.damping).on([1]),
         argued(&[1, 2], "isolated minima", "notes/tanner2.md, Theorem 1, steps 1 and 7"),
     ])
@@ -160,19 +187,20 @@ pub fn flocking() -> Record<ManifoldVariant> {
         "Definition 1 forbids collisions of any two agents. On the path 1-2-3 agents 1 and 3 do not know each other, and the equilibrium with both in the same place belongs to the manifold. \
          On the complete graph nobody collides, but the equilibria include saddles (three agents in a row), which are not stable. A minimum has to be isolated among the critical configurations: \
          V' = (s - 1)³ sin²(1/(s - 1))/s² has a strict minimum at s = 1 with other equilibria as near as one likes.",
-        ManifoldVariant { complete: false, minima: false, damping: 1 },
+        ManifoldVariant { complete: false, minima: false, damping: 1, isolated: false },
         examine_manifold,
     )
     .clauses(&[
         "On a time invariant connected graph (4) creates an asymptotically stable equilibrium manifold.",
         "On it the group satisfies Definition 1: same velocity, distances stabilized, no collisions between agents.",
     ])
-    .repaired(Fault::False, "", ManifoldVariant { complete: true, minima: true, damping: 1 })
+    .repaired(Fault::False, "", ManifoldVariant { complete: true, minima: true, damping: 1, isolated: true })
     .repaired_clauses(&[
         "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
         "In them no two agents are in one place.",
     ])
     .altered("all equilibria of the complete graph", |v| v.minima = false)
+    .altered("strict minima with other critical configurations near them too", |v| v.isolated = false)
     .altered("alignment with the other sign", |v| v.damping = -1)
 }
 

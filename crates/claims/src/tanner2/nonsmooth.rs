@@ -435,7 +435,7 @@ fn rate_along(
 }
 
 /// Q along all ways on from the tied states: its rate is the damping of the links and weights in force.
-fn along_solutions(variant: &HullVariant, run: &Run) -> Result<Outcome, CheckError> {
+pub(super) fn along_solutions(variant: &HullVariant, run: &Run) -> Result<Outcome, CheckError> {
     let detail = "every way on from no, one and two tied pairs, with weights that keep a pair at R: rates by exact accelerations";
     let square = rational(4, 1);
     run.instances("Q along solutions of (10) through ties", detail, tied_states(run), |(name, state)| {

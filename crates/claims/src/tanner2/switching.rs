@@ -82,7 +82,7 @@ fn examine_signal(variant: &SignalVariant, run: &mut Run) -> Result<Outcome, Che
 pub fn arbitrary() -> Record<SignalVariant> {
     Record::new(
         "tanner2.arbswitch",
-        "Q is no Lyapunov function for a switch that does not happen at |r_ij| = R: there energy may jump up. Let four agents use the paths 1-2-3-4 and 2-4-1-3 in turn for a fixed time each, both connected. If the velocities agreed in the limit, the \
+        "Q is no Lyapunov function for a switch that does not happen at |r_ij| = R: there energy may jump up. Let four agents use the paths 1-2-3-4 and 2-4-1-3 in turn for the same fixed time each, both connected. If the velocities agreed in the limit, the \
          forces on every edge of the path in use would tend to zero in the mean, so its three distances to 1, at the switches too: there all six are near 1, which is impossible in the plane. So the velocities never agree, from any start. \
          What Section 5 analyses is switching by distance.",
         SignalVariant { any_signal: true, trees: Trees::two_paths(), agentwise: false },
@@ -92,7 +92,7 @@ pub fn arbitrary() -> Record<SignalVariant> {
     .repaired_by(Fault::False, "", |v| v.any_signal = false)
     .repaired_clauses(&[
         "Velocities agree in the limit if links switch by distance, as in (10), read as in tanner2.thm2_vel, and the graph stays connected.",
-        "They do not for all switching signals among connected graphs: four agents in the plane under (4) with V = s + 1/s - 2, s the squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each, agree in the limit from no start without collision.",
+        "They do not for all switching signals among connected graphs: four agents in the plane under (4) with V = s + 1/s - 2, s the squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, for the same fixed time each, agree in the limit from no start without collision.",
     ])
     .altered("by distance, with K agent by agent", |v| v.agentwise = true)
     .altered("the two paths in space", |v| v.trees = Trees { dimension: 3, ..Trees::two_paths() })

@@ -47,7 +47,10 @@ pub(crate) fn headings(variant: &HeadingVariant, run: &Run) -> Result<Outcome, C
     let mut vectors: Vec<(i64, i64)> =
         (-4..=4).flat_map(|x| (-4..=4).map(move |y| (x, y))).filter(|v| *v != (0, 0)).collect();
     vectors.sort_by_key(|(x, y)| (x * x + y * y, -x, -y));
-    let evidence = certified(ANGLE, "enclosures for all integer vectors up to 4 in size");
+    let evidence = certified(
+        ANGLE,
+        "enclosures for all integer vectors up to 4 in size: direction, and -pi <= angle <= pi, up to 2^-64 of the length",
+    );
     run.every(evidence, vectors, |(x, y)| {
         let v = [enclose(x), enclose(y)];
         let Ok(angle) = variant.angle(&v) else {
@@ -55,9 +58,10 @@ pub(crate) fn headings(variant: &HeadingVariant, run: &Run) -> Result<Outcome, C
         };
         let (sin, cos) = angle.sin_cos()?;
         let length = PLANE.square(&v).sqrt()?;
-        let outside = (angle.clone() - angle.pi()).is_certainly_positive()
-            || (angle.clone() + angle.pi()).is_certainly_negative();
-        let wrong = outside || !(length.clone() * cos).overlaps(&v[0]) || !(length * sin).overlaps(&v[1]);
+        let slack = length.scaled(-64);
+        let inside = are_within(&angle, &angle.zero(), &(angle.pi() + &slack))?;
+        let [along, across] = [length.clone() * cos, length * sin];
+        let wrong = !inside || !are_within(&along, &v[0], &slack)? || !are_within(&across, &v[1], &slack)?;
         Ok(wrong.then(|| format!("velocity ({x}, {y}): the formula gives {:.4}", angle.to_f64())))
     })
 }

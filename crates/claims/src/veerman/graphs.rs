@@ -7,7 +7,7 @@ use models::platoon::{
     resonance,
 };
 
-/// For every `n >= smallest`: the graph is connected or not, and some followers, or all, stay behind.
+/// For every `n >= smallest`: the graph is connected or not, and the followers that are not joined to the leader, or all, stay behind.
 #[derive(Clone, Copy)]
 pub struct NeighbourVariant {
     smallest: usize,
@@ -25,7 +25,7 @@ pub fn nth_neighbour() -> Record<NeighbourVariant> {
         NeighbourVariant { smallest: 1, connected: false, all_stay: false },
         examine_neighbour,
     )
-    .reading("Agents without an n-th one in front or behind track the other only, like the last car of (2), or nobody.")
+    .reading("An agent that has no n-th agent in front of it tracks the n-th one behind it only, one that has none behind it the n-th one in front only, like the last car of (2), and one that has neither tracks nobody.")
     .clauses(&[
         "If each agent keeps track of only the n-th agent in front and behind it, the communication graph is not connected.",
         "Some agents will stay behind.",
@@ -47,11 +47,20 @@ fn examine_neighbour(variant: &NeighbourVariant, run: &mut Run) -> Result<Outcom
     let graphs = run.instances("communication graphs", &detail, cases, |(n, followers)| {
         let graph = CommunicationGraph::nth_neighbours(n, followers)?;
         let behind = staying_behind(&graph);
-        let as_claimed = if variant.all_stay { behind.len() == followers } else { !behind.is_empty() };
+        let class = |k: &usize| variant.all_stay || *k % n != 0;
+        let claimed: Vec<usize> = (1..=followers).filter(class).collect();
+        let as_claimed = behind == claimed && behind.contains(&1);
         let connected = graph.is_connected();
         let what = || {
             let what = if connected { "connected" } else { "not connected" };
-            format!("n = {n}, N = {}: the graph is {what}, and the followers {behind:?} stay at rest", followers - 1)
+            let names: Vec<String> = behind.iter().map(ToString::to_string).collect();
+            let stay = match names.as_slice() {
+                [] => "every follower moves".to_string(),
+                all if all.len() == followers => "every follower stays at rest".to_string(),
+                [one] => format!("of the followers 1 to {followers} only {one} stays at rest"),
+                more => format!("of the followers 1 to {followers} only {} stay at rest", more.join(", ")),
+            };
+            format!("n = {n}, N = {}: the graph is {what}, and {stay}", followers - 1)
         };
         Ok((connected != variant.connected || !as_claimed).then(what))
     })?;
@@ -59,14 +68,22 @@ fn examine_neighbour(variant: &NeighbourVariant, run: &mut Run) -> Result<Outcom
     Run::all([Ok(graphs.on([1, 2])), proof])
 }
 
-/// The followers outside the leader's reach, if the law indeed leaves them at rest while all others move.
+/// The followers that the law leaves at rest in their places, whatever those move that it does not leave at rest: all are at rest at first, and
+/// whoever is pushed moves from then on.
 fn staying_behind(graph: &CommunicationGraph) -> Vec<usize> {
-    let reached = graph.reached_by_leader();
-    let moving = |k: usize| rational(if reached[k] { k as i64 + 1 } else { 0 }, 3);
-    let state: Vec<Rational> = (1..=graph.followers()).map(moving).collect();
     let leader = rational(7, 1);
-    let forces = graph.accelerations(&gains(((-2, 1), (-1, 3))), (&leader, &leader), &state, &state);
-    (1..=graph.followers()).filter(|&k| !reached[k] && forces[k - 1] == rational(0, 1)).collect()
+    let mut moves = vec![false; graph.followers()];
+    loop {
+        // Positive, so that they do not cancel where a follower is at rest.
+        let place = |k: usize| if moves[k] { rational(1, 3 * (k as i64 + 1)) } else { rational(0, 1) };
+        let state: Vec<Rational> = (0..moves.len()).map(place).collect();
+        let forces = graph.accelerations(&gains(((-2, 1), (-1, 3))), (&leader, &leader), &state, &state);
+        let pushed: Vec<bool> = moves.iter().zip(&forces).map(|(moves, f)| *moves || *f != rational(0, 1)).collect();
+        if pushed == moves {
+            return (1..=moves.len()).filter(|k| !moves[k - 1]).collect();
+        }
+        moves = pushed;
+    }
 }
 
 /// The degrees `p` of the families of graphs that are looked at; that of degree p is claimed to have the degree `p + shift`.

@@ -245,5 +245,6 @@ fn examine_dimensions(variant: &DimensionsVariant, run: &mut Run) -> Result<Outc
             () => None,
         })
     })?;
-    Ok(outcome.on([1, 2, 3]))
+    let steps = "notes/veerman_platoons.md, the printed matrices, steps 1 to 3";
+    Run::all([Ok(outcome.on([1, 2, 3])), argued(&[1, 2, 3], "every N", steps)])
 }

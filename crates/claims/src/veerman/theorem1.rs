@@ -3,7 +3,7 @@
 use super::gains;
 use crate::prelude::*;
 use arithmetic::{Series, Signed};
-use models::platoon::{Gains, Resonance, larger_root_power, resonance, theorem1};
+use models::platoon::{Gains, Resonance, gamma_minus_one, larger_root_power, resonance, theorem1};
 
 pub(super) const DIGITS: u32 = 36;
 
@@ -124,37 +124,102 @@ pub fn amplitude() -> Record<LeadingVariant> {
     )
 }
 
-/// The second-order bracket `(w²/2)(damping g²/f² + stiffness/|f|)`, and how many coefficients of the bracket are
-/// compared.
+/// `sign i sqrt(two) (w/sqrt|f|)` times a bracket with the second-order term `(w²/2)(damping g²/f² + stiffness/|f|)`, of which so many
+/// coefficients are compared.
 #[derive(Clone, Copy)]
 pub struct EpsilonVariant {
+    sign: i64,
+    two: i64,
     damping: (i64, i64),
     stiffness: (i64, i64),
     coefficients: usize,
 }
 
-fn bracket_of_epsilon(variant: &EpsilonVariant) -> Identity<'_> {
-    Identity::of(move |[r, g]| {
-        let [_, bracket] = theorem1::expansion(r, g, variant.coefficients)?;
+impl EpsilonVariant {
+    /// The coefficients of the claimed bracket, with `r = sqrt|f|` and `g` for `|g|`.
+    fn bracket<T: Field>(&self, r: &T, g: &T) -> Result<Vec<Complex<T>>, ArithmeticError> {
         let size = r.square();
-        let second = (g.ratio(variant.damping.0, 2 * variant.damping.1) * g.square()).over(&size.square())?
-            + g.ratio(variant.stiffness.0, 2 * variant.stiffness.1).over(&size)?;
-        let printed = [
+        let second = (g.ratio(self.damping.0, 2 * self.damping.1) * g.square()).over(&size.square())?
+            + g.ratio(self.stiffness.0, 2 * self.stiffness.1).over(&size)?;
+        let mut list = vec![
             Complex::real(r.one()),
             Complex::new(r.zero(), (-g.clone()).over(&(size.clone() + &size))?),
             Complex::real(second),
             Complex::real(r.zero()),
         ];
+        list.truncate(self.coefficients);
+        Ok(list)
+    }
+}
+
+fn bracket_of_epsilon(variant: &EpsilonVariant) -> Identity<'_> {
+    Identity::of(move |[r, g]| {
+        let [_, bracket] = theorem1::expansion(r, g, variant.coefficients)?;
         let split = |z: &Complex<Probe>| [z.re.clone(), z.im.clone()];
         Ok((
             bracket.coefficients().iter().flat_map(split).collect(),
-            printed[..variant.coefficients].iter().flat_map(split).collect(),
+            variant.bracket(r, g)?.iter().flat_map(split).collect(),
         ))
     })
     .within(|at| at.iter().all(Signed::is_certainly_positive))
     .named((0..variant.coefficients).flat_map(|n| {
         ["real", "imaginary"].map(|part| format!("the {part} part of the coefficient of w^{n} in the bracket"))
     }))
+}
+
+/// The square of the claimed expansion is `gamma² - 1`, as far as its coefficients reach.
+fn square_of_epsilon(variant: &EpsilonVariant) -> Identity<'_> {
+    let order = variant.coefficients + 2;
+    Identity::of(move |[r, g]| {
+        let [gamma, _] = theorem1::expansion(r, g, order)?;
+        let left = gamma.square() - Series::constant(Complex::real(r.one()), order);
+        let mut claimed = variant.bracket(r, g)?;
+        claimed.resize(order, Complex::real(r.zero()));
+        let bracket = Series::from_coefficients(Complex::real(r.one()), claimed.into_iter().skip(1));
+        let w = Series::variable(Complex::real(r.one()), order);
+        let factor = Complex::real(r.integer(-variant.two).over(&r.square())?);
+        let right = (w.square() * bracket.square()).scale(&factor);
+        let split = |series: &Series<Complex<Probe>>| {
+            series.coefficients().iter().flat_map(|z| [z.re.clone(), z.im.clone()]).collect()
+        };
+        Ok((split(&left), split(&right)))
+    })
+    .within(|at| at.iter().all(Signed::is_certainly_positive))
+    .named((0..order).flat_map(|n| {
+        ["real", "imaginary"].map(|part| format!("the {part} part of the coefficient of w^{n} in gamma² - 1"))
+    }))
+}
+
+/// Whether the principal square root of `gamma² - 1` is nearer to the claimed expansion than to minus it.
+fn root_of_epsilon(variant: &EpsilonVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let part = "the principal root of gamma² - 1";
+    let detail = "enclosures at w = 1/8, 1/64, 1/512 for sqrt|f|, |g| = 1/2, 1, 2: nearer to the claimed expansion than to minus it";
+    let numbers = [(1, 2), (1, 1), (2, 1)].map(|(p, q)| rational(p, q));
+    let cases = numbers.iter().flat_map(|r| numbers.iter().map(move |g| (r, g)));
+    let cases = cases.flat_map(|(r, g)| [8, 64, 512].map(|n| (r, g, rational(1, n))));
+    run.every(certified(part, detail), cases, |(root, damping, frequency)| {
+        let [r, g, w] = [root, damping, &frequency].map(|q| Interval::from_rational(q, 128));
+        let q = gamma_minus_one(&Gains { f: -r.square(), g: -g.clone() }, &w)?;
+        // (gamma - 1)(gamma + 1), and its root with a positive real part.
+        let square = q.clone() * (q + Complex::real(r.integer(2)));
+        let length = square.norm_squared().sqrt()?;
+        let half = r.ratio(1, 2);
+        let [re, im] = [length.clone() + &square.re, length - &square.re].map(|x| x * &half);
+        let (re, im) = (re.sqrt()?, im.sqrt()?);
+        let im = if at_most(&square.im, &r.zero())? { -im } else { im };
+        let mut bracket = Complex::real(r.zero());
+        for coefficient in variant.bracket(&r, &g)?.iter().rev() {
+            bracket = bracket.scale(&w) + coefficient.clone();
+        }
+        let size = (r.integer(variant.two).sqrt()? * &w * r.integer(variant.sign)).over(&r)?;
+        let claimed = bracket * Complex::new(r.zero(), size);
+        let along = re.clone() * &claimed.re + im.clone() * &claimed.im;
+        Ok(at_most(&along, &r.zero())?.then(|| {
+            let at = format!("sqrt|f| = {root}, |g| = {damping}, w = {frequency}");
+            let [re, im, a, b] = [&re, &im, &claimed.re, &claimed.im].map(Interval::to_f64);
+            format!("{at}: the principal root of gamma² - 1 is {re:.6} + ({im:.6})i, the claimed expansion {a:.6} + ({b:.6})i")
+        }))
+    })
 }
 
 pub fn epsilon() -> Record<EpsilonVariant> {
@@ -164,10 +229,17 @@ pub fn epsilon() -> Record<EpsilonVariant> {
          is 1 + s_1 w/2 + (s_2/2 - s_1²/8) w²; the paper drops the term -s_1²/8 = g²/(8 f²). The coefficient is -3/4 g²/f², \
          not -g²/f². The error is O(w³) and does not change the theorem. For w > 0 the imaginary part of gamma² - 1 is positive and its \
          angle near pi, so the root with angle in (-pi/2, pi/2] is the one with +i.",
-        EpsilonVariant { damping: (-1, 1), stiffness: (-1, 2), coefficients: 3 },
+        EpsilonVariant { sign: 1, two: 2, damping: (-1, 1), stiffness: (-1, 2), coefficients: 3 },
         |variant, run| {
+            let names = ["sqrt|f|", "|g|"];
             let part = "coefficients of the expansion, exact power series";
-            run.identity(&bracket_of_epsilon(variant), &["sqrt|f|", "|g|"], part).for_all()
+            let square = "the square of the expansion, exact power series";
+            Run::all([
+                run.identity(&bracket_of_epsilon(variant), &names, part),
+                run.identity(&square_of_epsilon(variant), &names, square),
+                root_of_epsilon(variant, run),
+                argued(&[1], "the root and the error", "notes/veerman.md, The root of gamma^2 - 1, steps 1 to 4"),
+            ])
         },
     )
     .reading("eps = sqrt(gamma^2 - 1), the principal root, for w > 0.")
@@ -180,6 +252,8 @@ pub fn epsilon() -> Record<EpsilonVariant> {
     .altered("+ 3/4 g²/f²", |v| v.damping = (3, 4))
     .altered("- 1/|f|", |v| v.stiffness = (-1, 1))
     .altered("an error O(w^5)", |v| v.coefficients = 4)
+    .altered("w/sqrt|f| without sqrt 2", |v| v.two = 1)
+    .altered("-i in place of i", |v| v.sign = -1)
 }
 
 /// `|mu_+-|² = 1 +- coefficient sqrt2 w² |g|/|f|^(power/2) + O(w^order)`.

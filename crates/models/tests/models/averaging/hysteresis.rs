@@ -38,6 +38,30 @@ fn edges_longer_than_one_stay_where_their_length_changes_by_less_than_the_thresh
     }
 }
 
+/// Two birds in the plane part aslant: `(17/20, -1/2)` becomes `(11/10, 0)`, of length 1.1 after 0.986. With a difference of the wrong sign
+/// the length before would be 1.44.
+#[test]
+fn lengths_before_and_after_a_step_belong_to_one_difference() {
+    let vector = |x: (i64, i64), y: (i64, i64)| vec![rational(x.0, x.1), rational(y.0, y.1)];
+    let (still, aside) = (vector((0, 1), (0, 1)), vector((17, 20), (-1, 2)));
+    for (threshold, expected) in [(rational(1, 5), true), (rational(3, 25), true), (rational(11, 100), false)] {
+        for turned in [false, true] {
+            let mut positions = vec![still.clone(), aside.clone()];
+            let mut velocities = vec![still.clone(), vector((1, 4), (1, 2))];
+            if turned {
+                positions.reverse();
+                velocities.reverse();
+            }
+            let hysteresis = Hysteresis::Constant(threshold.clone());
+            let mut flock =
+                Flock::new(&Start { positions, velocities, weights: Weights::Lazy, hysteresis }).expect("a flock");
+            assert!(flock.network().has_edge(0, 1));
+            flock.step().expect("a step");
+            assert_eq!(flock.network().has_edge(0, 1), expected, "{threshold}, {turned}");
+        }
+    }
+}
+
 /// From nearly nothing, by nearly 2.
 #[test]
 fn lengths_of_very_different_size_are_compared() {

@@ -1,7 +1,7 @@
 //! Model K against a naive twin in floats; ties, near ties and what cannot be decided.
 
 use algebra::graph::Graph;
-use arithmetic::{Complex, Interval, Rational, Real, rational};
+use arithmetic::{Complex, Interval, Rational, Real, Ring, rational};
 use models::averaging::read::{Model, read_flock};
 use models::averaging::{FlockError, Hysteresis, KinematicFlock, KinematicStart, Weights, transition_matrix};
 use num_bigint::BigInt;
@@ -325,6 +325,23 @@ fn quiet_pairs_are_looked_at_in_time() {
         }
         assert!(switches > 0, "{birds:?}");
     }
+}
+
+/// Birds 1 and 2 at distance `1 - 85/10^18`, which in floats is `1 - 2^-53`, nearer to 1 by a quarter: the 18 birds that turn bird 2 have it part
+/// by `9/10^17` in the second step, of at most `10^-16` that any two birds part in a step.
+#[test]
+fn quiet_pairs_are_not_trusted_within_the_rounding_of_floats() {
+    let tiny = |p: i64, digits: u32| rational(p, 1) / rational(10, 1).power(u64::from(digits));
+    let mut birds = start(tiny(1, 13), &[], &[]);
+    let height = rational(1, 1) - tiny(85, 18);
+    birds.positions = vec![point(rational(0, 1), rational(0, 1)), point(rational(0, 1), height.clone())];
+    birds.headings = vec![rational(0, 1); 2];
+    birds.positions.extend(vec![point(rational(0, 1), height + rational(1, 2)); 18]);
+    birds.headings.extend(vec![rational(1, 1000); 18]);
+    let mut flock = KinematicFlock::new(&birds).unwrap();
+    flock.step().unwrap();
+    assert!(flock.network().has_edge(0, 1) && flock.network().has_edge(1, 2) && !flock.network().has_edge(0, 2));
+    assert!(flock.step().unwrap().is_some_and(|switch| switch.lost == [(0, 1)]));
 }
 
 /// Birds 1 and 2 with headings 0 and `h` from the difference `D`: `D + sigma - sigma e^(ih)` has nearly the length 1, or is `D` turned.
