@@ -47,7 +47,7 @@ fn examine_neighbour(variant: &NeighbourVariant, run: &mut Run) -> Result<Outcom
     let graphs = run.instances("communication graphs", &detail, cases, |(n, followers)| {
         let graph = CommunicationGraph::nth_neighbours(n, followers)?;
         let behind = staying_behind(&graph);
-        let class = |k: &usize| variant.all_stay || *k % n != 0;
+        let class = |k: &usize| variant.all_stay || !k.is_multiple_of(n);
         let claimed: Vec<usize> = (1..=followers).filter(class).collect();
         let as_claimed = behind == claimed && behind.contains(&1);
         let connected = graph.is_connected();
