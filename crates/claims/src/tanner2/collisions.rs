@@ -4,7 +4,7 @@
 //! velocities there and follow the motion back; a moment before, they were apart. Where the energy is infinite instead, it
 //! cannot.
 
-use super::fixtures::{PLANE, SMOOTH, connected, energy_decreases, pairs, soft, spring};
+use super::fixtures::{DESCENT, PLANE, SMOOTH, connected, energy_decreases, pairs, soft, spring};
 use super::graphs::shown;
 use super::nonsmooth::{HullVariant, hulls};
 use crate::prelude::*;
@@ -94,7 +94,10 @@ fn examine(variant: &CollisionVariant, run: &mut Run) -> Result<Outcome, CheckEr
         }))
     })?;
     if !variant.avoided {
-        return Run::all([Ok(meetings), argued(&[1], "collisions", "notes/tanner2.md, Theorem 1, step 8")]);
+        return Run::all([
+            Ok(meetings).checks("step 8"),
+            argued(&[1], "collisions", "notes/tanner2.md, Theorem 1, step 8"),
+        ]);
     }
     if !matches!(meetings, Outcome::Holds(_)) {
         return Ok(meetings);
@@ -103,11 +106,11 @@ fn examine(variant: &CollisionVariant, run: &mut Run) -> Result<Outcome, CheckEr
         return Ok(Outcome::Undecided(format!("no barrier: {problem}")));
     }
     let (decrease, steps) = if variant.networks == Networks::ByDistance {
-        (hulls(&HullVariant::Subset, run), "notes/tanner2.md, Section 5, steps 1 to 5")
+        (hulls(&HullVariant::Subset, run).checks("Equation (13), step 4"), "notes/tanner2.md, Section 5, steps 1 to 5")
     } else {
-        (energy_decreases(run, 1), "notes/tanner2.md, Theorem 1, steps 1 and 2")
+        (energy_decreases(run, 1).checks(DESCENT), "notes/tanner2.md, Theorem 1, steps 1 and 2")
     };
-    Run::all([Ok(meetings), decrease, argued(&[1], "the barrier", steps)])
+    Run::all([Ok(meetings).checks("the conclusion"), decrease, argued(&[1], "the barrier", steps)])
 }
 
 pub fn thm1b() -> Record<CollisionVariant> {
