@@ -1,6 +1,6 @@
 //! What nearly every check uses.
 
-pub(crate) use crate::evidence::{Placed, argued, argued_with, certified, exact, exhaustive, fuzzed, unless};
+pub(crate) use crate::evidence::{Placed, argued, argued_with, certified, checking, exact, exhaustive, fuzzed, unless};
 pub(crate) use arithmetic::identity::Identity;
 pub(crate) use arithmetic::{ArithmeticError, Complex, Dual, Field, Interval, Probe, Rational, Real, Ring, rational};
 pub(crate) use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};

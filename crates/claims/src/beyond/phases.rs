@@ -77,7 +77,12 @@ fn examine_inertia(variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, C
         };
         Ok((is_critical(&z)? && !known).then(|| format!("{place}: another critical point")))
     });
-    Run::all([line, balanced, others, argued(&[1, 2, 3, 4, 5], "every N", "notes/paley_phases.md, steps C1-C6")])
+    Run::all([
+        line.checks("steps C4 and C6"),
+        balanced.checks("step C5"),
+        others.checks("step C1"),
+        argued(&[1, 2, 3, 4, 5], "every N", "notes/paley_phases.md, steps C1-C6"),
+    ])
 }
 
 pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
@@ -95,7 +100,7 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
             let found = run.every(evidence, 3..=most, |nodes| {
                 Ok(variant.fails_on(nodes)?.map(|what| format!("C_{nodes}: {what}")))
             });
-            Run::all([found, argued(&[1, 2, 3, 4], "every N", "notes/paley_phases.md, steps E1-E5")])
+            Run::all([found.checks("steps E1 and E3 to E5"), argued(&[1, 2, 3, 4], "every N", "notes/paley_phases.md, steps E1-E5")])
         },
     )
     .stated("corrects paley, text after eq (16) and Figure 2", "")
