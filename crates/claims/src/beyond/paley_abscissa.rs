@@ -154,7 +154,7 @@ impl AbscissaVariant {
         let detail = format!(
             "sign of the enclosed abscissa for random gains of both signs, on C_N and all-to-all, N up to 8: \
              {stable} stable; for all N, M and connected networks by the inertia theorem of \
-             notes/paley_particles.md"
+             notes/paley_particles.md; step 3"
         );
         let argued = "notes/paley_particles.md, Spectral abscissa at symmetric formations, step 3";
         Ok(Outcome::Holds(vec![
@@ -277,7 +277,7 @@ fn whole_matrices(run: &Run) -> Result<Outcome, CheckError> {
         }
     }
     let detail = "the same abscissae from exact characteristic polynomials of the law's derivative by duals, M = 1, \
-     2, 4, N up to 4 (12 in full runs)";
+     2, 4, N up to 4 (12 in full runs); steps 1 and 2";
     Ok(Outcome::Holds(vec![Evidence::new(Grade::Certified, "whole matrices", detail).cases(cases).on([2, 3])]))
 }
 

@@ -96,7 +96,10 @@ pub fn circulant_spectrum() -> Record<SpectrumVariant> {
                 let place = || format!("N = {order}, offsets {offsets:?}, m = {m}");
                 Ok(wrong.then(|| format!("{}: the determinant is not the product of the cubics", place())))
             });
-            Run::all([found, argued(&[1], "every undirected circulant graph", "notes/paley_phases.md, steps F1-F5")])
+            Run::all([
+                found.checks("step F5"),
+                argued(&[1], "every undirected circulant graph", "notes/paley_phases.md, steps F1-F5"),
+            ])
         },
     )
     .stated(
@@ -147,7 +150,10 @@ pub fn cyclic_patterns() -> Record<CyclicVariant> {
             let detail = format!("N = 3 to {most} and 12, all m: exact inertia of the Hessian over cosines");
             let evidence = exhaustive("signs of the Hessian", detail).on([1, 2]);
             let found = run.every(evidence, patterns, |(order, m)| variant.contradiction(order, m));
-            Run::all([found, argued(&[1, 2], "every N, m and gains", "notes/paley_phases.md, steps F6-F8")])
+            Run::all([
+                found.checks("step F6, and the Hessian of step F7"),
+                argued(&[1, 2], "every N, m and gains", "notes/paley_phases.md, steps F6-F8"),
+            ])
         },
     )
     .stated("beyond Figure 3 and the text on balanced circular formations", "")

@@ -59,17 +59,17 @@ pub fn inertia() -> Record<InertiaVariant> {
 
 fn examine_inertia(variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let most = run.cases(9, 14);
-    let line = exact("two clusters", format!("all of N = 2 to {most}, both signs of K_1")).on([1, 4]);
+    let line = exact("two clusters", format!("all of N = 2 to {most}, both signs of K_1; steps C4 and C6")).on([1, 4]);
     let line = run.every(line, two_clusters(most), |(n, minority, z)| variant.at_two_clusters((n, minority), &z));
     let balanced = (2..=6).flat_map(critical_points).filter(|point| point.kind == Kind::Balanced);
-    let detail = "triangles and antipodal pairs of 2 to 6 particles, exact elimination";
+    let detail = "triangles and antipodal pairs of 2 to 6 particles, exact elimination; step C5";
     let balanced = run.every(exact("balanced", detail).on([2, 3]), balanced, |point| {
         let (n, found) = (point.phasors.len(), hessian(&point.phasors)?);
         let [positive, negative, zero] = (variant.balanced)(n, is_on_a_line(&point.phasors));
         let wrong = found != Inertia { positive, negative, zero };
         Ok(wrong.then(|| format!("N = {n}, {}: {found:?}", point.name)))
     });
-    let detail = "all arrangements of 2 and 3 phases at multiples of 1/12 turn and of 4 at multiples of 1/6";
+    let detail = "all arrangements of 2 and 3 phases at multiples of 1/12 turn and of 4 at multiples of 1/6; step C1";
     let others = run.every(exhaustive("no others", detail).on([5]), arrangements(), |(place, z)| {
         let known = match Kind::of(&z)? {
             Kind::Balanced => variant.with_balanced,
@@ -95,7 +95,7 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
             let found = run.every(evidence, 3..=most, |nodes| {
                 Ok(variant.fails_on(nodes)?.map(|what| format!("C_{nodes}: {what}")))
             });
-            Run::all([found, argued(&[1, 2, 3, 4], "every N", "notes/paley_phases.md, steps E1-E5")])
+            Run::all([found.checks("steps E1 and E3 to E5"), argued(&[1, 2, 3, 4], "every N", "notes/paley_phases.md, steps E1-E5")])
         },
     )
     .stated("corrects paley, text after eq (16) and Figure 2", "")

@@ -218,7 +218,7 @@ fn examine_endless(setting: &(Potential, Rational), _run: &mut Run) -> Result<Ou
     }
     if fulfilled && crosses_for_ever(potential, square)? {
         return Run::all([
-            Ok(Outcome::Holds(vec![evidence])),
+            Ok(Outcome::Holds(vec![evidence])).checks("step 3"),
             argued(&[1], "the motions near it", "notes/tanner2.md, Endless switching, steps 1 to 4"),
         ]);
     }
@@ -281,7 +281,7 @@ fn examine_ends(variant: &EndsVariant, run: &mut Run) -> Result<Outcome, CheckEr
     let jumps = graphs.into_iter().map(|graph| {
         let names = AnyPotentials::names(&graph);
         let part = format!("the pull of the link 1-2 on |r_12|², edges {:?}, any potentials", graph.edges());
-        run.identity(&jump(graph, variant.share), &names, &part)
+        run.identity(&jump(graph, variant.share), &names, &part).checks("step 2")
     });
     let proof = argued(&[1], "late crossings", "notes/tanner2.md, When switching stops, steps 1 to 5");
     Run::all(jumps.chain([proof]))

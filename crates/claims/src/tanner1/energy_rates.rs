@@ -85,7 +85,7 @@ pub fn eq9_chain() -> Record<i64> {
             let chain = RateVariant::Chain(*factor);
             let identity = on_connected(run, MOST, "the rate of V_t", |graph| energy_rate(graph, &chain));
             let steps = "notes/tanner1.md, Energy, steps 1 and 2";
-            Run::all([identity.on([1, 2]), argued(&[1], "the product rule, and (8)", steps)])
+            Run::all([identity.checks("steps 1 and 2").on([1, 2]), argued(&[1], "the product rule, and (8)", steps)])
         },
     )
     .clauses(&[
@@ -105,7 +105,7 @@ fn examine_rate(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckEr
     let rate = AnyHeadings::read(&Graph::path(2), &upwards())?.rate_of((1, 2), (1, 2), (1, 2))?;
     let positive = exact("a positive rate", format!("{UPWARDS}: {rate} pi/2"));
     Run::all([
-        on_connected(run, MOST, "the rate of V_t", |graph| energy_rate(graph, variant)).on([1]),
+        on_connected(run, MOST, "the rate of V_t", |graph| energy_rate(graph, variant)).checks("step 3").on([1]),
         argued(&[1], "the rate of V_t", "notes/tanner1.md, Energy, steps 1 to 3"),
         run.every(positive.on([2]).for_all(), [rate], |rate| {
             Ok((rate <= rational(0, 1)).then(|| format!("{UPWARDS}: the rate is {rate} pi/2")))
@@ -168,7 +168,7 @@ fn examine_invariant(variant: &InvariantVariant, run: &mut Run) -> Result<Outcom
         });
     }
     let steps = "a constant leaves its sublevel sets invariant; notes/tanner1.md, Energy, steps 1 and 2";
-    Run::all([is_constant(variant, run).on([1, 2]), argued(&[2], "sublevel sets", steps)])
+    Run::all([is_constant(variant, run).checks("step 2").on([1, 2]), argued(&[2], "sublevel sets", steps)])
 }
 
 pub fn vt_inv() -> Record<InvariantVariant> {

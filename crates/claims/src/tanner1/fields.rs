@@ -13,7 +13,7 @@ pub fn laplacian() -> Record<LaplacianVariant> {
         "Each edge adds b b^T with b = ±(e_i - e_j), whatever its direction: D D^T = Delta - A, and x^T L x is the sum of (x_i - x_j)² over the edges, zero exactly where x is constant on every component.",
         LaplacianVariant::PRINTED,
         |variant, run| Run::all([
-            examine_laplacian(variant, run).on([1, 2, 3, 4]),
+            examine_laplacian(variant, run).checks("steps 1 to 3").on([1, 2, 3, 4]),
             argued(&[1, 2, 3, 4], "properties of the Laplacian", "notes/tanner2.md, Laplacians, steps 1 to 3"),
         ]),
     )
@@ -39,7 +39,7 @@ fn examine_ones(meant: &OnesVariant, run: &mut Run) -> Result<Outcome, CheckErro
         let list = |x: &Vec<Rational>| x.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         Ok(other.map(|x| format!("{}: ({}) is an eigenvector for 0", shown(&graph), list(x))))
     });
-    Run::all([kernels, argued(&[1], "the kernel of L", "notes/tanner2.md, Laplacians, steps 1 to 3")])
+    Run::all([kernels.checks("step 3"), argued(&[1], "the kernel of L", "notes/tanner2.md, Laplacians, steps 1 to 3")])
 }
 
 pub fn ones() -> Record<OnesVariant> {
@@ -79,7 +79,7 @@ fn examine_weighted(variant: &WeightedVariant, run: &mut Run) -> Result<Outcome,
             .on([1]);
     }
     Run::all([
-        examine_laplacian(&variant.properties, run).on([1, 2, 3, 4]),
+        examine_laplacian(&variant.properties, run).checks("steps 1 to 3").on([1, 2, 3, 4]),
         argued(&[1, 2, 3, 4], "properties of the weighted Laplacian", "notes/tanner2.md, Laplacians, steps 1 to 3"),
     ])
 }
@@ -219,7 +219,10 @@ fn examine_usable(variant: &UsableVariant, run: &mut Run) -> Result<Outcome, Che
         })
     })?;
     let steps = "notes/tanner1.md, Energy, steps 4 to 6";
-    Run::all([Ok(listed.on([1, 2])), argued(&[1, 2], "collisions and cohesion", steps)])
+    Run::all([
+        Ok(listed.on([1, 2])).checks("the hypotheses of steps 5 and 6"),
+        argued(&[1, 2], "collisions and cohesion", steps),
+    ])
 }
 
 pub fn any_potential() -> Record<UsableVariant> {

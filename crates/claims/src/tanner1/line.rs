@@ -204,7 +204,7 @@ fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckE
     }
     let forces = on_connected(run, 3, "the accelerations", |graph| plain_accelerations(graph, variant.equal_headings));
     Run::all([
-        forces.on([1]),
+        forces.checks("step 5").on([1]),
         argued(&[1], "forces at equal constant headings", "notes/tanner1.md, Heading dynamics, steps 5 and 6"),
         Ok(Outcome::Holds(vec![swing.on([2])])),
         argued(&[2], "the swing for ever", "notes/tanner1.md, A pair on a line, steps 1 to 4"),

@@ -71,7 +71,10 @@ fn examine_smooth(variant: &SmoothVariant, run: &mut Run) -> Result<Outcome, Che
             change.to_f64()
         )))
     });
-    Run::all([enclosures, argued(&[1], "the law is analytic there", "notes/tanner1.md, Headings, steps 1 to 3")])
+    Run::all([
+        enclosures.checks("the conclusion"),
+        argued(&[1], "the law is analytic there", "notes/tanner1.md, Headings, steps 1 to 3"),
+    ])
 }
 
 pub fn smooth() -> Record<SmoothVariant> {
@@ -156,7 +159,10 @@ fn examine_closed(variant: &ClosedVariant, run: &mut Run) -> Result<Outcome, Che
             _ => format!("two agents at rest at distance 1 with equal headings, c = {c}: the limit theta = {}pi of points of the set {why}", if limit < 0 { "-" } else { "" }),
         }))
     });
-    Run::all([limits, argued(&[1], "Omega is closed", "notes/tanner1.md, The set Omega, steps 1 and 2")])
+    Run::all([
+        limits.checks("step 2"),
+        argued(&[1], "Omega is closed", "notes/tanner1.md, The set Omega, steps 1 and 2"),
+    ])
 }
 
 /// One reading for every claim about Omega.
@@ -208,9 +214,9 @@ fn examine_bounded(variant: &BoundedVariant, run: &mut Run) -> Result<Outcome, C
         Ok((!at_most(&value.zero(), &value)?).then(|| "V_ij is negative at its minimum".to_string()))
     })?;
     Run::all([
-        Ok(distances.on([1])),
-        Ok(speeds.on([2])),
-        headings(&variant.headings, run).on([3]),
+        Ok(distances.on([1])).checks("step 4"),
+        Ok(speeds.on([2])).checks("step 3"),
+        headings(&variant.headings, run).checks("step 5").on([3]),
         argued(&[1, 2, 3], "bounds", "notes/tanner1.md, The set Omega, steps 3 to 5"),
     ])
 }
@@ -279,7 +285,7 @@ fn examine_collision(variant: &CollisionVariant, run: &mut Run) -> Result<Outcom
         )))
     })?;
     let steps = "notes/tanner1.md, Energy, steps 4 and 5";
-    Run::all([Ok(instances.on([1, 2])), argued(&[1, 2], "linked agents", steps)])
+    Run::all([Ok(instances.on([1, 2])).checks("step 4"), argued(&[1, 2], "linked agents", steps)])
 }
 
 pub fn collision() -> Record<CollisionVariant> {
@@ -335,7 +341,9 @@ fn examine_ratio(variant: &RatioVariant, run: &mut Run) -> Result<Outcome, Check
     let part = "the quotients, for ydot = k xdot at all times";
     Run::all([
         run.identity(&quotients(variant), &["k", "xdot", "xddot"], part).on([1]).for_all(),
-        on_connected(run, 3, "the accelerations", |graph| plain_accelerations(graph, variant.equal_headings)).on([2]),
+        on_connected(run, 3, "the accelerations", |graph| plain_accelerations(graph, variant.equal_headings))
+            .checks("step 5")
+            .on([2]),
         argued(&[2], "the accelerations at equal headings", "notes/tanner1.md, Heading dynamics, step 5"),
     ])
 }

@@ -135,8 +135,10 @@ fn examine_turning(variant: &HeadingVariant, weighted: bool, run: &Run) -> Resul
         return Ok(outcome);
     }
     let steps = if weighted { "steps 1 to 4" } else { "steps 1 to 3" };
+    // The rates of headings are those of step 1.
+    let computed = if weighted { "steps 2 to 4" } else { "steps 2 and 3" };
     Run::all([
-        on_connected(run, MOST, "the heading dynamics", |graph| turning(graph, variant, weighted)),
+        on_connected(run, MOST, "the heading dynamics", |graph| turning(graph, variant, weighted)).checks(computed),
         argued(&[1], "the heading dynamics", &format!("notes/tanner1.md, Heading dynamics, {steps}")),
     ])
 }

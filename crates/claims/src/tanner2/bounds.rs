@@ -127,7 +127,10 @@ pub fn bound_r() -> Record<DistanceVariant> {
          and V^{-1} is that of the pair. Three agents in a row, 2 apart, with V = s + 1/s - 2 have W = 9/2, \
          and |r_13|² = 16, but V <= 9 only for s < 11. (At the distance 1 they have W = 0 and |r_13| = 2 > 1 = V^{-1}(0).) If V_12 and V_23 want the distance 10 and V_13 wants 1, then even (N - 1) V_13^{-1}(c) is too small.",
         DistanceVariant { inside: |n| rational(n - 1, 1), outside: |_| 1, whose: Whose::Own },
-        |variant, run| { let steps = "notes/tanner2.md, Bounds, steps 1 to 3"; Run::all([distances(variant, run), argued(&[1], "the bound of distances", steps)]) },
+        |variant, run| {
+            let steps = "notes/tanner2.md, Bounds, steps 1 to 3";
+            Run::all([distances(variant, run).checks("step 3"), argued(&[1], "the bound of distances", steps)])
+        },
     )
     .reading("V^{-1}(c) is the largest distance at which V <= c; N >= 2, as one agent has no edge")
     .repaired(
@@ -171,7 +174,7 @@ pub fn bound_v() -> Record<SpeedVariant> {
          The factor 2 is missing in print; one agent is enough to see it.",
         SpeedVariant { factor: 1, ..SPEED },
         |variant, run| {
-            Run::all([speeds(variant, run), argued(&[1], "the bound of speeds", "notes/tanner2.md, Bounds, step 4")])
+            Run::all([speeds(variant, run).checks("step 4"), argued(&[1], "the bound of speeds", "notes/tanner2.md, Bounds, step 4")])
         },
     )
     .repaired(Fault::Slip, "W <= c implies v_i^T v_i <= 2c, yielding |v_i| <= sqrt(2c).", SPEED)
@@ -215,9 +218,9 @@ fn examine_compact(variant: &CompactVariant, run: &mut Run) -> Result<Outcome, C
         }))
     })?;
     Run::all([
-        Ok(far.on([1])),
-        distances(&DISTANCE, run).on([1]),
-        speeds(&SPEED, run).on([2]),
+        Ok(far.on([1])).checks("the conclusion"),
+        distances(&DISTANCE, run).checks("step 3").on([1]),
+        speeds(&SPEED, run).checks("step 4").on([2]),
         argued(&[1, 2, 3], "Omega is bounded and closed", "notes/tanner2.md, Bounds, steps 1 to 5"),
     ])
 }
@@ -289,7 +292,7 @@ fn examine_dissipation(variant: &DissipationVariant, run: &mut Run) -> Result<Ou
             )
         }))
     });
-    Run::all([instances, argued(&[1], "dW/dt by lambda_2", "notes/tanner2.md, Corollary 2, step 1")])
+    Run::all([instances.checks("step 1"), argued(&[1], "dW/dt by lambda_2", "notes/tanner2.md, Corollary 2, step 1")])
 }
 
 pub fn cor2_sub() -> Record<DissipationVariant> {

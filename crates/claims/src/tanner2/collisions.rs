@@ -4,7 +4,7 @@
 //! velocities there and follow the motion back; a moment before, they were apart. Where the energy is infinite instead, it
 //! cannot.
 
-use super::fixtures::{PLANE, SMOOTH, connected, energy_decreases, pairs, soft, spring};
+use super::fixtures::{DESCENT, PLANE, SMOOTH, connected, energy_decreases, pairs, soft, spring};
 use super::graphs::shown;
 use super::nonsmooth::{HullVariant, along_solutions, hulls};
 use crate::prelude::*;
@@ -112,7 +112,10 @@ fn examine(variant: &CollisionVariant, run: &mut Run) -> Result<Outcome, CheckEr
         }))
     })?;
     if !variant.avoided {
-        return Run::all([Ok(meetings), argued(&[1], "collisions", "notes/tanner2.md, Theorem 1, step 8")]);
+        return Run::all([
+            Ok(meetings).checks("step 8"),
+            argued(&[1], "collisions", "notes/tanner2.md, Theorem 1, step 8"),
+        ]);
     }
     if !matches!(meetings, Outcome::Holds(_)) {
         return Ok(meetings);
@@ -121,12 +124,13 @@ fn examine(variant: &CollisionVariant, run: &mut Run) -> Result<Outcome, CheckEr
         return Ok(Outcome::Undecided(format!("no barrier: {problem}")));
     }
     let (decrease, steps) = if variant.networks == Networks::ByDistance {
-        let both = [hulls(&variant.hull, run), along_solutions(&variant.hull, run)];
+        let hulls = hulls(&variant.hull, run).checks("Equation (13), step 4");
+        let both = [hulls, along_solutions(&variant.hull, run).checks("step 3")];
         (Run::all(both), "notes/tanner2.md, Section 5, steps 1 to 5")
     } else {
-        (energy_decreases(run, variant.damping), "notes/tanner2.md, Theorem 1, steps 1 and 2")
+        (energy_decreases(run, variant.damping).checks(DESCENT), "notes/tanner2.md, Theorem 1, steps 1 and 2")
     };
-    Run::all([Ok(meetings), decrease, argued(&[1], "the barrier", steps)])
+    Run::all([Ok(meetings).checks("the conclusion"), decrease, argued(&[1], "the barrier", steps)])
 }
 
 pub fn thm1b() -> Record<CollisionVariant> {

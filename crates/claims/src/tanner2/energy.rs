@@ -112,7 +112,7 @@ pub fn eq8() -> Record<ChainVariant> {
         "Each V_ij occurs in V_i and in V_j, so half the sum of the V_i is the sum over the edges, each once. V_ij depends on r_i - r_j, so grad_{r_j} = -grad_{r_i} = -grad_{r_ij}. Any graph, any potentials.",
         ChainVariant { half: (1, 2), counted: 1, sign: 1 },
         |variant, run| Run::all([
-            on_connected(run, most(run), "equation (8)", |graph| chain(graph, variant)).on([1, 2, 3, 4]),
+            on_connected(run, most(run), "equation (8)", |graph| chain(graph, variant)).checks("steps 1 and 2").on([1, 2, 3, 4]),
             argued(&[1, 2, 3, 4], "the chain of equations", "notes/tanner2.md, Identities, steps 1 and 2"),
         ]),
     )
@@ -172,8 +172,8 @@ pub fn eq6() -> Record<MechanicalVariant> {
         MechanicalVariant { factor: (1, 2), least: 0 },
         |variant, run| {
             Run::all([
-                on_connected(run, most(run), "the forces are -grad W", |graph| gradient_of_energy(graph, variant)).on([2]),
-                non_negative(variant).on([1]),
+                on_connected(run, most(run), "the forces are -grad W", |graph| gradient_of_energy(graph, variant)).checks("step 5").on([2]),
+                non_negative(variant).checks("step 1").on([1]),
                 argued(&[1, 2], "energy and forces", "notes/tanner2.md, Identities, steps 1 and 5"),
             ])
         },
@@ -215,7 +215,8 @@ pub fn cor2_decomp() -> Record<PartVariant> {
         PartVariant { mean: false, power: 1 },
         |variant, run| {
             Run::all([
-                on_connected(run, most(run), "Wdot by the parts normal to 1", |graph| part_of_rate(graph, variant)),
+                on_connected(run, most(run), "Wdot by the parts normal to 1", |graph| part_of_rate(graph, variant))
+                    .checks("step 6"),
                 argued(&[1], "Wdot by the parts normal to 1", "notes/tanner2.md, Identities, step 6"),
             ])
         },
@@ -267,8 +268,9 @@ fn examine_vanishing(variant: &Vanishing, run: &mut Run) -> Result<Outcome, Chec
     };
     let wrong = !num_traits::Zero::is_zero(rate) || !vanishes;
     Run::all([
-        unless(wrong.then(what), exact("two agents with a common velocity", "exact rates of change")),
-        energy_decreases(run, 1),
+        unless(wrong.then(what), exact("two agents with a common velocity", "exact rates of change"))
+            .checks("the conclusion"),
+        energy_decreases(run, 1).checks("step 3"),
         argued(&[1], "all of them", "notes/tanner2.md, Identities, step 7"),
     ])
 }
@@ -325,9 +327,9 @@ fn examine_steady(variant: &SteadyVariant, run: &mut Run) -> Result<Outcome, Che
     let momentum = momentum.on([1]);
     let steps = "notes/tanner2.md, Identities, step 4";
     Run::all([
-        momentum,
-        equal_velocities(variant, run).on([2, 3]),
-        only_zero(variant, run).on([3]),
+        momentum.checks("step 4"),
+        equal_velocities(variant, run).checks("the conclusion").on([2, 3]),
+        only_zero(variant, run).checks("step 4").on([3]),
         argued(&[1, 2, 3], "accelerations in the invariant set", steps),
     ])
 }
@@ -425,7 +427,7 @@ pub fn vdot_b() -> Record<IncidenceVariant> {
          proof uses, does not depend on the sign.",
         printed,
         |variant, run| Run::all([
-            on_connected(run, most(run), "vdot in S by the incidence matrix", |graph| by_incidence(graph, variant)),
+            on_connected(run, most(run), "vdot in S by the incidence matrix", |graph| by_incidence(graph, variant)).checks("step 8"),
             argued(&[1], "vdot in S by the incidence matrix", "notes/tanner2.md, Identities, step 8"),
         ]),
     )

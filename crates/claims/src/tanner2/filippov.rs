@@ -106,7 +106,11 @@ fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, Che
     let detail = "2 sqrt|x|, which x = 0 and x = t² solve, is not of the class";
     let root =
         run.instances("a continuous field with a root", detail, [variant.class], |class| Ok(root_branches(class)));
-    Run::all([rays, root, argued(&[1], "one-sided bounds", "notes/tanner2.md, Appendix, step 1")])
+    Run::all([
+        rays.checks("step 1"),
+        root.checks("step 1"),
+        argued(&[1], "one-sided bounds", "notes/tanner2.md, Appendix, step 1"),
+    ])
 }
 
 pub fn uniqueness() -> Record<UniqueVariant> {
@@ -163,7 +167,10 @@ fn examine_solution(variant: &SolutionVariant, run: &mut Run) -> Result<Outcome,
             format!("f(x) = {left} for x < 0 and {right} for x >= 0: the solution from 1 reaches 0 at t = 1 with the rate -1 and cannot go on with it")
         }))
     });
-    Run::all([starts, argued(&[1], "that the definition has solutions", "notes/tanner2.md, Appendix, step 2")])
+    Run::all([
+        starts.checks("step 2"),
+        argued(&[1], "that the definition has solutions", "notes/tanner2.md, Appendix, step 2"),
+    ])
 }
 
 pub fn definition4() -> Record<SolutionVariant> {
@@ -230,7 +237,7 @@ fn examine_chain_rule(variant: &ChainRuleVariant, run: &mut Run) -> Result<Outco
         return Ok(Outcome::fails(what, exact("the chain rule", "one-sided rates")));
     }
     let steps = "notes/tanner2.md, Appendix, steps 3 to 5";
-    Run::all([Ok(domains), Ok(chain), argued(&[1], "the chain rule", steps)])
+    Run::all([Ok(domains).checks("the conclusion"), Ok(chain).checks("step 5"), argued(&[1], "the chain rule", steps)])
 }
 
 pub fn chain_rule() -> Record<ChainRuleVariant> {
@@ -342,7 +349,11 @@ fn examine_starts(variant: &StartVariant, run: &mut Run) -> Result<Outcome, Chec
         Ok((ways.len() > 1).then(|| format!("V = s + 1/s - 2, {}: the pair can go on {all}", start.name)))
     })?;
     let steps = "notes/tanner2.md, Existence and uniqueness, steps 1 to 4";
-    Run::all([Ok(ways.on([2])), some_way(variant.hull, run).on([1]), argued(&[1, 2], "solutions of (10)", steps)])
+    Run::all([
+        Ok(ways.on([2])).checks("step 4"),
+        some_way(variant.hull, run).checks("step 1").on([1]),
+        argued(&[1, 2], "solutions of (10)", steps),
+    ])
 }
 
 /// Three agents at rest in a row, R below the desired distance. Agent 3 pushes agent 2 towards agent 1; with the link in

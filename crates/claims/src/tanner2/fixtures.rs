@@ -96,6 +96,9 @@ fn edge_sum(graph: Graph, damping: i64) -> Identity<'static> {
     })
 }
 
+/// What [`energy_decreases`] checks of the proof of Theorem 1.
+pub(crate) const DESCENT: &str = "Identities, step 3, which step 1 uses";
+
 /// Tests that the energy decreases by the sum of `|v_i - v_j|²` over the edges, where alignment is that of (4) times `damping`.
 pub(crate) fn energy_decreases(run: &Run, damping: i64) -> Result<Outcome, CheckError> {
     let what = "dW/dt is minus the sum of |v_i - v_j|² over the edges";

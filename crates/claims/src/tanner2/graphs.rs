@@ -100,7 +100,7 @@ pub fn laplacian() -> Record<LaplacianVariant> {
          (x_i - x_j)² over the edges: non-negative, and zero exactly where x is constant on every component.",
         LaplacianVariant::PRINTED,
         |variant, run| Run::all([
-            examine_laplacian(variant, run).on([1, 2, 3, 4, 5]),
+            examine_laplacian(variant, run).checks("steps 1 to 4").on([1, 2, 3, 4, 5]),
             argued(&[1, 2, 3, 4, 5], "properties of the Laplacian", "notes/tanner2.md, Laplacians, steps 1 to 4"),
         ]),
     )
@@ -152,7 +152,10 @@ fn examine_range(variant: &RangeVariant, run: &mut Run) -> Result<Outcome, Check
             None
         })
     });
-    Run::all([ranks, argued(&[1, 2, 3], "range and rank of B", "notes/tanner2.md, Laplacians, step 5")])
+    Run::all([
+        ranks.checks("step 5"),
+        argued(&[1, 2, 3], "range and rank of B", "notes/tanner2.md, Laplacians, step 5"),
+    ])
 }
 
 pub fn range() -> Record<RangeVariant> {
@@ -246,7 +249,7 @@ fn examine_growth(variant: &Growth, run: &mut Run) -> Result<Outcome, CheckError
         let change = change.map(|(a, b)| format!("from {} to {}", a[k], b[k])).unwrap_or_default();
         Ok(Some(format!("{} and then {pair:?}: eigenvalue {} from below goes {change}", shown(&graph), k + 1)))
     });
-    Run::all([growth, argued(&[1], part, "notes/tanner2.md, Laplacians, step 6")])
+    Run::all([growth.checks("step 6"), argued(&[1], part, "notes/tanner2.md, Laplacians, step 6")])
 }
 
 pub fn merris() -> Record<Growth> {

@@ -1,7 +1,7 @@
 //! tanner2.thm1a, thm1c, sec4.flocking, def3, cor1, thm2_vel, thm2_pot: where the motions go.
 
 use super::agentwise::swing;
-use super::fixtures::{PLANE, SMOOTH, connected, energy_decreases, printed as logarithmic, sloped, spring};
+use super::fixtures::{DESCENT, PLANE, SMOOTH, connected, energy_decreases, printed as logarithmic, sloped, spring};
 use super::motions::{inflected_pair, motions, pair, paths, row_of_three, triangle};
 use super::nonsmooth::{HullVariant, hulls};
 use crate::prelude::*;
@@ -78,9 +78,9 @@ fn examine_fixed(variant: &LimitVariant, run: &mut Run) -> Result<Outcome, Check
         _ => "notes/tanner2.md, Theorem 1, steps 1 to 5",
     };
     Run::all([
-        uncontradicted(run, motions(), variant.connected, variant.conclusion),
-        energy_decreases(run, variant.damping),
-        positive_connectivity(run),
+        uncontradicted(run, motions(), variant.connected, variant.conclusion).checks("the conclusion"),
+        energy_decreases(run, variant.damping).checks(DESCENT),
+        positive_connectivity(run).checks("Laplacians, step 4, which step 4 uses"),
         argued(&[1], "the limits", steps),
     ])
 }
@@ -174,9 +174,9 @@ fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome,
         Ok(unstable.then(|| format!("{}: {how}", motion.name)))
     })?;
     Run::all([
-        Ok(equilibria.on([1, 2])),
-        equilibria_near_one(variant, run).on([1]),
-        energy_decreases(run, variant.damping).on([1]),
+        Ok(equilibria.on([1, 2])).checks("the conclusion"),
+        equilibria_near_one(variant, run).checks("the hypothesis").on([1]),
+        energy_decreases(run, variant.damping).checks(DESCENT).on([1]),
         argued(&[1, 2], "isolated minima", "notes/tanner2.md, Theorem 1, steps 1 and 7"),
     ])
 }
@@ -278,8 +278,8 @@ fn examine_setpoints(variant: &SetpointVariant, run: &mut Run) -> Result<Outcome
         Ok(dependent.then(|| format!("edges {:?}: dependent columns", tree.edges())))
     })?;
     Run::all([
-        Ok(equilibria.on([3])),
-        Ok(kernels.on([2])),
+        Ok(equilibria.on([3])).checks("the conclusion"),
+        Ok(kernels.on([2])).checks("Laplacians, step 5"),
         argued(&[1, 2, 3], "setpoints", "notes/tanner2.md, Theorem 1, steps 1 to 6, and Laplacians, step 5"),
     ])
 }
@@ -345,6 +345,15 @@ fn two_agents_part() -> Option<String> {
     parts.then(|| "two agents at distance R = 2 with relative velocity (1, 0) outward: followed back they come from a linked start, followed on they keep different velocities for ever".to_string())
 }
 
+/// Motions that hold up, and what else is computed beside the proof of Theorem 2.
+fn beside_section_5(steady: Outcome, run: &Run) -> Result<Outcome, CheckError> {
+    Run::all([
+        Ok(steady).checks("the conclusion"),
+        positive_connectivity(run).checks("Laplacians, step 4, which step 6 uses"),
+        hulls(&HullVariant::Subset, run).checks("Equation (13), step 4"),
+    ])
+}
+
 /// The checks beside the proof of Theorem 2, without clauses.
 pub(super) fn switching_checks(variant: &SwitchingVariant, run: &Run) -> Result<Outcome, CheckError> {
     let far = rational(9, 1);
@@ -358,7 +367,7 @@ pub(super) fn switching_checks(variant: &SwitchingVariant, run: &Run) -> Result<
     }
     let steady = uncontradicted(run, list, true, variant.conclusion)?;
     if !matches!(steady, Outcome::Holds(_)) || variant.conclusion != Conclusion::Agree {
-        return Run::all([Ok(steady), positive_connectivity(run), hulls(&HullVariant::Subset, run)]);
+        return beside_section_5(steady, run);
     }
     if let Some(what) = two_agents_part().filter(|_| variant.connected == Connected::AtFirst) {
         return Ok(Outcome::fails(what, exact("an exact motion", "rates at the threshold, exact")));
@@ -367,7 +376,7 @@ pub(super) fn switching_checks(variant: &SwitchingVariant, run: &Run) -> Result<
         let detail = "weights of the tied link, enclosed for the whole period";
         return Ok(Outcome::fails(what, certified("a motion for all time", detail)));
     }
-    Run::all([Ok(steady), positive_connectivity(run), hulls(&HullVariant::Subset, run)])
+    beside_section_5(steady, run)
 }
 
 /// Theorem 2's first conclusion, under the reading of `tanner2.thm2_vel`.

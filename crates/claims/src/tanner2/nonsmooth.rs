@@ -68,7 +68,7 @@ fn examine_regular(variant: &RegularVariant, run: &mut Run) -> Result<Outcome, C
         return Ok(derivatives.on([1]));
     }
     Run::all([
-        Ok(derivatives.on([2, 3])),
+        Ok(derivatives.on([2, 3])).checks("steps 2 and 3"),
         argued(&[1, 2, 3], "the derivatives", "notes/tanner2.md, Lemmas 1 and 2, steps 1 to 3"),
     ])
 }
@@ -127,7 +127,11 @@ fn examine_gradient(variant: &GradientVariant, run: &mut Run) -> Result<Outcome,
     }
     let steps = "notes/tanner2.md, Lemmas 1 and 2, steps 2 to 4";
     let quotients = support_by_quotients(variant, run)?;
-    Run::all([Ok(gradients.on([1])), Ok(quotients.on([1, 2])), argued(&[1, 2], "the gradient", steps)])
+    Run::all([
+        Ok(gradients.on([1])).checks("step 4"),
+        Ok(quotients.on([1, 2])).checks("steps 2 and 4"),
+        argued(&[1, 2], "the gradient", steps),
+    ])
 }
 
 /// `U°(r; w)` from quotients of values of `U` at base points on both sides of R, in the plane: it must be the largest `<z, w>` over the
@@ -267,7 +271,11 @@ fn examine_kinks(variant: &KinkVariant, run: &mut Run) -> Result<Outcome, CheckE
             .then(|| format!("V'(R²) = {slope} at R² = {square}: the derivatives of Q in opposite directions cancel")))
     })?;
     let steps = "notes/tanner2.md, Lemmas 1 and 2, step 5";
-    Run::all([Ok(jumps.on([1])), Ok(kinks.on([2])), argued(&[1, 2], "Q at |r_ij| = R", steps)])
+    Run::all([
+        Ok(jumps.on([1])).checks("step 5"),
+        Ok(kinks.on([2])).checks("step 5"),
+        argued(&[1, 2], "Q at |r_ij| = R", steps),
+    ])
 }
 
 pub fn q_jump() -> Record<KinkVariant> {
@@ -457,9 +465,9 @@ pub fn eq13() -> Record<HullVariant> {
          Theorem 4 does not give Q's monotony, but it is true: almost everywhere on |r_ij| = R the distance has derivative zero, and dQ/dt = -v^T (L_m kron I_2) v.",
         HullVariant::Subset,
         |variant, run| Run::all([
-            hulls(variant, run).on([1, 2]),
+            hulls(variant, run).checks("Equation (13), step 4").on([1, 2]),
             argued(&[1, 2], "(13)", "notes/tanner2.md, Equation (13), steps 1 to 4"),
-            along_solutions(variant, run).on([3]),
+            along_solutions(variant, run).checks("Section 5, step 3").on([3]),
             argued(&[3], "Q along solutions", "notes/tanner2.md, Section 5, steps 1 to 3"),
         ]),
     )
@@ -505,7 +513,7 @@ fn examine_interval(variant: &IntervalVariant, run: &mut Run) -> Result<Outcome,
     })?;
     Ok(match variant {
         IntervalVariant::NonPositive(_) => Run::all([
-            Ok(sides.on([1, 2])),
+            Ok(sides.on([1, 2])).checks("step 5"),
             argued(&[1, 2], "a sum of squares", "notes/tanner2.md, Equation (13), step 5"),
         ])?,
         _ => sides.on([1]),

@@ -132,7 +132,7 @@ fn examine(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> 
         return Ok(Outcome::Undecided("the examples with potentials do not show it".to_string()));
     }
     Run::all([
-        slowest_rates(factor, index, run).on([1]),
+        slowest_rates(factor, index, run).checks("step 2").on([1]),
         argued(&[1, 2], "rates without potentials", "notes/tanner2.md, Corollary 2, steps 2 and 3"),
         Ok(Outcome::Holds(vec![evidence().on([3]).for_all()])),
     ])

@@ -36,7 +36,10 @@ const ANGLE: &str = "the angle of every velocity that is not zero";
 
 /// Whether the angle is the heading of every vector with small integer coordinates, and lies in `[-pi, pi]`; with the proof.
 pub(crate) fn examine_heading(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Run::all([headings(variant, run), argued(&[1], ANGLE, "notes/tanner1.md, Headings, step 1, by quadrants")])
+    Run::all([
+        headings(variant, run).checks("step 1"),
+        argued(&[1], ANGLE, "notes/tanner1.md, Headings, step 1, by quadrants"),
+    ])
 }
 
 /// The same without the proof.

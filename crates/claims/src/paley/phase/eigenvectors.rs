@@ -217,7 +217,10 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
                           span all of them";
             let part = "all eigenvectors of C_12 with entries of modulus one";
             let found = exact(part, detail).on([1, 2, 3, 4]).cases(12);
-            Run::all([Ok(Outcome::Holds(vec![found])), argued(&[2, 3, 4], part, "notes/paley_phases.md, steps E1-E5")])
+            Run::all([
+                Ok(Outcome::Holds(vec![found])).checks("steps E1 and E3 to E5"),
+                argued(&[2, 3, 4], part, "notes/paley_phases.md, steps E1-E5"),
+            ])
         },
     )
     .clauses(&[

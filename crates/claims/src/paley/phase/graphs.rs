@@ -158,7 +158,7 @@ fn examine_incidence(variant: &IncidenceVariant, run: &mut Run) -> Result<Outcom
         Ok(None)
     })?;
     let proof = argued(&[1, 2], "every undirected graph", "notes/paley_phases.md, steps L3");
-    Run::all([Ok(supports(graphs, &[1, 2])), proof])
+    Run::all([Ok(supports(graphs, &[1, 2])).checks("step L3"), proof])
 }
 
 /// `factor B B^T` with the columns `b_k = 1`, `b_j = tail` for `(j, k)`: the sum of the products of columns.

@@ -81,7 +81,8 @@ pub fn moment_potentials() -> Record<MomentVariant> {
                 Ok((deficit(particles, m), part))
             });
             let squares = identities(run, &[1, 2], &[], squares);
-            Run::all([few_phases(variant, run), two_clusters(variant, run), squares, argued(&[3], "every N >= 2 and m", "notes/paley_phases.md, steps P4")])
+            let saddles = Run::all([few_phases(variant, run), two_clusters(variant, run)]).checks("step P4");
+            Run::all([saddles, squares, argued(&[3], "every N >= 2 and m", "notes/paley_phases.md, steps P4")])
         },
     )
     .reading(

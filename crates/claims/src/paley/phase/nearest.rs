@@ -134,7 +134,7 @@ fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, Check
         }
         Ok(None)
     })?;
-    let bounds = [nearest, same].map(|outcome| Ok(supports(outcome, &[1, 2, 4])));
+    let bounds = [nearest, same].map(|outcome| Ok(supports(outcome, &[1, 2, 4])).checks("steps N1 and N2"));
     Run::all(
         bounds.into_iter().chain([
             reached_on_the_square(),

@@ -63,7 +63,7 @@ fn examine_rates(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckE
         Ok(None)
     })?;
     Run::all([
-        Ok(supports(rates, &[1, 2, 3])),
+        Ok(supports(rates, &[1, 2, 3])).checks("step O10"),
         argued(&[1, 2, 3], "every N and graph", "notes/paley_phases.md, steps O10"),
     ])
 }

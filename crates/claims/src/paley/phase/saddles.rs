@@ -61,7 +61,11 @@ pub fn saddles() -> Record<SaddleVariant> {
                 }
                 Ok(variant.contradiction(&z)?.map(|what| format!("{place}: {what}")))
             });
-            Run::all([line, others, argued(&[1, 2, 3], "every N", "notes/paley_phases.md, steps C1-C3")])
+            Run::all([
+                line.checks("steps C2 and C3"),
+                others.checks("steps C1 to C3"),
+                argued(&[1, 2, 3], "every N", "notes/paley_phases.md, steps C1-C3"),
+            ])
         },
     )
     .reading("Equilibria of (6) are taken modulo rotation: all phases turn at one rate")
@@ -124,5 +128,8 @@ fn examine_unbalanced(variant: &UnbalancedVariant, run: &mut Run) -> Result<Outc
         };
         Ok(Some(format!("N = {n}, M = {m}: {what}")))
     });
-    Run::all([instances, argued(&[1, 2, 3], "every M and N", "notes/paley_phases.md, steps C1-C3 and T6")])
+    Run::all([
+        instances.checks("steps C2, C3 and T6"),
+        argued(&[1, 2, 3], "every M and N", "notes/paley_phases.md, steps C1-C3 and T6"),
+    ])
 }

@@ -172,7 +172,10 @@ pub fn balanced_point_exists() -> Record<BalancedVariant> {
                 let none = balanced_point(&laplacian(&graph)?)?.is_none();
                 Ok(none.then(|| format!("N = {}, {}: no balanced stationary point", graph.order(), arcs(&graph))))
             });
-            Run::all([found, argued(&[1], "every circulant graph, directed ones too", "notes/paley_phases.md, steps S3")])
+            Run::all([
+                found.checks("step S3"),
+                argued(&[1], "every circulant graph, directed ones too", "notes/paley_phases.md, steps S3"),
+            ])
         },
     )
     .reading(N_AT_LEAST_2)

@@ -71,7 +71,11 @@ pub fn convergence() -> Record<Limit> {
             let parts =
                 (1..=3).map(|particles| Ok((decrease(particles), format!("Udot_1 = -K_1 |grad U_1|^2, N = {particles}"))));
             let decrease = identities(run, &[1], &["K1", "omega0"], parts);
-            Run::all([turning, decrease, argued(&[1], "convergence of all solutions", "notes/paley_phases.md, steps T1-T3")])
+            Run::all([
+                turning.checks("the conclusion"),
+                decrease.checks("step T1"),
+                argued(&[1], "convergence of all solutions", "notes/paley_phases.md, steps T1-T3"),
+            ])
         },
     )
     .control("all converge to balanced arrangements", Limit::Balanced)
@@ -97,8 +101,9 @@ fn examine_stability(variant: &StabilityVariant, run: &Run) -> Result<Outcome, C
         let place = format!("N = {}, K_1 = {}, {}", point.phasors.len(), variant.gain, point.name);
         Ok(variant.contradiction(point, points)?.map(|what| format!("{place}: {what}")))
     });
+    let levels = if variant.gain < 0 { "steps T4 and T6" } else { "steps T5 and T6" };
     Run::all([
-        instances,
+        instances.checks(levels),
         argued(&[1, 2], "stable set and unstable rest, every N", "notes/paley_phases.md, steps T4-T6"),
     ])
 }

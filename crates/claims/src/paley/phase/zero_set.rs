@@ -108,7 +108,7 @@ pub fn connected() -> Record<ConnectedVariant> {
                 let wrong = value.is_negative() || (*value > above) == all_equal(exponents);
                 (variant.applies)(graph) && wrong
             });
-            let zeros = zeros.on([2, 3, 4]);
+            let zeros = zeros.checks("step Z2").on([2, 3, 4]);
             Run::all([formula, zeros, argued(&[4], "positive elsewhere, every graph", "notes/paley_phases.md, steps Z1-Z2")])
         },
     )
@@ -134,7 +134,8 @@ pub struct ZeroVariant {
 }
 
 impl ZeroVariant {
-    fn examine(&self, run: &Run) -> Result<Outcome, CheckError> {
+    /// The zero set on small graphs, and the sum over arcs.
+    fn parts(&self, run: &Run) -> [Result<Outcome, CheckError>; 2] {
         let above = rational(self.above.0, self.above.1);
         let zeros = every_digraph(run, "zero set", |graph, exponents, value| {
             let synchronised = self.parts.synchronised(graph, exponents);
@@ -143,7 +144,7 @@ impl ZeroVariant {
                 || self.sufficient && synchronised && !value.is_zero()
                 || !synchronised && *value <= above
         });
-        Run::all([zeros, sum_of_squares(run, (1, 2))])
+        [zeros, sum_of_squares(run, (1, 2))]
     }
 }
 
@@ -156,8 +157,9 @@ pub fn strong_subgraphs() -> Record<ZeroVariant> {
          necessary for W_1 = 0.",
         ZeroVariant { parts: Parts::Strong, sufficient: true, above: (0, 1) },
         |variant, run| {
-            let zeros = variant.examine(run).on([1, 2]);
-            Run::all([zeros, argued(&[2], "positive elsewhere, every graph", "notes/paley_phases.md, steps Z1-Z2")])
+            let [zeros, squares] = variant.parts(run);
+            let found = Run::all([zeros.checks("step Z2"), squares.checks("step Z1")]).on([1, 2]);
+            Run::all([found, argued(&[2], "positive elsewhere, every graph", "notes/paley_phases.md, steps Z1-Z2")])
         },
     )
     .clauses(&[
@@ -180,7 +182,7 @@ pub fn fish_subgraphs() -> Record<ZeroVariant> {
          connected subgraph, in the strong sense and in the weak one (checked: the weak one, which is more). The sentence says \"only if\"; the converse is \
          true for weakly connected components and false for strongly connected ones (paley.zero.dir).",
         ZeroVariant { parts: Parts::Weak, sufficient: false, above: (0, 1) },
-        |variant, run| variant.examine(run).on([1, 2, 3]),
+        |variant, run| Run::all(variant.parts(run)).on([1, 2, 3]),
     )
     .clauses(&[
         "W_1(theta) is nonnegative for directed or undirected graphs.",

@@ -137,8 +137,8 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
         ("balanced, in equilibrium, no direction of growth", "exact Fourier columns on circulant graphs");
     Run::all([
         argued(&[1, 2, 3], "all circulant graphs", section),
-        Ok(Outcome::Holds(vec![exhaustive(part, detail).cases(cases).on([1, 2])])),
-        balanced_are_largest(variant, run).on([3]),
+        Ok(Outcome::Holds(vec![exhaustive(part, detail).cases(cases).on([1, 2])])).checks("step 2 and the conclusion"),
+        balanced_are_largest(variant, run).checks("step 3").on([3]),
     ])
 }
 
@@ -245,9 +245,8 @@ fn examine_larger_gain(variant: &GainVariant, _run: &mut Run) -> Result<Outcome,
         return Ok(Outcome::fails(what, equilibrium));
     }
     evidence.push(equilibrium.on([3]).for_all());
-    let argued = "notes/paley_particles.md, Linearisation at a circular formation, steps 1 to 3 and 6";
-    evidence.push(Evidence::new(Grade::Argued, "every K_1 > 0", argued).on([1, 2, 3]).for_all());
-    Ok(Outcome::Holds(evidence))
+    let steps = "notes/paley_particles.md, Linearisation at a circular formation, steps 1 to 3 and 6";
+    Run::all([Ok(Outcome::Holds(evidence)).checks("step 6"), argued(&[1, 2, 3], "every K_1 > 0", steps)])
 }
 
 /// On `C_order` the maximisers of `W_1` are one alternating pattern, up to rotation or not; or every (2,N)-pattern is one.

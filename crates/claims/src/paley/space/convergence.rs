@@ -72,7 +72,7 @@ fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcom
         let part = format!("on the limit set L_k c = 0, {}", described(&graph));
         state_identity(on_limit_set(Neighbours::of(&graph), variant.rate), &["w0", "K_0"], &part, run)
     }))?;
-    Run::all([Ok(limits), examine_return(variant, run)])
+    Run::all([Ok(limits).checks("steps 3 and 4"), examine_return(variant, run).checks("the conclusion")])
 }
 
 /// Whether all that is no symmetry and no phase decays near circular formations.
@@ -132,8 +132,8 @@ fn examine_theorem2(variant: &ConvergenceVariant, run: &mut Run) -> Result<Outco
     Run::all([
         argued(&[1, 2], "every solution", "notes/paley_particles.md, Theorem 2, steps 1-4"),
         Ok(limit.on([1, 2])),
-        examine_proper(&variant.proper, run).on([1]),
-        examine_descent(&variant.descent, run).on([1]),
+        examine_proper(&variant.proper, run).checks("step 1").on([1]),
+        examine_descent(&variant.descent, run).checks("step 1").on([1]),
     ])
 }
 

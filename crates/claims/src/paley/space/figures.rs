@@ -3,6 +3,7 @@
 use super::balanced::hessian_inertia;
 use super::instances::scattered_phasors;
 use super::runs::{SHOWN, TYPICAL, random_start, simulated};
+use crate::evidence::checking;
 use crate::shares::judged;
 use algebra::matrix::{Inertia, inertia};
 use arithmetic::{CosineField, Field, rational};
@@ -78,7 +79,7 @@ fn examine_motions_figure(variant: &MotionVariant, run: &mut Run) -> Result<Outc
         Share { found: seeds, of: seeds }
     );
     Ok(Outcome::Holds(vec![
-        simulated("the four motions", &detail, 4 * seeds).on([1, 2, 3]),
+        checking(simulated("the four motions", &detail, 4 * seeds).on([1, 2, 3]), "the conclusion"),
         Evidence::argued(
             "limits, and which are relative equilibria",
             "notes/paley_particles.md, Figure 1, steps 1 to 4",

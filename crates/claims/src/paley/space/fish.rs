@@ -104,7 +104,7 @@ fn examine_behaviour(variant: &BehaviourVariant, run: &mut Run) -> Result<Outcom
     let part = "v away from (or towards) three neighbours, rhat_kj = e^{i psi_j}, and steering towards v";
     let section = "notes/paley_particles.md, Behaviours of fish, steps 1-2";
     let identity = run.identity(&behaviour(variant), &names, part)?;
-    Run::all([Ok(identity.on([1, 2])), argued(&[1, 2], "any number of neighbours", section)])
+    Run::all([Ok(identity.on([1, 2])).checks("steps 1 and 2"), argued(&[1, 2], "any number of neighbours", section)])
 }
 
 pub fn repulsion_field() -> Record<BehaviourVariant> {

@@ -127,9 +127,9 @@ fn examine_laplacian_form(variant: &FormVariant, run: &mut Run) -> Result<Outcom
         "(27) with rhat_kj and (28), both neighbours at the distance 1",
     );
     Run::all([
-        Ok(identity.on([1, 2, 3])),
-        Ok(Outcome::Holds(vec![differs.on([4])])),
-        same.on([4]),
+        Ok(identity.on([1, 2, 3])).checks("steps 3 to 5"),
+        Ok(Outcome::Holds(vec![differs.on([4])])).checks("step 6"),
+        same.checks("step 6").on([4]),
         argued(&[1, 2, 3, 4], "any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 3-6"),
     ])
 }
@@ -221,11 +221,12 @@ fn examine_comparison(variant: &ComparisonVariant, run: &mut Run) -> Result<Outc
     let identities = identity_graphs(run)?.into_iter().filter(|g| g.order() > 1).map(|graph| {
         let part = format!("terms of (22) and (28), {}", described(&graph));
         state_identity(comparison_sides(variant, Neighbours::of(&graph)), &["w0", "K_0", "K_ori"], &part, run)
+            .checks("steps 1 and 2")
             .on([1, 2])
     });
     let perpendicular =
         exact("perpendicular motion in the limit", "exact circular formations with K_1 > 0 and K_1 < 0");
     let section = "notes/paley_particles.md, Perpendicular motion, steps 1-4";
-    let last = Ok(Outcome::Holds(vec![perpendicular.on([3]).cases(count)]));
+    let last = Ok(Outcome::Holds(vec![perpendicular.on([3]).cases(count)])).checks("the conclusion");
     Run::all(identities.chain([argued(&[2, 3], "every graph and every start", section), last]))
 }

@@ -127,7 +127,7 @@ fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result
     let signs = exact("sign of the difference", "W_1/n = A_n/2 by definition of W_1; exact states of four fish");
     match wrong {
         Some(what) => against.push((what, signs)),
-        None => for_it.push(signs.cases(states.count()).on([1])),
+        None => for_it.push(checking(signs.cases(states.count()).on([1]), "step 1")),
     }
     for fish in [4usize, 8] {
         run.checkpoint()?;
@@ -137,7 +137,7 @@ fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result
         let part = format!("{fish} fish, independent uniform headings");
         let evidence = exact(&part, "exact expectation");
         if difference == rational(0, 1) {
-            for_it.push(evidence.on([2]));
+            for_it.push(checking(evidence.on([2]), "step 2"));
         } else {
             against.push((format!("{part}: the difference has the mean {difference}"), evidence));
         }
@@ -155,7 +155,7 @@ fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result
         if positive.interval().0 > NEARLY_ALWAYS {
             against.push((format!("{part}: the difference is positive in a share {interval} of the draws"), evidence));
         } else {
-            for_it.push(evidence.on([2]));
+            for_it.push(checking(evidence.on([2]), "step 2"));
         }
     }
     for pairs in [2usize, 4] {

@@ -235,8 +235,8 @@ fn examine_relative_equilibria(variant: &EquilibriumVariant, run: &mut Run) -> R
     })?;
     let section = "notes/paley_particles.md, Shape space, steps 1-5";
     let part = "rates of change of the shape; equilibria for u != 0 and u = 0";
-    let rates = state_identity(equilibrium(variant), &["u", "u_2"], part, run).on([1, 3, 4]);
-    Run::all([Ok(dimension.on([2])), rates, argued(&[1, 2, 3, 4], "any number of particles", section)])
+    let rates = state_identity(equilibrium(variant), &["u", "u_2"], part, run).checks("steps 1 and 4").on([1, 3, 4]);
+    Run::all([Ok(dimension.on([2])).checks("step 2"), rates, argued(&[1, 2, 3, 4], "any number of particles", section)])
 }
 
 /// With `u = rate omega` the centre of mass stays within `radius/|omega|` of the mean centre, or of its own place at the start.

@@ -65,6 +65,7 @@ fn examine_synchrony(
             )
         }))
     });
+    let decays = decays.checks("Linearisation at a circular formation, step 4");
     Run::all([argued(&[1], "every connected graph and all gains of these signs", section), decays])
 }
 
@@ -243,8 +244,8 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
     let section = "notes/paley_particles.md, Linearisation at a circular formation, steps 1 to 3 and 5";
     Run::all([
         argued(&[1, 2, 3], "all M and N", section),
-        Ok(Outcome::Holds(vec![certified("linearisation", enclosed).cases(12).on([3])])),
-        Ok(linearised.on([1, 2, 3])),
-        Ok(hessians.on([2, 3])),
+        Ok(Outcome::Holds(vec![certified("linearisation", enclosed).cases(12).on([3])])).checks("the conclusion"),
+        Ok(linearised.on([1, 2, 3])).checks("the conclusion"),
+        Ok(hessians.on([2, 3])).checks("step 5"),
     ])
 }

@@ -73,8 +73,9 @@ pub fn beacon_form() -> Record<BeaconVariant> {
 fn examine_beacon_form(variant: &BeaconVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let names = ["w0", "K", "Re c_0", "Im c_0"];
     let part = |n: usize| format!("potential, its rate, no rest where it is stationary, N = {n}");
-    let identities =
-        (1..=3).map(|particles| state_identity(beacon(variant, particles), &names, &part(particles), run).on([1, 2]));
+    let identities = (1..=3).map(|particles| {
+        state_identity(beacon(variant, particles), &names, &part(particles), run).checks("steps 2 and 3").on([1, 2])
+    });
     let detail = "linearised around the beacon: zeros for the phases only, the centres return exponentially; both \
      signs of w0";
     let returns = run.instances("fixes the centre to c_0", detail, [(1, 10), (-3, 1)], |(p, q)| {
@@ -94,7 +95,7 @@ fn examine_beacon_form(variant: &BeaconVariant, run: &mut Run) -> Result<Outcome
         }))
     })?;
     let argued = argued(&[1, 2, 3], "every start", "notes/paley_particles.md, Beacon and drift, steps 1-4");
-    Run::all([Ok(returns.on([3]))].into_iter().chain(identities).chain([argued]))
+    Run::all([Ok(returns.on([3])).checks("the conclusion")].into_iter().chain(identities).chain([argued]))
 }
 
 /// The centres gain `sign f`, where particle `k` drifts with `f` (or `k f`); with a beacon or without.
@@ -181,6 +182,7 @@ fn examine_common_drift(variant: &DriftVariant, run: &mut Run) -> Result<Outcome
             &format!("the drift carries the motion along, {name}"),
             run,
         )
+        .checks("step 5")
     });
     Run::all(identities.chain([argued]))
 }
