@@ -30,12 +30,20 @@ pub(crate) fn unless(wrong: Option<String>, evidence: Evidence) -> Result<Outcom
     })
 }
 
+/// The evidence, with what it checks of the proof beside it ([`Placed::checks`]).
+pub(crate) fn checking(evidence: Evidence, what: &str) -> Evidence {
+    Evidence { detail: format!("{}; {what}", evidence.detail), ..evidence }
+}
+
 /// Says which clauses the evidence of a check bears on.
 pub(crate) trait Placed {
     /// [`Outcome::on`].
     fn on(self, clauses: impl Into<Vec<usize>>) -> Self;
     /// [`Outcome::for_all`].
     fn for_all(self) -> Self;
+    /// Names, where it holds, what of the proof beside it the computed evidence checks: a numbered step that it would fail without, or
+    /// the conclusion.
+    fn checks(self, what: &str) -> Self;
 }
 
 impl Placed for Result<Outcome, CheckError> {
@@ -45,6 +53,13 @@ impl Placed for Result<Outcome, CheckError> {
 
     fn for_all(self) -> Self {
         self.map(Outcome::for_all)
+    }
+
+    fn checks(self, what: &str) -> Self {
+        self.map(|outcome| match outcome {
+            Outcome::Holds(evidence) => Outcome::Holds(evidence.into_iter().map(|e| checking(e, what)).collect()),
+            other => other,
+        })
     }
 }
 
