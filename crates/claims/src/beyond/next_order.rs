@@ -105,7 +105,11 @@ fn examine(part: &Quantity, variant: &NextOrderVariant, run: &mut Run) -> Result
         run.value("largest_error_met_in_units_of_the_fourth_power", interval_value(&worst, 6));
     }
     let expansion = run.identity(&expansion(), &["b"], "the expansions of x and y in a, exact power series")?;
-    Run::all([Ok(enclosures), Ok(expansion), argued(&[], "all f, g < 0 and M >= 5 max(1, b)", part.steps)])
+    Run::all([
+        Ok(enclosures).checks("the conclusion"),
+        Ok(expansion).checks("the coefficients of step 1"),
+        argued(&[], "all f, g < 0 and M >= 5 max(1, b)", part.steps),
+    ])
 }
 
 /// The relative error of the formula, in units of `(a0 max(1, b))^4`.
@@ -137,6 +141,7 @@ fn examine_limit(part: &Quantity, variant: &NextOrderVariant, run: &mut Run) -> 
         let limit = (part.limit)(&gains)?;
         Ok(reached - limit.ratio(variant.correction.0, variant.correction.1) * limit)
     })
+    .checks("step 12")
 }
 
 /// The least integer M with `M >= 5 max(1, b)`, from `M² |f| >= 25 g²`.
@@ -163,7 +168,7 @@ const FREQUENCY: Quantity = Quantity {
         let root = (-gains.f.clone()).sqrt()?;
         (-(b2.pi().power(3) * factor * root)).over(&(b2.integer(16) * b2.integer(2).sqrt()?))
     },
-    steps: "notes/veerman_next_order.md, sections 1 and 2",
+    steps: "notes/veerman_next_order.md, steps 1 to 7",
 };
 
 const AMPLITUDE: Quantity = Quantity {
@@ -180,7 +185,7 @@ const AMPLITUDE: Quantity = Quantity {
         let damping = (b.integer(36) - b.pi().square()) * b.ratio(1, 96) * &b;
         Ok((damping - b.ratio(1, 12).over(&b)?) * b.integer(2).sqrt()?)
     },
-    steps: "notes/veerman_next_order.md, sections 1 to 3",
+    steps: "notes/veerman_next_order.md, steps 1 to 11",
 };
 
 pub fn frequency() -> Record<NextOrderVariant> {
@@ -210,7 +215,7 @@ pub fn amplitude() -> Record<NextOrderVariant> {
         |variant, run| {
             let formula = examine(&AMPLITUDE, variant, run)?.on([1]);
             let limit = examine_limit(&AMPLITUDE, variant, run)?;
-            let proof = argued(&[2], "the limit", "notes/veerman_next_order.md, section 4");
+            let proof = argued(&[2], "the limit", "notes/veerman_next_order.md, step 12");
             Run::all([Ok(formula), Ok(limit.on([2])), proof])
         },
     ))

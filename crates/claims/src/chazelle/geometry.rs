@@ -120,7 +120,7 @@ fn check_quotient(variant: &AngleVariant, run: &mut Run) -> Result<Outcome, Chec
     let detail = "enclosures for vectors in dimension 1 to 3, obtuse angles among them; up to 2^-64 of the quotient";
     let evidence = certified("1/(1 + R²) <= angle/distance <= 1", detail).on([1, 2]);
     Run::all([
-        run.every(evidence, &pairs, |(w, v)| variant.fails_at(w, v)),
+        run.every(evidence, &pairs, |(w, v)| variant.fails_at(w, v)).checks("step 2"),
         argued(&[1, 2], "1/(1 + R²) <= angle/distance <= 1, and R <= n^O(1)", "notes/settling.md, (3.15), steps 1-3"),
     ])
 }
@@ -209,6 +209,7 @@ fn origins_of_flocks(variant: &OriginVariant, run: &Run) -> Result<Outcome, Chec
          without hysteresis; the angle enclosed at t = 20",
     );
     run.every(evidence, &starts, |start| follow(variant, start))
+        .checks("step 1, the bound of step 3, the angle of step 4")
 }
 
 fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, CheckError> {
@@ -316,7 +317,7 @@ fn examine_losses(variant: &LossVariant, run: &mut Run) -> Result<Outcome, Check
     let step_6 =
         "exact integers from the bounds of steps 1 to 5, n = 4, ..., 64 and entries >= 1/n, 1/n² (vicsek, lazy)";
     Run::all([
-        last_loss(variant, run),
+        last_loss(variant, run).checks("the conclusion"),
         run.every(step_5, &starts, |start| variant.wrong_difference(start)),
         run.instances("step 6: the threshold is reached in time", step_6, sizes, |(n, a)| Ok(variant.too_late(n, a))),
         argued(

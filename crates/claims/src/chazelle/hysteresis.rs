@@ -140,7 +140,7 @@ fn check_smaller_threshold(variant: &SmallerThresholdVariant, run: &mut Run) -> 
     let inequalities = certified("steps 1 and 3", "enclosures for n = 4, ..., 24");
     Run::all([
         run.every(inequalities, 4..=24, |n| variant.fails_for(n)),
-        variant.four_birds(run),
+        variant.four_birds(run).checks("the conclusion"),
         argued(
             &[],
             "the three places where the threshold enters, n >= 4",
@@ -217,12 +217,8 @@ fn check_near_birds_are_joined(variant: &NearVariant, run: &mut Run) -> Result<O
         .collect();
     let detail = "exact flocks of 2 to 5 birds in dimension 1 to 3, 12 steps";
     Run::all([
-        run.every(fuzzed("pairs within unit distance", detail), &starts, |s| variant.fails_at(s)),
-        argued(
-            &[],
-            "every pair within unit distance, at all times",
-            "by the definition of the rule (notes/settling.md, Lemma 3.6(i))",
-        ),
+        run.every(fuzzed("pairs within unit distance", detail), &starts, |s| variant.fails_at(s)).checks("step 2"),
+        argued(&[], "every pair within unit distance, at all times", "notes/settling.md, Lemma 3.6(i), steps 1 and 2"),
     ])
 }
 
@@ -380,8 +376,9 @@ fn check_far_birds_are_not(variant: &FarVariant, run: &mut Run) -> Result<Outcom
     let sizes = (4..=200).flat_map(|n| [(n, 1), (n, 2)]);
     let steps_3_4 = "exact integers for n = 4, ..., 200 and entries >= 1/n, 1/n², speeds up to n";
     Run::all([
-        run.instances("parting pairs", "2 and 3 birds with c_i = 1/8, 32 steps", 2..=3, |n| variant.parting_pair(n)),
-        variant.four_birds(run),
+        run.instances("parting pairs", "2 and 3 birds with c_i = 1/8, 32 steps", 2..=3, |n| variant.parting_pair(n))
+            .checks("the conclusion"),
+        variant.four_birds(run).checks("the conclusion"),
         run.every(step_1, &starts, |start| variant.grows_too_fast(start)),
         run.instances("steps 3 and 4", steps_3_4, sizes, |(n, a)| Ok(variant.exponents_fail(n, a))),
         argued(

@@ -137,7 +137,7 @@ fn check_distance_expansion(variant: &ExpansionVariant, run: &mut Run) -> Result
                   2, 30 steps, against powers of P";
     let evidence = exact("the expansion for t > t_1, and fewer than n² terms", detail).on([1, 2]);
     Run::all([
-        run.every(evidence, tie_cases(run)?, |case| Ok(variant.fails_at(&case))),
+        run.every(evidence, tie_cases(run)?, |case| Ok(variant.fails_at(&case))).checks("steps 1 and 2"),
         argued(&[1, 2], "both, for all flocks", "notes/settling.md, (3.18) and Lemma 3.10, steps 1-2"),
     ])
 }
@@ -308,7 +308,9 @@ fn check_next_contact(variant: &ContactVariant, run: &mut Run) -> Result<Outcome
     starts.extend((0..run.cases(40, 600)).map(|_| random_start(&mut random, Hysteresis::None)));
     let detail = "flocks settled exactly, whatever t_1 is: every merger within n^(16 t_1 n), one of them after 10^84 \
                   steps, every other contact within t_1 2^(n^4)";
-    let times = run.instances("the times of contacts", detail, &starts, |start| variant.fails_at(start, run));
+    let times = run
+        .instances("the times of contacts", detail, &starts, |start| variant.fails_at(start, run))
+        .checks("the conclusion");
     argued_with(&[1, 2], "both bounds, for all flocks", "notes/settling.md, Lemma 3.9, steps 1-5", [times])
 }
 
@@ -390,7 +392,8 @@ fn check_steady_state(variant: &TimeVariant, run: &mut Run) -> Result<Outcome, C
             let late = tower_height(end.last_switch.bits().into()) > (variant.height)(start.positions.len() as u64);
             let wrong = late || !matches!(end.ending, Ending::Steady);
             Ok(wrong.then(|| format!("{name}: steady from t = {} on", end.last_switch)))
-        }),
+        })
+        .checks("the conclusion"),
         // The start and two levels for each merger: from 2^(n^12) on, the factors 2^(n^O(1)) of the joins within
         // flocks are covered by T² in place of T.
         run.instances("step 3: heights of towers", "model D, n = 2, ..., 64", 2..=64, |n: u64| {

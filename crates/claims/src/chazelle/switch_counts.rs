@@ -189,7 +189,7 @@ fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Out
     let flocks = (0..run.cases(60, 1500)).map(|_| random_line_flock(&mut random, 14));
     let detail = "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)";
     Run::all([
-        Ok(classes),
+        Ok(classes).checks("the conclusion"),
         run.every(fuzzed("flocks", detail), flocks, |history| {
             let history = history?;
             let n = history.order();
@@ -197,7 +197,8 @@ fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Out
             let end = if variant.until_stable { stable } else { history.constant_from() };
             let (count, bound) = (history.changes(2, end) as u64, (variant.bound)(n as u64, (n as u64 - 1) / 2));
             Ok((count > bound).then(|| format!("{}: {count} switches, more than {bound}", history.show())))
-        }),
+        })
+        .checks("the conclusion"),
         argued(
             &[],
             "the bound, for every class of sequences closed under continuation and separation",

@@ -65,7 +65,7 @@ fn examine_neighbour(variant: &NeighbourVariant, run: &mut Run) -> Result<Outcom
         Ok((connected != variant.connected || !as_claimed).then(what))
     })?;
     let proof = argued(&[1, 2], "all n >= 2 and N", "notes/veerman_platoons.md, other graphs, steps 1 to 3");
-    Run::all([Ok(graphs.on([1, 2])), proof])
+    Run::all([Ok(graphs.on([1, 2])).checks("steps 2 and 3"), proof])
 }
 
 /// The followers that the law leaves at rest in their places, whatever those move that it does not leave at rest: all are at rest at first, and
@@ -146,26 +146,26 @@ pub fn only_two() -> Record<()> {
 
 /// The check of beyond.veerman.growth; clause 1 is exponential growth, clause 2 that of every degree.
 pub(crate) fn examine_growth(variant: &GrowthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut results = vec![exponential(variant, run).on([1])];
+    let mut results = vec![exponential(variant, run).on([1]).checks("step 4")];
     for &degree in variant.degrees {
-        results.push(growth(degree, variant, run).on([2]));
+        results.push(growth(degree, variant, run).on([2]).checks("step 7"));
     }
     let names = ["f", "g", "w"];
     for followers in 1..=4 {
         let part = format!("p = 0, everyone tracks the leader: all amplitudes are 1/gamma, {followers} followers");
-        results.push(run.identity(&star(followers), &names, &part).on([2]));
+        results.push(run.identity(&star(followers), &names, &part).on([2]).checks("step 8"));
     }
     for (length, platoons) in [(2, 1), (1, 2), (2, 2), (1, 3)] {
         let part = format!("{platoons} platoons of {length} in series: the power of a_{length}");
-        results.push(run.identity(&series(0, length, platoons), &names, &part).on([2]));
+        results.push(run.identity(&series(0, length, platoons), &names, &part).on([2]).checks("step 6"));
     }
     for (spare, length, platoons) in [(1, 2, 1), (2, 1, 2)] {
         let part = format!(
             "{platoons} platoons of {length} behind {spare} cars that track the leader: the power of a_{length}"
         );
-        results.push(run.identity(&series(spare, length, platoons), &names, &part).on([2]));
+        results.push(run.identity(&series(spare, length, platoons), &names, &part).on([2]).checks("step 9"));
     }
-    results.push(between_degrees(variant, run).on([2]));
+    results.push(between_degrees(variant, run).on([2]).checks("step 9"));
     results.push(argued(&[1], "system (1)", "notes/veerman_platoons.md, other graphs, step 4"));
     results.push(argued(&[2], "platoons in series", "notes/veerman_platoons.md, other graphs, steps 5 to 9"));
     Run::all(results)

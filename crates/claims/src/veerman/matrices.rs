@@ -124,7 +124,7 @@ fn examine_matrices(variant: &MatrixVariant, run: &mut Run) -> Result<Outcome, C
     }
     results.push(from_the_graph(variant, run).on([1]));
     if let Some(eigenvalue) = variant.eigenvalue {
-        results.push(only_eigenvalue(variant.communication, eigenvalue, run).on([2, 3]));
+        results.push(only_eigenvalue(variant.communication, eigenvalue, run).on([2, 3]).checks("step 2"));
         results.push(argued(&[3], "the multiplicity", "notes/veerman_platoons.md, spectra, steps 1 and 2"));
     }
     Run::all(results)

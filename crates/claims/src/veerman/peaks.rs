@@ -105,8 +105,8 @@ fn examine_lesser(variant: &LesserVariant, run: &mut Run) -> Result<Outcome, Che
             Ok(ratio.clone() * ratio.ratio(1, multiple) - ratio.one())
         };
         let name = format!("omega_{k}_over_omega_1");
-        results.push(scaled_error_is_bounded(SMALLEST, run, &name, variant.order, place).on([1]));
-        results.push(heights(variant, k, run).on([2]));
+        results.push(scaled_error_is_bounded(SMALLEST, run, &name, variant.order, place).on([1]).checks("step 4"));
+        results.push(heights(variant, k, run).on([2]).checks("the conclusion"));
     }
     let note = "notes/veerman_platoons.md, lesser resonances, steps";
     results.push(argued(&[1], "places, with the order of the error", &format!("{note} 1 to 4")));

@@ -96,11 +96,17 @@ fn examine_spectrum(variant: &SpectrumVariant, run: &mut Run) -> Result<Outcome,
             Ok(wrong
                 .then(|| format!("{communication:?}, {followers} followers: spec(L) without {lost} is not spec(P)")))
         })
-        .on([3]),
+        .on([3])
+        .checks("step 4, and that 0 is not in spec(P), steps 2 and 3"),
     );
-    results.push(zero_on_both_sides(variant, MOST, run));
+    results.push(zero_on_both_sides(variant, MOST, run).checks("steps 5 and 6"));
     let part = "det(A + lambda K) = - lambda f: with clause 1, 0 is in spec(M) only where f = 0";
-    results.push(run.identity(&block_determinant(variant.factor), &["f", "g", "lambda"], part).on([2]).for_all());
+    results.push(
+        run.identity(&block_determinant(variant.factor), &["f", "g", "lambda"], part)
+            .on([2])
+            .for_all()
+            .checks("the determinant of step 5"),
+    );
     results.push(argued(&[2], "spec(M) for f != 0", "notes/veerman_platoons.md, spectra, steps 3 to 6"));
     results.push(argued(&[3], "spec(L) and spec(P)", "notes/veerman_platoons.md, spectra, steps 1 to 4"));
     Run::all(results)

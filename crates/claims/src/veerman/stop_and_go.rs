@@ -178,7 +178,11 @@ fn examine_figure3(variant: &Figure3Variant, run: &mut Run) -> Result<Outcome, C
     };
     let slowest = scaled_error_is_bounded(32, run, "slowest_mode_over_resonance", variant.order, error)?;
     let place = "notes/veerman_platoons.md, after an abrupt start, steps 1 to 4";
-    Run::all([Ok(slowest), passages(variant, run), argued(&[], "for all f, g < 0 and large M", place)])
+    Run::all([
+        Ok(slowest).checks("step 4"),
+        passages(variant, run).checks("the conclusion"),
+        argued(&[], "for all f, g < 0 and large M", place),
+    ])
 }
 
 /// The run: so many followers, the leader accelerates until this time, so many passages of the last car by its place.

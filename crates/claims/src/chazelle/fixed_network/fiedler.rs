@@ -106,12 +106,14 @@ fn check_fiedler_rate(variant: &FiedlerVariant, run: &mut Run) -> Result<Outcome
     let place = "notes/chazelle_fixed_network.md, (3.9), (3.10) and the rate of decay, steps 4-6";
     Run::all([
         exhaustively(&networks, run, "the Fiedler number", number, |network| variant.small_fiedler_number(network))
-            .on([1]),
+            .on([1])
+            .checks("step 4"),
         exhaustively(&networks, run, "differences after t steps, and the rate tends to 0", decay, |network| {
             variant.slow_decay(network)
         })
-        .on(of_rate),
-        run.every(exponent.on(of_rate), [3 + variant.gap_shift], too_slow_for),
+        .on(of_rate)
+        .checks("the conclusion"),
+        run.every(exponent.on(of_rate), [3 + variant.gap_shift], too_slow_for).checks("the exponent 3 of step 6"),
         argued(&[1, 2, 3], "the Fiedler number, and the rates", place),
     ])
 }

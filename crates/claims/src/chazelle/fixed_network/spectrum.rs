@@ -197,7 +197,9 @@ fn check_symmetrised(variant: &SymmetrisedVariant, run: &mut Run) -> Result<Outc
     );
     let squares = "characteristic polynomials compared on the same graphs with weights that are squares".to_string();
     Run::all([
-        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)).on([1, 2, 3]),
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
+            .on([1, 2, 3])
+            .checks("steps 1 and 2, and the bound -1 of step 3"),
         exhaustively(&lazy, run, "M and P have the same eigenvalues", squares, |network| {
             variant.differs_on_squares(network)
         })
