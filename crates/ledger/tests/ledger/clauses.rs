@@ -128,11 +128,11 @@ fn a_correction_of_its_own_has_its_own_clauses() {
     let repaired = record(Says::Fails).clauses(TWO).repaired(Fault::Slip, "", Says::Holds(&[(&[1], true)]));
     let mut ledger = Ledger::new();
     ledger.expect("beyond.test.a", Verdict::Holds, &[Grade::Exact]);
-    ledger.register(repaired.repaired_clauses(&["Third."])).unwrap();
+    ledger.register(repaired.reading("read so").repaired_clauses(&["Third."]).repaired_reading("not so")).unwrap();
     ledger.register_corrections(|_| true).unwrap();
     let ids = ledger.select(&["beyond".into()], &[]).unwrap();
     let found = ledger.verify(&ids, &Options::default(), |_| {}).entries.remove(0);
-    assert_eq!(found.clauses, ["Third."]);
+    assert_eq!((found.clauses.as_slice(), found.reading.as_deref()), (&["Third.".to_string()][..], Some("not so")));
     assert_eq!(places(&found), [(vec![1], Some(Scope::All))]);
 }
 
@@ -159,6 +159,15 @@ fn another_reach_fault_verdict_or_grade_is_reported() {
     };
     differs(repaired(), "needs_hypothesis\thypothesis\t1/2\texact", &[]);
     differs(repaired(), "needs_hypothesis\ttypo\t1/2\texact", &["recorded fault typo"]);
+}
+
+/// The text against itself reaches nowhere: it covers no clause, even where it names one.
+#[test]
+fn evidence_without_a_scope_covers_nothing() {
+    let mut found = entry(record(Says::Holds(&[(&[1, 2], true)])).clauses(TWO));
+    assert_eq!((found.covered(false).len(), found.covered(true).len()), (2, 2));
+    found.evidence[0].scope = None;
+    assert!(found.covered(false).is_empty() && found.covered(true).is_empty());
 }
 
 #[test]
