@@ -75,6 +75,11 @@ fn cars_that_are_not_there_have_no_acceleration() {
     let last = CommunicationGraph::with_equal_weights(&[vec![3], vec![0], vec![0]]).unwrap();
     assert!(last.accelerations(&gains, (&0.0, &0.0), &y[..2], &u).is_empty());
     assert!(line.accelerations(&gains, (&0.0, &0.0), &[], &[]).is_empty());
+    let fourth = CommunicationGraph::with_equal_weights(&[vec![0], vec![4], vec![4], vec![0]]).unwrap();
+    assert_eq!(fourth.accelerations(&gains, (&0.0, &0.0), &y, &u).len(), 1);
+    // Who tracks nobody does not accelerate.
+    let free = CommunicationGraph::with_equal_weights(&[vec![], vec![1]]).unwrap();
+    assert_eq!(free.accelerations(&gains, (&0.0, &0.0), &y[..2], &u[..2]), [0.0, -1.5]);
     let far = CommunicationGraph::nth_neighbours(usize::MAX, 3).unwrap();
     assert!((1..=3).all(|k| far.tracked_by(k).is_empty()));
 }
