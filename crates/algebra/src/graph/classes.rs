@@ -5,8 +5,8 @@
 //! `n - 1`; those found twice are told apart by a canonical form.
 
 use super::{Graph, WeightedGraph};
+use crate::threads::map;
 use arithmetic::{Cancelled, Progress, rational};
-use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// Largest order of [`graphs`] and [`connected_graphs`].
@@ -177,7 +177,8 @@ fn classes(order: usize, directed: bool, progress: &dyn Progress) -> Result<Vec<
             }
             Ok(codes)
         };
-        let codes: Vec<Vec<(u32, u128)>> = found.par_iter().map(children).collect::<Result<_, Cancelled>>()?;
+        let codes: Vec<Vec<(u32, u128)>> =
+            map(found.len(), |k| children(&found[k])).into_iter().collect::<Result<_, Cancelled>>()?;
         let mut codes = codes.concat();
         codes.sort_unstable();
         codes.dedup();

@@ -3,7 +3,8 @@
 //! Nothing here can support an exact claim; it is for looking, plotting and comparing.
 
 use super::RationalMatrix;
-use faer::{Mat, Side};
+pub use dense::SymmetricEigen;
+use dense::{Mat, c64};
 use num_traits::ToPrimitive;
 
 /// The matrix with each entry rounded to the nearest float.
@@ -60,15 +61,13 @@ pub enum EigenError {
 /// [`EigenError`].
 pub fn eigenvalues(matrix: &Mat<f64>) -> Result<Vec<FloatEigenvalue>, EigenError> {
     let rows = square(matrix)?;
-    let eigen = matrix.eigen().map_err(|_| EigenError::NoConvergence)?;
-    let (values, vectors) = (eigen.S(), eigen.U());
+    let dense::Eigen { values, vectors } = dense::eigen(matrix.as_ref()).ok_or(EigenError::NoConvergence)?;
     let mut found: Vec<FloatEigenvalue> = (0..rows)
         .map(|k| {
             let value = values[k];
             let (mut error, mut size) = (0.0, 0.0);
             for i in 0..rows {
-                let image: faer::c64 =
-                    (0..rows).fold(faer::c64::new(0.0, 0.0), |sum, j| sum + vectors[(j, k)] * matrix[(i, j)]);
+                let image: c64 = (0..rows).fold(c64::new(0.0, 0.0), |sum, j| sum + vectors[(j, k)] * matrix[(i, j)]);
                 error += (image - value * vectors[(i, k)]).norm_sqr();
                 size += vectors[(i, k)].norm_sqr();
             }
@@ -84,23 +83,13 @@ fn square(matrix: &Mat<f64>) -> Result<usize, EigenError> {
     if rows == cols { Ok(rows) } else { Err(EigenError::NotSquare { rows, cols }) }
 }
 
-/// A symmetric matrix turned to its axes.
-#[derive(Debug, Clone)]
-pub struct SymmetricEigen {
-    /// The eigenvalues, ascending.
-    pub values: Vec<f64>,
-    /// Orthonormal eigenvectors in columns, in the same order.
-    pub vectors: Mat<f64>,
-}
-
 /// Eigenvalues and eigenvectors of a symmetric matrix, of which the lower half is read.
 ///
 /// # Errors
 /// [`EigenError`].
 pub fn symmetric_eigen(matrix: &Mat<f64>) -> Result<SymmetricEigen, EigenError> {
     square(matrix)?;
-    let eigen = matrix.self_adjoint_eigen(Side::Lower).map_err(|_| EigenError::NoConvergence)?;
-    Ok(SymmetricEigen { values: eigen.S().column_vector().iter().copied().collect(), vectors: eigen.U().to_owned() })
+    dense::symmetric_eigen(matrix.as_ref()).ok_or(EigenError::NoConvergence)
 }
 
 /// The product, `NaN` in each entry where the shapes do not fit.
@@ -108,7 +97,7 @@ pub fn product(left: &Mat<f64>, right: &Mat<f64>) -> Mat<f64> {
     if left.ncols() != right.nrows() {
         return Mat::from_fn(left.nrows(), right.ncols(), |_, _| f64::NAN);
     }
-    left * right
+    dense::product(left.as_ref(), right.as_ref())
 }
 
 /// The least singular value.
@@ -116,6 +105,6 @@ pub fn product(left: &Mat<f64>, right: &Mat<f64>) -> Mat<f64> {
 /// # Errors
 /// [`EigenError::NoConvergence`].
 pub fn least_singular_value(matrix: &Mat<f64>) -> Result<f64, EigenError> {
-    let values = matrix.singular_values().map_err(|_| EigenError::NoConvergence)?;
+    let values = dense::singular_values(matrix.as_ref()).ok_or(EigenError::NoConvergence)?;
     Ok(values.into_iter().fold(f64::INFINITY, f64::min))
 }

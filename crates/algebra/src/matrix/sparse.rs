@@ -1,9 +1,9 @@
 //! Square rational matrices of which most entries are zero.
 
 use super::{MatrixError, RationalMatrix};
+use crate::threads::map;
 use arithmetic::Rational;
 use num_traits::Zero;
-use rayon::prelude::*;
 
 /// Rows from which several threads compare them.
 const MANY_ROWS: usize = 256;
@@ -105,7 +105,7 @@ impl SparseMatrix {
         let more_above = if self.order() < MANY_ROWS {
             (0..self.order()).map(row).sum::<Option<isize>>()
         } else {
-            (0..self.order()).into_par_iter().map(row).sum::<Option<isize>>()
+            map(self.order(), row).into_iter().sum::<Option<isize>>()
         };
         more_above == Some(0)
     }

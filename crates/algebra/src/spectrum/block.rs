@@ -2,9 +2,9 @@
 
 use super::float_bounds::{SLACK, nearest, nearest_root};
 use crate::matrix::SparseMatrix;
+use crate::threads::map;
 use arithmetic::{Rational, rational};
 use num_traits::{Signed, Zero};
-use rayon::prelude::*;
 use std::collections::VecDeque;
 
 /// Whether `D^-1 A D` is symmetric for some positive diagonal `D`: its entries are then `+-sqrt(a_ij a_ji)`, and all
@@ -80,7 +80,7 @@ pub(super) fn symmetrised(a: &SparseMatrix, is_symmetric: bool) -> Option<Symmet
     let rows: Option<Vec<_>> = if a.order() < MANY_ROWS {
         (0..a.order()).map(row).collect()
     } else {
-        (0..a.order()).into_par_iter().map(row).collect()
+        map(a.order(), row).into_iter().collect()
     };
     let (rows, squares): (Vec<_>, Vec<f64>) = rows?.into_iter().unzip();
     let squares: f64 = squares.into_iter().sum();

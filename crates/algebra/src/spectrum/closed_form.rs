@@ -23,6 +23,7 @@ use super::enclosed::{FloatEnclosure, bits, least_top, order};
 use super::float_bounds::{nearest, nearest_root};
 use super::{CyclotomicSum, Eigenvalue, RootTable};
 use crate::graph::{LaplacianKind, NamedGraph};
+use crate::threads::map;
 use arithmetic::{ArithmeticError, Interval, Rational, Real, Ring, rational};
 use num_bigint::BigInt;
 use rayon::prelude::*;
@@ -245,12 +246,13 @@ impl ClosedForm {
                 place.insert(RootTable::new(sum.order(), first_precision(sum, digits))?);
             }
         }
-        let enclosed = self.values.par_iter().map(|(value, multiplicity)| match value {
+        let enclose = |(value, multiplicity): &(ClosedValue, usize)| match value {
             ClosedValue::Rational(q) => Ok(Eigenvalue::rational(q.clone(), *multiplicity, bits(digits) + 8)),
             ClosedValue::SquareRoot { sign, radicand } => square_root(*sign, *radicand, *multiplicity, digits),
             ClosedValue::Cyclotomic(sum) => enclose_sum(sum, *multiplicity, digits, tables.get(&sum.order())),
-        });
-        let mut found: Vec<Eigenvalue> = enclosed.collect::<Result<_, _>>()?;
+        };
+        let enclosed = map(self.values.len(), |k| enclose(&self.values[k]));
+        let mut found: Vec<Eigenvalue> = enclosed.into_iter().collect::<Result<_, _>>()?;
         found.par_sort_by(order);
         Ok(found)
     }

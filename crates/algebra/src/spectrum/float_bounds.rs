@@ -1,8 +1,7 @@
 //! Matrices of floats with bounds: rounding of rationals, products whose error is known.
 
 use arithmetic::{Dyadic, Interval, Rational, Real};
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatRef, Par};
+use dense::{Mat, MatRef, add_product, product};
 use num_traits::ToPrimitive;
 
 /// Half an ulp of one: the relative error of a rounding.
@@ -116,9 +115,9 @@ impl Split {
         let largest = |j: usize| b.col_as_slice(j).iter().fold(0.0, |most, x| f64::max(most, x.abs()));
         let shifts: Vec<f64> = (0..b.ncols()).map(|j| shift(largest(j), self.bits)).collect();
         let (b_head, b_tail) = split(b.clone(), |_, j| shifts[j]);
-        let exact = &self.head * &b_head;
-        let mut rest = &self.head * &b_tail;
-        matmul(rest.as_mut(), Accum::Add, self.tail.as_ref(), b.as_ref(), 1.0, Par::Seq);
+        let exact = product(self.head.as_ref(), b_head.as_ref());
+        let mut rest = product(self.head.as_ref(), b_tail.as_ref());
+        add_product(rest.as_mut(), 1.0, self.tail.as_ref(), b.as_ref());
         let sizes = self.sizes.0 * frobenius(b_tail.as_ref()) + self.sizes.1 * frobenius(b.as_ref());
         let error = 2.0 * (inner as f64 + 2.0) * UNIT * sizes * SLACK + UNDERFLOW;
         Product { exact, rest, error }

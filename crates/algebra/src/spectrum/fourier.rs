@@ -17,6 +17,7 @@
 
 use super::float_bounds::{SLACK, UNDERFLOW, UNIT};
 use super::turn::{ROOT_ERROR, root_of_unity};
+use crate::threads::map;
 use rayon::prelude::*;
 
 /// Columns that are transformed together.
@@ -152,7 +153,7 @@ impl Blocks {
 }
 
 /// The transform of a power of two of numbers given by their index.
-pub(super) fn transform(n: usize, input: impl Fn(usize) -> (f64, f64) + Sync) -> Blocks {
+pub(super) fn transform(n: usize, input: &(dyn Fn(usize) -> (f64, f64) + Sync)) -> Blocks {
     let (n1, n2) = split(n);
     let (roots1, roots2) = (Roots::new(n1), Roots::new(n2));
     // e^(2 pi i e/n) as a product, e = high n1 + low.
@@ -224,7 +225,7 @@ fn sum_of_sizes(x: &[f64]) -> f64 {
 fn halves(x: &[f64]) -> (Complexes, f64) {
     let n = x.len();
     let h = n / 2;
-    let z = transform(h, |j| (x[2 * j], x[2 * j + 1]));
+    let z = transform(h, &|j| (x[2 * j], x[2 * j + 1]));
     let mut result = Complexes::zeros(h + 1);
     let step = 1 << (n.ilog2() / 2);
     let low: Vec<(f64, f64)> = (0..step).map(|e| root_of_unity(e as u64, n as u64)).collect();
@@ -253,15 +254,13 @@ fn halves(x: &[f64]) -> (Complexes, f64) {
 fn bluestein(x: &[f64]) -> (Complexes, f64) {
     let n = x.len();
     let m = (2 * n - 1).next_power_of_two();
-    let chirp: Vec<(f64, f64)> = (0..n as u64)
-        .into_par_iter()
-        .map(|j| root_of_unity((u128::from(j) * u128::from(j) % (2 * n as u128)) as u64, 2 * n as u64))
-        .collect();
-    let f = transform(m, |j| match x.get(j) {
+    let chirp: Vec<(f64, f64)> =
+        map(n, |j| root_of_unity((j as u128 * j as u128 % (2 * n as u128)) as u64, 2 * n as u64));
+    let f = transform(m, &|j| match x.get(j) {
         Some(x) => (x * chirp[j].0, x * chirp[j].1),
         None => (0.0, 0.0),
     });
-    let g = transform(m, |l| {
+    let g = transform(m, &|l| {
         let l = l.min(m - l);
         chirp.get(l).map_or((0.0, 0.0), |h| (h.0, -h.1))
     });
@@ -270,7 +269,7 @@ fn bluestein(x: &[f64]) -> (Complexes, f64) {
         let (re, im) = times(f.get(k), g.get(k));
         (re, -im)
     };
-    let convolution = transform(m, product);
+    let convolution = transform(m, &product);
     let mut result = Complexes::zeros(n / 2 + 1);
     let scale = 1.0 / m as f64;
     result.re.par_iter_mut().zip(&mut result.im).enumerate().for_each(|(k, (re, im))| {

@@ -17,8 +17,7 @@ use super::error::{OUT_OF_RANGE, SpectrumError};
 use super::float_bounds::{SLACK, UNDERFLOW, UNIT, around};
 use super::schur::triangular_spectrum;
 use crate::matrix::SparseMatrix;
-use faer::linalg::solvers::DenseSolveCore;
-use faer::{Mat, MatRef, c64};
+use dense::{Mat, MatRef, c64, complex_inverse, complex_product, eigen, product};
 
 fn modulus(z: c64) -> f64 {
     (z.re * z.re + z.im * z.im).sqrt() + 1e-150
@@ -55,11 +54,10 @@ fn diagonalised(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
     for (i, row) in rows.iter().enumerate() {
         row.iter().for_each(|&(j, value, _)| floats[(i, j)] = value);
     }
-    let eigen = floats.eigen().ok()?;
-    let values: Vec<c64> = (0..order).map(|k| eigen.S()[k]).collect();
-    discs(rows, &floats, eigen.U(), &values)?
+    let eigen = eigen(floats.as_ref())?;
+    discs(rows, &floats, eigen.vectors.as_ref(), &eigen.values)?
         .into_iter()
-        .zip(values)
+        .zip(eigen.values)
         .map(|(radius, centre)| disc(centre, radius))
         .collect()
 }
@@ -71,7 +69,7 @@ fn disc(centre: c64, radius: f64) -> Option<Eigenvalue> {
 /// The radii of the theorem above for any `X` and `Λ`; `None` where `X` is too close to singular.
 fn discs(rows: &[Row], floats: &Mat<f64>, x: MatRef<'_, c64>, values: &[c64]) -> Option<Vec<f64>> {
     let order = rows.len();
-    let inverse = x.partial_piv_lu().inverse();
+    let inverse = complex_inverse(x);
     let image = image(rows, floats, x);
     let residual = Mat::from_fn(order, order, |i, k| image[(i, k)] - values[k] * x[(i, k)]);
     // The rounding of AX - XΛ and of A, summed over each row: a row of |A||X| has the sum of |A| times the row sums of |X|.
@@ -86,14 +84,14 @@ fn discs(rows: &[Row], floats: &Mat<f64>, x: MatRef<'_, c64>, values: &[c64]) ->
     let lost: Vec<f64> = rows.iter().enumerate().map(lost).collect();
     let rounding = 8.0 * (order as f64 + 4.0) * UNIT;
     let inverse_sums = row_sums(inverse.as_ref());
-    let near_identity = &inverse * x;
+    let near_identity = complex_product(inverse.as_ref(), x);
     let defect = Mat::from_fn(order, order, |i, j| near_identity[(i, j)] - c64::new(f64::from(u8::from(i == j)), 0.0));
     let size = largest(&sums_of_x);
     let e = (largest(&row_sums(defect.as_ref())) + rounding * (largest(&inverse_sums) * size + 2.0)) * SLACK;
     if e.is_nan() || e >= 0.5 {
         return None;
     }
-    let moved = &inverse * &residual;
+    let moved = complex_product(inverse.as_ref(), residual.as_ref());
     let residual_size = largest(&row_sums(residual.as_ref()));
     let lost = largest(&lost);
     let bound = |(own, inverse): (f64, f64)| (own + inverse * (rounding * residual_size + lost)) * SLACK + UNDERFLOW;
@@ -109,7 +107,9 @@ const SPARSE: usize = 12;
 fn image(rows: &[Row], floats: &Mat<f64>, x: MatRef<'_, c64>) -> Mat<c64> {
     let order = rows.len();
     if rows.iter().map(Vec::len).sum::<usize>() > order * order / SPARSE {
-        let part = |part: fn(c64) -> f64| floats * Mat::from_fn(order, order, |i, j| part(x[(i, j)]));
+        let part = |part: fn(c64) -> f64| {
+            product(floats.as_ref(), Mat::from_fn(order, order, |i, j| part(x[(i, j)])).as_ref())
+        };
         let (re, im) = (part(|z| z.re), part(|z| z.im));
         return Mat::from_fn(order, order, |i, j| c64::new(re[(i, j)], im[(i, j)]));
     }

@@ -4,8 +4,7 @@
 
 use super::reflections::{Block, Reflections};
 use super::trailing::Trailing;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatMut, MatRef, Par};
+use dense::{Mat, MatMut, MatRef, add_product};
 use pulp::Simd;
 
 /// Columns of a block.
@@ -67,7 +66,7 @@ fn update(columns: MatMut<'_, f64>, left: &Mat<f64>, right: &Mat<f64>, first: us
         let rows = columns.nrows() - first;
         let right = right.as_ref().subrows(first, count);
         let lower = columns.subrows_mut(first, rows);
-        matmul(lower, Accum::Add, left.as_ref().subrows(first, rows), right.transpose(), -1.0, Par::Seq);
+        add_product(lower, -1.0, left.as_ref().subrows(first, rows), right.transpose());
     }
 }
 

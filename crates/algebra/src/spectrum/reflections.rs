@@ -20,8 +20,7 @@
 //! Nothing is assumed of where `V` and `X` come from.
 
 use super::float_bounds::{SLACK, UNDERFLOW, UNIT, frobenius};
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatMut, Par};
+use dense::{Mat, MatMut, add_product, product};
 
 /// `I - V X Vᵀ` on the rows from `from` on.
 pub(super) struct Block {
@@ -75,18 +74,18 @@ impl Reflections {
 
 impl Block {
     fn apply(&self, mut panel: MatMut<'_, f64>) {
-        let inner = self.v.transpose() * panel.as_ref();
-        let inner = &self.x * inner;
-        matmul(panel.as_mut(), Accum::Add, self.v.as_ref(), inner.as_ref(), -1.0, Par::Seq);
+        let inner = product(self.v.transpose(), panel.as_ref());
+        let inner = product(self.x.as_ref(), inner.as_ref());
+        add_product(panel.as_mut(), -1.0, self.v.as_ref(), inner.as_ref());
     }
 
     /// Bounds of `δ`, and of `ε/p`.
     fn bounds(&self) -> (f64, f64) {
         let (v, x) = (frobenius(self.v.as_ref()), frobenius(self.x.as_ref()));
-        let gram = self.v.transpose() * &self.v;
-        let product = self.x.transpose() * (gram * &self.x);
+        let gram = product(self.v.transpose(), self.v.as_ref());
+        let turned = product(self.x.transpose(), product(gram.as_ref(), self.x.as_ref()).as_ref());
         let difference =
-            Mat::from_fn(product.nrows(), product.ncols(), |i, j| product[(i, j)] - self.x[(i, j)] - self.x[(j, i)]);
+            Mat::from_fn(turned.nrows(), turned.ncols(), |i, j| turned[(i, j)] - self.x[(i, j)] - self.x[(j, i)]);
         let unit = (self.v.nrows() as f64 + 2.0 * self.v.ncols() as f64 + 4.0) * UNIT * SLACK;
         let error = unit * (v * v * x * x + 2.0 * x) + UNDERFLOW;
         let departure = v * v * (frobenius(difference.as_ref()) + error) * SLACK;

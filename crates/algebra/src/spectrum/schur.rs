@@ -14,7 +14,7 @@
 use super::Eigenvalue;
 use super::block::Row;
 use super::float_bounds::{SLACK, UNDERFLOW, UNIT, around};
-use faer::{Mat, c64};
+use dense::{Mat, c64, complex_product};
 
 /// Steps of the iteration for each eigenvalue.
 const MOST_STEPS: usize = 60;
@@ -74,8 +74,9 @@ fn perturbation(a: &Mat<c64>, errors: f64, z: &Mat<c64>, t: &Mat<c64>) -> Option
     let rounding = 8.0 * (order as f64 + 4.0) * UNIT;
     let size = norm(z);
     let adjoint = Mat::from_fn(order, order, |i, j| z[(j, i)].conj());
-    let departure = norm(&(adjoint * z - Mat::from_fn(order, order, unit))) + rounding * (size * size + 1.0);
-    let residual = norm(&(a * z - z * t)) + rounding * (norm(a) + norm(t)) * size;
+    let product = |left: &Mat<c64>, right: &Mat<c64>| complex_product(left.as_ref(), right.as_ref());
+    let departure = norm(&(product(&adjoint, z) - Mat::from_fn(order, order, unit))) + rounding * (size * size + 1.0);
+    let residual = norm(&(product(a, z) - product(z, t))) + rounding * (norm(a) + norm(t)) * size;
     let meant = if errors == 0.0 { 0.0 } else { errors.sqrt() * SLACK * size };
     if departure.is_nan() || departure >= 0.5 {
         return None;

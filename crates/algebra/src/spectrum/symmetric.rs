@@ -17,8 +17,8 @@ use super::enclosed::merged;
 use super::float_bounds::{SLACK, Split, UNIT, around, frobenius};
 use super::reduction::Reduction;
 use super::tridiagonal::Tridiagonal;
-use faer::Mat;
-use rayon::prelude::*;
+use crate::threads::map;
+use dense::Mat;
 
 /// Columns of `Q` that one task works on; the results do not depend on the number of threads.
 const PANEL: usize = 128;
@@ -74,12 +74,11 @@ impl Reduced {
     fn new(s: &Symmetric) -> Self {
         let order = s.rows.len();
         let Reduction { diagonal, beside, reflections } = Reduction::new(dense(s));
-        let starts: Vec<usize> = (0..order).step_by(PANEL).collect();
-        let panel = |&start: &usize| reflections.columns(start, PANEL.min(order - start));
+        let panel = |k: usize| reflections.columns(k * PANEL, PANEL.min(order - k * PANEL));
         let entries: usize = s.rows.iter().map(Vec::len).sum();
         let split = || (entries > order * order / SPARSE).then(|| Split::new(dense(s)));
         let (panels, (least, split)) = rayon::join(
-            || starts.par_iter().map(panel).collect(),
+            || map(order.div_ceil(PANEL), panel),
             || rayon::join(|| reflections.least_singular_value(), split),
         );
         Reduced { diagonal, beside, panels, least, split }
@@ -91,7 +90,7 @@ impl Reduced {
 
     /// Bound of the Frobenius norm of `Q`.
     fn size(&self) -> f64 {
-        let norms: Vec<f64> = self.panels.par_iter().map(|panel| frobenius(panel.as_ref())).collect();
+        let norms = map(self.panels.len(), |k| frobenius(self.panels[k].as_ref()));
         norms.into_iter().map(|x| x * x).sum::<f64>().sqrt() * SLACK
     }
 
@@ -104,8 +103,7 @@ impl Reduced {
         let (squares, rounding) = if let Some(split) = &self.split {
             self.dense_residual(split, small)
         } else {
-            let starts: Vec<usize> = (0..order).step_by(TOGETHER).collect();
-            let squares = starts.into_par_iter().flat_map_iter(|k| self.sparse_residual(s, k)).collect();
+            let squares = map(order.div_ceil(TOGETHER), |k| self.sparse_residual(s, k * TOGETHER)).concat();
             // Sums of at most so many products; |S| has a norm of at most its largest row sum.
             let terms = s.rows.iter().map(Vec::len).max().unwrap_or(0) + 5;
             let sums = s.rows.iter().map(|row| row.iter().map(|(_, x)| x.abs()).sum::<f64>()).fold(0.0, f64::max);
@@ -143,10 +141,10 @@ impl Reduced {
 
     /// The sums of the squares by panels, and a bound of the rounding.
     fn dense_residual(&self, split: &Split, small: f64) -> (Vec<f64>, f64) {
-        let panel = |(number, panel): (usize, &Mat<f64>)| {
-            let mut product = split.times(panel);
+        let panel = |number: usize| {
+            let mut product = split.times(&self.panels[number]);
             let sizes = frobenius(product.exact.as_ref()) + frobenius(product.rest.as_ref());
-            for j in 0..panel.ncols() {
+            for j in 0..self.panels[number].ncols() {
                 let image = self.image(number * PANEL + j);
                 let entries =
                     product.rest.col_as_slice_mut(j).iter_mut().zip(product.exact.col_as_slice(j)).enumerate();
@@ -155,7 +153,7 @@ impl Reduced {
             let norm = frobenius(product.rest.as_ref());
             (norm * norm, product.error + 8.0 * UNIT * sizes)
         };
-        let parts: Vec<(f64, f64)> = self.panels.par_iter().enumerate().map(panel).collect();
+        let parts: Vec<(f64, f64)> = map(self.panels.len(), panel);
         let rounding = parts.iter().map(|part| part.1).sum::<f64>() + 8.0 * UNIT * small * self.size();
         (parts.into_iter().map(|part| part.0).collect(), rounding)
     }

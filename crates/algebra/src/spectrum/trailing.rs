@@ -2,7 +2,7 @@
 //! thread if one is free, otherwise by the one that asks; so the results do not depend on the number of threads, and nobody waits for a
 //! part that nobody has begun. Handing each part to the thread pool would take as long as the part.
 
-use faer::MatRef;
+use dense::MatRef;
 use pulp::Simd;
 use std::hint::spin_loop;
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -200,7 +200,7 @@ fn multiply<S: Simd>(simd: S, a: MatRef<'_, f64>, places: std::ops::Range<usize>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use faer::Mat;
+    use dense::Mat;
 
     struct Whole<'a>(&'a Trailing<'a>, &'a [f64]);
 

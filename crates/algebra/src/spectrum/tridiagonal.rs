@@ -13,7 +13,7 @@ use super::error::{OUT_OF_RANGE, SpectrumError};
 use super::float_bounds::{RANGE, SLACK, UNIT, around, nearest};
 use super::{Eigenvalue, FloatEnclosure};
 use crate::matrix::SparseMatrix;
-use rayon::prelude::*;
+use crate::threads::map_chunks;
 
 /// Pivots closer to zero are replaced.
 const LEAST_PIVOT: f64 = 1e-200;
@@ -96,7 +96,7 @@ impl Tridiagonal {
         let rounding = 2.0 * UNIT * (size + first);
         let places: Vec<usize> = (0..values.len()).collect();
         // Each half of the lanes holds the lower and the upper ends of as many eigenvalues.
-        let found = places.par_chunks(LANES / 2).map(|chunk| {
+        let found = map_chunks(&places, LANES / 2, |chunk| {
             let end = |lane: usize| {
                 let k = chunk[(lane / 2).min(chunk.len() - 1)];
                 if lane.is_multiple_of(2) { values[k] - first } else { values[k] + first }
@@ -108,7 +108,7 @@ impl Tridiagonal {
             };
             chunk.iter().enumerate().map(enclosure).collect::<Option<Vec<(f64, f64)>>>()
         });
-        let found: Vec<Vec<(f64, f64)>> = found.collect::<Option<_>>()?;
+        let found: Vec<Vec<(f64, f64)>> = found.into_iter().collect::<Option<_>>()?;
         let whole = |radius: f64| ((radius + self.spread) * SLACK).next_up();
         let mut last = f64::NEG_INFINITY;
         let in_order = |(value, radius): (f64, f64)| {
@@ -171,9 +171,8 @@ impl Tridiagonal {
         }
         let (least, most) = (least - 8.0 * UNIT * size - REPLACED, most + 8.0 * UNIT * size + REPLACED);
         let shifts: Vec<f64> = (0..=order).map(|k| least + (most - least) * (k as f64 / order as f64)).collect();
-        let chunks = shifts.par_chunks(LANES);
-        let counted = chunks.flat_map_iter(|chunk| self.counts(std::array::from_fn(|k| chunk[k.min(chunk.len() - 1)])));
-        let mut counts: Vec<usize> = counted.collect();
+        let counted = |chunk: &[f64]| self.counts(std::array::from_fn(|k| chunk[k.min(chunk.len() - 1)]));
+        let mut counts: Vec<usize> = map_chunks(&shifts, LANES, counted).concat();
         counts.truncate(order + 1);
         let mut searches: Vec<Search> = (0..order)
             .map(|k| {
@@ -183,17 +182,14 @@ impl Tridiagonal {
             .collect();
         let mut active: Vec<usize> = (0..order).collect();
         for _ in 0..MOST_ROUNDS {
-            let moved: Vec<(usize, Search)> = active
-                .par_chunks(LANES)
-                .flat_map_iter(|chunk| {
-                    let at = std::array::from_fn(|lane| searches[chunk[lane.min(chunk.len() - 1)]].x);
-                    let found = pulp::Arch::new().dispatch(Logarithm { matrix: self, shifts: at });
-                    let next = |(lane, &k): (usize, &usize)| (k, searches[k].next(found.at(lane), order as f64, size));
-                    chunk.iter().enumerate().map(next).collect::<Vec<_>>()
-                })
-                .collect();
+            let moved = map_chunks(&active, LANES, |chunk| {
+                let at = std::array::from_fn(|lane| searches[chunk[lane.min(chunk.len() - 1)]].x);
+                let found = pulp::Arch::new().dispatch(Logarithm { matrix: self, shifts: at });
+                let next = |(lane, &k): (usize, &usize)| (k, searches[k].next(found.at(lane), order as f64, size));
+                chunk.iter().enumerate().map(next).collect::<Vec<(usize, Search)>>()
+            });
             active.clear();
-            for (k, search) in moved {
+            for (k, search) in moved.into_iter().flatten() {
                 searches[k] = search;
                 if !search.done {
                     active.push(k);

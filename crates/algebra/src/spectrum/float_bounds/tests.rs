@@ -4,7 +4,7 @@ use super::super::testing::float;
 use super::{Split, UNIT, around, frobenius, nearest, nearest_root};
 use arithmetic::random::{generator, uniform};
 use arithmetic::{Rational, rational};
-use faer::Mat;
+use dense::Mat;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
