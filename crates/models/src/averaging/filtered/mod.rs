@@ -6,6 +6,7 @@ mod classes;
 mod links;
 mod outlook;
 mod watch;
+mod wholes;
 mod words;
 
 use super::flock::{Flock, IntegerState, Start, Switch};
@@ -140,7 +141,7 @@ impl FilteredFlock {
     /// What is certain about the network from now on, if anything is.
     pub(super) fn outlook(&self, progress: &dyn Progress) -> Result<Option<Outlook>, FlockError> {
         let State::Balls(balls) = &self.state else { return Ok(None) };
-        outlook::outlook(balls, &self.weights, &self.threshold, progress).map(Some)
+        outlook::outlook(balls, &self.threshold, progress).map(Some)
     }
 
     /// Many steps at once in which nothing changes; whether that was possible.
