@@ -72,7 +72,7 @@ impl Trajectory<'_> {
         let mut follower = FilteredFlock::from_exact(flock.clone())?;
         for step in 0..horizon {
             self.progress.checkpoint()?;
-            follower.step_watched(self.progress)?;
+            follower.step(self.progress)?;
             if *follower.network() != cycle[(step as usize).mod_floor(&period)] {
                 return Ok(Cycle::None);
             }

@@ -195,7 +195,7 @@ impl<'a> Trajectory<'a> {
                     Some(balls) => balls,
                     none => none.insert(FilteredFlock::from_exact(self.flock.clone())?),
                 };
-                balls.step_watched(self.progress)?
+                balls.step(self.progress)?
             } else {
                 self.careful_step()?
             };
