@@ -5,7 +5,7 @@ use super::{
     disagreement, heading, heading_spread, potential_energy, potential_gradients,
 };
 use algebra::graph::Graph;
-use arithmetic::ArithmeticError;
+use arithmetic::{ArithmeticError, Unwatched};
 
 const PLANE: Coordinates = Coordinates::Cartesian;
 
@@ -126,7 +126,7 @@ impl Flock {
     pub fn trial(&self, until: f64, every: Option<f64>, options: &Options) -> Result<Trial, MotionError> {
         let steps = every.map_or(1, |every| (until / every).ceil().max(1.0) as usize);
         let times: Vec<f64> = (0..=steps).map(|k| until * k as f64 / steps as f64).collect();
-        let motion = self.run(until, &times, options)?;
+        let motion = self.run(until, &times, options, &Unwatched)?;
         let seen = |sample: Option<&Sample>| {
             let sample = sample.ok_or(ArithmeticError::Domain("runs with a start and an end"))?;
             Observation::of(sample, &self.potential)

@@ -1,7 +1,7 @@
 //! What is seen of flocks, and the setups of the papers' simulations.
 
 use algebra::graph::Graph;
-use arithmetic::rational;
+use arithmetic::{Unwatched, rational};
 use models::double_integrator::{
     Alignment, Flock, HeadingReading, LinkRule, Network, Observation, Potential, Sample, Setup, State, Trial,
 };
@@ -184,7 +184,7 @@ fn the_closest_approach_is_that_of_the_cubics() {
     // As many stretches as are needed for none to be longer than asked for, and at least one.
     for (until, every, steps) in [(4.0, Some(0.75), 6), (4.0, Some(1.0), 4), (4.0, Some(9.0), 1), (4.0, None, 1)] {
         let times: Vec<f64> = (0..=steps).map(|k| until * f64::from(k) / f64::from(steps)).collect();
-        let samples = flock.run(until, &times, &Setup::OPTIONS).unwrap().samples;
+        let samples = flock.run(until, &times, &Setup::OPTIONS, &Unwatched).unwrap().samples;
         let trial = flock.trial(until, every, &Setup::OPTIONS).unwrap();
         assert_eq!((trial.start.time, trial.end.time), (0.0, until));
         assert_eq!(trial.end, Observation::of(&samples[samples.len() - 1], &spring()).unwrap());
