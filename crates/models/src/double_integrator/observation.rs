@@ -44,9 +44,11 @@ impl Observation {
     /// What is seen of a sample.
     ///
     /// # Errors
-    /// [`ArithmeticError`] where linked agents coincide.
+    /// [`ArithmeticError`] where linked agents coincide; [`ArithmeticError::Domain`] where there is not a velocity for each position, for a link to an
+    /// agent that is not there, and for no agents.
     pub fn of(sample: &Sample, potential: &Potential) -> Result<Self, ArithmeticError> {
         let Sample { state, links, .. } = sample;
+        state.check()?;
         let count = state.count();
         let graph = Graph::from_fn(count, |i, j| links.contains(&(i, j)));
         let distance = |(i, j): Pair| length(&state.separation(i, j));
