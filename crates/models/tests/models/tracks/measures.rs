@@ -343,7 +343,7 @@ fn recordings_whose_parts_do_not_fit_are_refused() {
         // A gap is no fault of a recording.
         assert_eq!(analyse(tracks, &choices, &Unwatched).err(), (place < 5).then_some(error), "{place}");
         Motion::new(tracks, 3, 0.0);
-        (tracks.to_csv(), tracks.recorded_frames());
+        assert!(tracks.to_csv().starts_with("t,id,x,y\n") && tracks.recorded_frames() > 0);
         assert!(tracks.only(&["1".into(), "3".into()]).is_ok());
     }
     let error = Choices { nearest: vec![1], ..choices }.check(0).expect_err("no fish");
