@@ -65,7 +65,8 @@ fn crowds(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("1000 steps, birds", birds), |bencher| {
             bencher.iter(|| {
                 let mut flock = FilteredFlock::new(&start).expect("a flock");
-                (0..1000).for_each(|_| drop(black_box(flock.step().expect("lazy weights suit every network"))));
+                (0..1000)
+                    .for_each(|_| drop(black_box(flock.step(&Unwatched).expect("lazy weights suit every network"))));
             });
         });
         group.bench_function(BenchmarkId::new("settle, birds", birds), |bencher| {

@@ -269,7 +269,7 @@ fn network_log(wanted: &dyn Fn(&str) -> bool) {
         let start = crowd(BIRDS);
         let (seconds, log) = best_of(|| {
             let mut flock = FilteredFlock::new(&start).expect("a flock");
-            let step = |_| flock.step().expect("lazy weights suit every network");
+            let step = |_| flock.step(&Unwatched).expect("lazy weights suit every network");
             (0..STEPS).filter_map(step).collect::<Vec<_>>()
         });
         let mut entries = Vec::new();

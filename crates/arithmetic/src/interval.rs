@@ -2,7 +2,7 @@
 
 use super::dyadic::Round;
 use super::elementary;
-use super::number::{fixed, significant};
+use super::number::{decimal, fixed, significant};
 use super::operators::operators;
 use super::{ArithmeticError, Dyadic, Field, Rational, Real, Ring, Sign, Signed};
 use num_bigint::BigInt;
@@ -324,4 +324,26 @@ impl std::fmt::Display for Interval {
         };
         write!(f, "[{}, {}]", end(&lo, false), end(&hi, true))
     }
+}
+
+/// The enclosure of an interval as two decimals of `digits` significant digits, rounded outward.
+pub fn decimals(x: &Interval, digits: u32) -> (String, String) {
+    let (lo, hi) = x.to_rationals();
+    (decimal(&lo, digits, false), decimal(&hi, digits, true))
+}
+
+/// How many significant decimal digits of a number are settled by knowing that it lies in the interval: the relative
+/// width is at most `10^-digits`. Never too many; at most one too few.
+pub fn significant_digits(x: &Interval) -> u32 {
+    let width = x.width();
+    if width.is_zero() {
+        return u32::MAX;
+    }
+    if x.contains_zero() {
+        return 0;
+    }
+    // width < 2^top(width), and the smaller end is at least 2^(top - 1).
+    let size = x.lo().top().min(x.hi().top()) - 1;
+    let bits = (size - width.top()).clamp(0, i64::from(u32::MAX)) as f64;
+    (bits * std::f64::consts::LOG10_2).floor() as u32
 }

@@ -1,6 +1,6 @@
 //! Numbers as people write them: integers, fractions and decimals in, decimals with a stated rounding out.
 
-use super::{Interval, Rational};
+use super::Rational;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Pow, Signed, Zero};
@@ -136,28 +136,6 @@ pub(super) fn fixed(q: &Rational, places: usize, up: bool) -> String {
     let (whole, part) = digits.split_at(digits.len() - places);
     let sign = if scaled.is_negative() { "-" } else { "" };
     if places == 0 { format!("{sign}{whole}") } else { format!("{sign}{whole}.{part}") }
-}
-
-/// The enclosure of an interval as two decimals of `digits` significant digits, rounded outward.
-pub fn decimals(x: &Interval, digits: u32) -> (String, String) {
-    let (lo, hi) = x.to_rationals();
-    (decimal(&lo, digits, false), decimal(&hi, digits, true))
-}
-
-/// How many significant decimal digits of a number are settled by knowing that it lies in the interval: the relative
-/// width is at most `10^-digits`. Never too many; at most one too few.
-pub fn significant_digits(x: &Interval) -> u32 {
-    let width = x.width();
-    if width.is_zero() {
-        return u32::MAX;
-    }
-    if x.contains_zero() {
-        return 0;
-    }
-    // width < 2^top(width), and the smaller end is at least 2^(top - 1).
-    let size = x.lo().top().min(x.hi().top()) - 1;
-    let bits = (size - width.top()).clamp(0, i64::from(u32::MAX)) as f64;
-    (bits * std::f64::consts::LOG10_2).floor() as u32
 }
 
 fn round_scaled(q: &Rational, shift: i64, up: bool) -> BigInt {

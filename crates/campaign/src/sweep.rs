@@ -214,9 +214,10 @@ impl Table {
     /// CSV: a column for each name and each value, and two, the ends, for a value that is enclosed somewhere. What is not known is empty.
     ///
     /// # Errors
-    /// Does not fail in memory.
+    /// [`csv::Error`] where a row has not as many cells as there are names and columns, which those of a sweep have.
     pub fn csv(&self) -> Result<String, csv::Error> {
-        let enclosed = |k: usize| self.rows.iter().any(|row| row.values[k]["lo"].is_string());
+        let has_ends = |value: &Value| value["lo"].is_string();
+        let enclosed = |k: usize| self.rows.iter().any(|row| row.values.get(k).is_some_and(has_ends));
         let enclosed: Vec<bool> = (0..self.columns.len()).map(enclosed).collect();
         let mut writer = csv::Writer::from_writer(Vec::new());
         let column = |(name, enclosed): (&String, &bool)| match enclosed {
@@ -249,7 +250,8 @@ impl Table {
         for TableRow { names, values, .. } in self.rows.iter().take(most) {
             lines.push(names.iter().cloned().chain(values.iter().map(shown)).collect());
         }
-        let width = |k: usize| lines.iter().map(|line| line[k].chars().count()).max().unwrap_or(0);
+        let width =
+            |k: usize| lines.iter().filter_map(|line| line.get(k)).map(|cell| cell.chars().count()).max().unwrap_or(0);
         let widths: Vec<usize> = (0..lines[0].len()).map(width).collect();
         let mut text = String::new();
         for line in &lines {

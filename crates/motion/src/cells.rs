@@ -59,6 +59,8 @@ impl CellList {
         let width = (radius * (1.0 + 1e-9)).max((right - left) / most).max((top - bottom) / most);
         // Quotients this large have no exact neighbours.
         let width = width.max(left.abs().max(right.abs()).max(bottom.abs()).max(top.abs()) * 1e-12);
+        // The reciprocal of a smaller one is infinite.
+        let width = width.max(f64::MIN_POSITIVE);
         let per_width = 1.0 / width;
         let count = |length: f64| ((length * per_width) as usize).saturating_add(1);
         let (columns, rows) = (count(right - left), count(top - bottom));

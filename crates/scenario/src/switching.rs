@@ -36,7 +36,7 @@ impl Switching {
 impl Simulation for Switching {
     fn plan(&mut self, times: &[f64], progress: &dyn Progress) {
         let until = times.last().copied().unwrap_or(0.0);
-        self.known = Known::new(self.flock.run_watched(until, times, &self.options, progress));
+        self.known = Known::new(self.flock.run_as_far(until, times, &self.options, progress));
     }
 
     fn advance(&mut self, until: f64, events: &mut Vec<Event>, _: &dyn Progress) -> Result<bool, RunError> {

@@ -45,7 +45,7 @@ impl SteppedFlock {
     /// One step; `progress` may stop a long one.
     pub fn step(&mut self, progress: &dyn Progress) -> Result<Option<Switch>, FlockError> {
         match self {
-            SteppedFlock::D(flock, _) => flock.step_watched(progress),
+            SteppedFlock::D(flock, _) => flock.step(progress),
             SteppedFlock::Controlled(flock, control) => flock.step_controlled(|_| Some(control.clone())),
             SteppedFlock::K(flock, kappa) => flock.step_controlled(|_| kappa.clone()),
         }

@@ -4,7 +4,7 @@ use arithmetic::Unwatched;
 use campaign::fuzz::{Attack, FuzzError, Summary};
 use campaign::job::Campaign;
 use campaign::store::run_in_memory;
-use campaign::sweep::{Sweep, Table};
+use campaign::sweep::{Sweep, Table, TableRow};
 use question::Question;
 
 fn read(text: &str) -> Question {
@@ -120,6 +120,15 @@ fn tables_have_a_row_for_each_member() {
     let text = table.text(2);
     assert!(text.contains("1.4142135623..") || text.contains("1.414213562373.."), "{text}");
     assert!(text.ends_with("and 1 more rows\n"));
+}
+
+#[test]
+fn tables_put_together_by_hand_may_lack_cells() {
+    let row = TableRow { names: vec!["1".into()], values: vec![true.into()], regions: serde_json::Value::Null };
+    let (id, names) = ("a".to_string(), vec!["n".to_string()]);
+    let table = Table { id, names, columns: vec!["holds".into(), "margin".into()], rows: vec![row] };
+    assert_eq!(table.text(1), "n  holds  margin\n1   true\n");
+    assert!(table.csv().is_err());
 }
 
 #[test]

@@ -510,6 +510,6 @@ fn check_order(network: &Graph, birds: usize) -> Result<(), FlockError> {
 /// # Errors
 /// [`FlockError::Control`] where it is not of order `n d`.
 pub fn check_control(matrix: &RationalMatrix, birds: usize, dimension: usize) -> Result<(), FlockError> {
-    let (expected, rows, cols) = (birds * dimension, matrix.rows(), matrix.cols());
+    let (expected, rows, cols) = (birds.saturating_mul(dimension), matrix.rows(), matrix.cols());
     if (rows, cols) == (expected, expected) { Ok(()) } else { Err(FlockError::Control { expected, rows, cols }) }
 }

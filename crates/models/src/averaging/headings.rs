@@ -1,8 +1,8 @@
 //! The headings of model K, exact: numerators over one common denominator, and the way they went so far.
 
-use super::FlockError;
+use super::kinematic_start::KinematicStart;
 use super::rule::Rule;
-use super::{KinematicStart, Weights};
+use super::{FlockError, Weights};
 use algebra::graph::Graph;
 use algebra::matrix::IntegerRows;
 use arithmetic::{Dyadic, Field, Interval, Rational, common_denominator, lcm};

@@ -37,10 +37,11 @@ impl Hysteresis {
         })
     }
 
-    /// An integer that is at most the binary logarithm of the threshold for a number of birds; `None` where that is zero or there is none.
+    /// An integer that is at most the binary logarithm of the threshold for a number of birds; `None` where that is zero or there is none, and
+    /// for so many birds that no integer of 64 bits is so small.
     pub fn log2_below(&self, birds: usize) -> Option<i64> {
         let log2 = self.log2(birds);
-        log2.is_finite().then(|| (log2 * (1.0 + 1e-12)) as i64 - 3)
+        (log2 >= -MOST_BITS).then(|| (log2 * (1.0 + 1e-12)) as i64 - 3)
     }
 
     /// About the binary logarithm of the threshold: within a part in 10^15 and 1.
@@ -61,6 +62,9 @@ fn paper_bits(birds: usize) -> f64 {
     (birds as f64).powi(4) * (birds as f64).log2()
 }
 
+/// Thresholds below `2^-MOST_BITS` are left to no comparison: their exponents do not fit.
+const MOST_BITS: f64 = (1u64 << 61) as f64;
+
 /// Exact thresholds of more bits than this are not written out.
 const LONGEST: u64 = 4_000_000_000;
 
@@ -79,6 +83,7 @@ impl Threshold {
             Hysteresis::Constant(threshold) if threshold.is_negative() => {
                 Err(FlockError::NegativeHysteresis(threshold.to_string()))
             }
+            Hysteresis::Paper if paper_bits(birds) > MOST_BITS => Err(FlockError::ThresholdTooSmall { birds }),
             _ => Ok(Threshold { log2: kind.log2(birds), kind, birds, exact: OnceLock::new() }),
         }
     }
@@ -149,5 +154,22 @@ impl Threshold {
         let (larger, smaller) = if a >= b { (a, b) } else { (b, a) };
         let limit = threshold.numer() * unit;
         Ok(sign_of_square_root_difference(&larger, &smaller, &limit) == Some(Sign::Negative))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The fourth power of 70 000 does not fit 64 bits; its logarithm would be that of another threshold.
+    #[test]
+    fn thresholds_that_no_number_holds_are_refused() {
+        for birds in [21_000, 70_000, usize::MAX] {
+            let refused = Threshold::new(Hysteresis::Paper, birds).err();
+            assert_eq!(refused, Some(FlockError::ThresholdTooSmall { birds }));
+        }
+        let threshold = Threshold::new(Hysteresis::Paper, 18_000).expect("a threshold");
+        assert!(threshold.log2_below().is_some_and(|log2| threshold.enclosure(64).lo().top() > log2));
+        assert!(Threshold::new(Hysteresis::None, usize::MAX).is_ok());
     }
 }

@@ -2,25 +2,13 @@
 
 use super::headings::{Headings, History, averaging};
 use super::hysteresis::Threshold;
+use super::kinematic_start::KinematicStart;
 use super::rule::Rule;
 use super::{FlockError, Hysteresis, Switch};
 use algebra::graph::Graph;
 use arithmetic::{Complex, Field, Interval, Rational, Real, Ring, Sign, Signed};
 use num_bigint::BigInt;
 use std::cmp::Ordering;
-
-/// What a flock of model K starts from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct KinematicStart {
-    /// `sigma`, the common speed.
-    pub speed: Rational,
-    /// `x(0)`.
-    pub positions: Vec<Complex<Rational>>,
-    /// `theta(1)` in radians, in `[0, 2 pi)`.
-    pub headings: Vec<Rational>,
-    /// The hysteresis rule.
-    pub hysteresis: Hysteresis,
-}
 
 /// A flock of model K at a time `t`: positions `x(t)`, headings `theta(t+1)` and the network `G_t`.
 ///
@@ -74,7 +62,7 @@ impl KinematicFlock {
     /// [`FlockError`] where the start is not a flock.
     pub fn new(start: &KinematicStart) -> Result<Self, FlockError> {
         let birds = start.positions.len();
-        check(start)?;
+        start.check()?;
         let pair = |i: usize, j: usize| {
             let squared = (start.positions[i].clone() - &start.positions[j]).norm_squared();
             Pair { at_start: squared.cmp(&squared.one()), turned_start: Some(true), quiet_until: 0 }
@@ -339,36 +327,6 @@ fn fly(positions: &mut [Complex<Interval>], headings: &Headings, speed: &Interva
         let (sin, cos) = heading.sin_cos().unwrap_or_else(|_| (anything(), anything()));
         *x = x.clone() + Complex::new(cos, sin).scale(speed);
     }
-}
-
-fn check(start: &KinematicStart) -> Result<(), FlockError> {
-    let birds = start.positions.len();
-    if birds == 0 {
-        return Err(FlockError::NoBirds);
-    }
-    if !start.speed.is_certainly_positive() {
-        return Err(FlockError::Speed(start.speed.to_string()));
-    }
-    if start.headings.len() != birds {
-        return Err(FlockError::Headings { birds, found: start.headings.len() });
-    }
-    match start.headings.iter().position(|heading| !is_heading(heading)) {
-        Some(i) => Err(FlockError::Heading { bird: i + 1, heading: start.headings[i].to_string() }),
-        None => Ok(()),
-    }
-}
-
-/// Whether `0 <= heading < 2 pi`; that is irrational, so some precision decides.
-fn is_heading(heading: &Rational) -> bool {
-    let mut precision = FIRST_BITS;
-    while !heading.is_certainly_negative() {
-        let heading = Interval::from_rational(heading, precision);
-        match (heading.pi().scaled(1) - heading).sign() {
-            Some(sign) => return sign == Sign::Positive,
-            None => precision *= 2,
-        }
-    }
-    false
 }
 
 /// Whether this can be the control of so many birds.

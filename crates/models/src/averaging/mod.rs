@@ -11,6 +11,7 @@ mod flock;
 mod headings;
 mod hysteresis;
 mod kinematic;
+mod kinematic_start;
 mod modes;
 mod motion;
 mod noisy;
@@ -28,10 +29,11 @@ pub use filling::{Filling, GroupRule};
 pub use filtered::FilteredFlock;
 pub use flock::{Flock, Start, Switch, check_control};
 pub use hysteresis::Hysteresis;
-pub use kinematic::{KinematicFlock, KinematicStart, MOST_BITS, check_kappa};
+pub use kinematic::{KinematicFlock, MOST_BITS, check_kappa};
+pub use kinematic_start::KinematicStart;
 pub use modes::{Mode, rational_modes};
 pub use motion::{State, motion};
-pub use noisy::NoisyFlock;
+pub use noisy::{NoisyError, NoisyFlock};
 pub use observe::{Decay, Observer};
 pub use stationary::{deviation_matrix, deviation_matrix_watched, equal_rows, stationary_distribution};
 pub use transients::{Separation, Transients};
@@ -52,13 +54,13 @@ pub enum Weights {
 }
 
 impl Weights {
-    /// `c_i` for bird `i` (from 0) with this many neighbours; `None` where no weight was given.
+    /// `c_i` for bird `i` (from 0) with this many neighbours; `None` where no weight was given, and for more neighbours than any graph has.
     pub fn of(&self, degree: usize, i: usize) -> Option<Rational> {
-        let degree = degree as i64;
+        let degree = i64::try_from(degree).ok()?;
         match self {
             // A bird without neighbours has no term to weigh.
-            Weights::Lazy => Some(rational(2, 3 * degree.max(1))),
-            Weights::Vicsek => Some(rational(1, degree + 1)),
+            Weights::Lazy => Some(rational(2, degree.max(1).checked_mul(3)?)),
+            Weights::Vicsek => Some(rational(1, degree.checked_add(1)?)),
             Weights::Given(c) => c.get(i).cloned(),
         }
     }
@@ -173,6 +175,12 @@ pub enum FlockError {
     ThresholdTooLong {
         /// Its length.
         bits: f64,
+    },
+    /// A threshold of the paper for so many birds that its exponent does not fit.
+    #[error("the hysteresis threshold of the paper is too small to be enclosed for {birds} birds")]
+    ThresholdTooSmall {
+        /// Number of birds.
+        birds: usize,
     },
     /// A control matrix of another shape.
     #[error("the control of model D is a matrix of {expected} x {expected}, not {rows} x {cols}")]

@@ -4,6 +4,22 @@
 use motion::{CellError, CellList};
 use rand_chacha::ChaCha8Rng;
 
+/// Why birds do not move.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum NoisyError {
+    /// Not as many headings as positions.
+    #[error("there are {birds} positions but {found} headings")]
+    Headings {
+        /// Number of positions.
+        birds: usize,
+        /// Number of headings.
+        found: usize,
+    },
+    /// Places that are not finite, or a radius that is not positive.
+    #[error(transparent)]
+    Cells(#[from] CellError),
+}
+
 /// Birds in a periodic square.
 #[derive(Debug, Clone)]
 pub struct NoisyFlock {
@@ -66,8 +82,12 @@ impl NoisyFlock {
     /// unit velocities at `t`, plus noise.
     ///
     /// # Errors
-    /// [`CellError`] for places that are not finite.
-    pub fn step(&mut self, random: &mut ChaCha8Rng) -> Result<(), CellError> {
+    /// [`NoisyError`].
+    pub fn step(&mut self, random: &mut ChaCha8Rng) -> Result<(), NoisyError> {
+        let (birds, found) = (self.positions.len(), self.headings.len());
+        if birds != found {
+            return Err(NoisyError::Headings { birds, found });
+        }
         let (points, whose) = self.with_copies();
         let units: Vec<[f64; 2]> = self.headings.iter().map(|theta| [theta.cos(), theta.sin()]).collect();
         let add = |sum: [f64; 2], _: usize, j: usize, _: [f64; 2], _: f64| {

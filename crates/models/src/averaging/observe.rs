@@ -86,7 +86,8 @@ impl Observer {
 
     /// The stabilisers so far with their times `T_k` on the clock of the run (a later network may move them).
     pub fn stabilisers(&self) -> Vec<Stabiliser> {
-        let on_the_clock = |s: &Stabiliser| Stabiliser { time: s.time + self.from as usize - 1, ..s.clone() };
+        let on_the_clock =
+            |s: &Stabiliser| Stabiliser { time: s.time.saturating_add(self.from as usize - 1), ..s.clone() };
         self.stream.stabilisers().map(on_the_clock).collect()
     }
 

@@ -5,7 +5,7 @@ use super::{
     disagreement, heading, heading_spread, potential_energy, potential_gradients,
 };
 use algebra::graph::Graph;
-use arithmetic::ArithmeticError;
+use arithmetic::{ArithmeticError, Unwatched};
 
 const PLANE: Coordinates = Coordinates::Cartesian;
 
@@ -44,9 +44,11 @@ impl Observation {
     /// What is seen of a sample.
     ///
     /// # Errors
-    /// [`ArithmeticError`] where linked agents coincide.
+    /// [`ArithmeticError`] where linked agents coincide; [`ArithmeticError::Domain`] where there is not a velocity for each position, for a link to an
+    /// agent that is not there, and for no agents.
     pub fn of(sample: &Sample, potential: &Potential) -> Result<Self, ArithmeticError> {
         let Sample { state, links, .. } = sample;
+        state.check()?;
         let count = state.count();
         let graph = Graph::from_fn(count, |i, j| links.contains(&(i, j)));
         let distance = |(i, j): Pair| length(&state.separation(i, j));
@@ -126,7 +128,7 @@ impl Flock {
     pub fn trial(&self, until: f64, every: Option<f64>, options: &Options) -> Result<Trial, MotionError> {
         let steps = every.map_or(1, |every| (until / every).ceil().max(1.0) as usize);
         let times: Vec<f64> = (0..=steps).map(|k| until * k as f64 / steps as f64).collect();
-        let motion = self.run(until, &times, options)?;
+        let motion = self.run(until, &times, options, &Unwatched)?;
         let seen = |sample: Option<&Sample>| {
             let sample = sample.ok_or(ArithmeticError::Domain("runs with a start and an end"))?;
             Observation::of(sample, &self.potential)

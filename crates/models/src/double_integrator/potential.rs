@@ -42,6 +42,9 @@ impl Potential {
     }
 
     /// `stiffness (s/m + m/s - 2)`: rational, with its minimum 0 at the squared distance `m`.
+    ///
+    /// # Panics
+    /// Where `m` is zero, like a division.
     pub fn inverse_square_spring(minimum: &Rational, stiffness: &Rational) -> Self {
         let slope = vec![(0, stiffness / minimum), (-2, -(stiffness * minimum))];
         Potential::new(slope, (minimum.clone(), rational(0, 1)))
@@ -49,6 +52,9 @@ impl Potential {
 
     /// The rational potential with slope `(s - 1)(s - a)²(s + a/(a + 2))/s²` and minimum 0 at `s = 1`: it fulfils Definition 3 of the
     /// second paper and increases strictly for `s > 1`, but with slope 0 at `s = a`, where `a > 1`.
+    ///
+    /// # Panics
+    /// Where `a` is -2, like a division.
     pub fn with_inflection(at: &Rational) -> Self {
         let (one, two) = (rational(1, 1), rational(2, 1));
         let shift = at / (at + &two);
@@ -94,15 +100,17 @@ impl Potential {
     /// The value with its coefficients as scalars of the kind of `like`, for many values.
     ///
     /// # Errors
-    /// [`ArithmeticError::DivisionByZero`] where the value at `s = 0` is given and the potential has none there.
+    /// [`ArithmeticError::DivisionByZero`] where the value at `s = 0` is given and the potential has none there; [`ArithmeticError::Domain`] for the
+    /// largest exponent of 32 bits.
     pub fn value_over<T: Field>(&self, like: &T) -> Result<Value<T>, ArithmeticError> {
         let (at, start) = &self.anchor;
+        let too_large = ArithmeticError::Domain("exponents of the slope below 2^31 - 1");
         let terms: Vec<(i32, Rational)> = self
             .slope
             .iter()
             .filter(|(k, _)| *k != -1)
-            .map(|(k, c)| (k + 1, c / rational(i64::from(*k) + 1, 1)))
-            .collect();
+            .map(|(k, c)| Ok((k.checked_add(1).ok_or_else(|| too_large.clone())?, c / rational(i64::from(*k) + 1, 1))))
+            .collect::<Result<_, ArithmeticError>>()?;
         let constant: Result<Rational, ArithmeticError> =
             terms.iter().try_fold(start.clone(), |sum, (k, c)| Ok(sum - power(at, *k)? * c));
         let log = self.slope.iter().find(|(k, _)| *k == -1).map(|(_, c)| (like.rational(c), like.rational(at)));

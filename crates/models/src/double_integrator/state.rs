@@ -78,7 +78,7 @@ impl<T: Ring> State<T> {
     /// The state of `count` agents from a list `x_1, y_1, ..., x_N, y_N` of positions and then one of velocities; `None`
     /// where the list has another length than `4 count`.
     pub fn from_list(count: usize, list: &[T]) -> Option<Self> {
-        (list.len() == 4 * count).then(|| State::from_halves(list))
+        (count.checked_mul(4) == Some(list.len())).then(|| State::from_halves(list))
     }
 
     /// The state whose positions are the first half of a list, and whose velocities are the second.

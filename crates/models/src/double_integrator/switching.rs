@@ -12,7 +12,7 @@ use super::input::{Flock, Network};
 use super::motion::{Event, EventKind, Motion, MotionError, Options, Sample};
 use super::{Alignment, Branch, Coordinates, Pair, Slope, State, Vector};
 use super::{gyroscopic, heading, potential_gradients, velocity_alignment};
-use arithmetic::{ArithmeticError, Progress, Unwatched};
+use arithmetic::{ArithmeticError, Progress};
 use motion::{Integrator, VectorField, root};
 
 const PLANE: Coordinates = Coordinates::Cartesian;
@@ -37,13 +37,19 @@ impl Flock {
     ///
     /// # Errors
     /// [`MotionError`].
-    pub fn run(&self, until: f64, samples: &[f64], options: &Options) -> Result<Motion, MotionError> {
-        let (motion, end) = self.run_watched(until, samples, options, &Unwatched);
+    pub fn run(
+        &self,
+        until: f64,
+        samples: &[f64],
+        options: &Options,
+        progress: &dyn Progress,
+    ) -> Result<Motion, MotionError> {
+        let (motion, end) = self.run_as_far(until, samples, options, progress);
         end.map(|()| motion)
     }
 
-    /// As [`Self::run`], until `progress` stops it: what was reached, and why there is no more of it.
-    pub fn run_watched(
+    /// As [`Self::run`], with what was reached where it ends before: the motion that far, and why there is no more of it.
+    pub fn run_as_far(
         &self,
         until: f64,
         samples: &[f64],
@@ -397,7 +403,7 @@ impl<'a> Engine<'a> {
 mod tests {
     use super::*;
     use crate::double_integrator::Potential;
-    use arithmetic::rational;
+    use arithmetic::{Unwatched, rational};
     use motion::Tolerance;
 
     /// Three agents, with `R = 2`, of which the first two are a little too far apart and on their way.

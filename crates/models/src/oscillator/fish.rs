@@ -64,11 +64,11 @@ impl<T: Field + Signed> Zones<T> {
         behind.is_certainly_positive() & (behind.square() - edge).is_certainly_positive()
     }
 
-    /// The network of a zone.
+    /// The network of a zone; fish without a place sense nobody and are not sensed.
     pub fn network(&self, zone: Zone, state: &State<T>) -> Neighbours {
         let senses = |k: usize, j: usize| {
-            let offset = state.positions[j].clone() - &state.positions[k];
-            self.senses(zone, &state.phasors[k], &offset)
+            let (Some(own), Some(other)) = (state.positions.get(k), state.positions.get(j)) else { return false };
+            self.senses(zone, &state.phasors[k], &(other.clone() - own))
         };
         Neighbours::from_fn(state.phasors.len(), senses)
     }

@@ -20,7 +20,7 @@ pub fn order(flight: &Flight, m: u32) -> Result<f64, ArithmeticError> {
 
 /// The gap in radians that parts clusters of so many phases: [`CLUSTER`], or a third of the mean gap where that is smaller.
 pub fn cluster_gap(phases: usize) -> f64 {
-    CLUSTER.min(TAU / (3 * phases.max(1)) as f64)
+    CLUSTER.min(TAU / (3.0 * phases.max(1) as f64))
 }
 
 impl Flight {

@@ -12,12 +12,23 @@ pub struct CommunicationGraph {
     tracked: Vec<Vec<(usize, Rational)>>,
 }
 
+/// Platoons of more followers are not listed.
+const MOST_FOLLOWERS: usize = 1 << 30;
+
+/// Refuses what no list would hold.
+pub(super) fn check_count(followers: usize) -> Result<(), CommunicationError> {
+    if followers > MOST_FOLLOWERS { Err(CommunicationError::TooManyFollowers(followers)) } else { Ok(()) }
+}
+
 /// Why a list of tracked agents is refused.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum CommunicationError {
     /// No followers.
     #[error("a platoon needs at least one follower")]
     NoFollowers,
+    /// More followers than a list holds.
+    #[error("a platoon has at most {MOST_FOLLOWERS} followers, not {0}")]
+    TooManyFollowers(usize),
     /// An agent that is not there, or the follower itself.
     #[error("follower {follower} cannot keep track of agent {agent}")]
     Agent {
@@ -67,8 +78,9 @@ impl CommunicationGraph {
     /// Systems (1) and (2) of the paper.
     ///
     /// # Errors
-    /// [`CommunicationError::NoFollowers`].
+    /// [`CommunicationError::NoFollowers`]; [`CommunicationError::TooManyFollowers`].
     pub fn of(communication: Communication, followers: usize) -> Result<Self, CommunicationError> {
+        check_count(followers)?;
         let rows: Vec<_> = (1..=followers).map(|k| communication.tracked(k, followers)).collect();
         CommunicationGraph::with_equal_weights(&rows)
     }
@@ -78,6 +90,7 @@ impl CommunicationGraph {
     /// # Errors
     /// [`CommunicationError`], also for `n = 0`.
     pub fn nth_neighbours(n: usize, followers: usize) -> Result<Self, CommunicationError> {
+        check_count(followers)?;
         let row = |k: usize| {
             let front = k.checked_sub(n);
             let behind = k.checked_add(n).filter(|&agent| agent <= followers);
@@ -89,16 +102,18 @@ impl CommunicationGraph {
     /// Every follower tracks the leader.
     ///
     /// # Errors
-    /// [`CommunicationError::NoFollowers`].
+    /// [`CommunicationError::NoFollowers`]; [`CommunicationError::TooManyFollowers`].
     pub fn star(followers: usize) -> Result<Self, CommunicationError> {
+        check_count(followers)?;
         CommunicationGraph::with_equal_weights(&vec![vec![0]; followers])
     }
 
     /// Two-sided platoons one behind the other: the last car of each tracks only the car in front, and is the leader of the next.
     ///
     /// # Errors
-    /// [`CommunicationError::NoFollowers`].
+    /// [`CommunicationError::NoFollowers`]; [`CommunicationError::TooManyFollowers`].
     pub fn in_series(lengths: &[usize]) -> Result<Self, CommunicationError> {
+        check_count(lengths.iter().fold(0, |all: usize, length| all.saturating_add(*length)))?;
         let mut rows = Vec::new();
         for &length in lengths {
             let first = rows.len() + 1;
@@ -112,8 +127,9 @@ impl CommunicationGraph {
     /// The same behind `spare` cars that track the leader, whom nobody tracks: the first platoon has the leader of all in front.
     ///
     /// # Errors
-    /// [`CommunicationError::NoFollowers`].
+    /// [`CommunicationError::NoFollowers`]; [`CommunicationError::TooManyFollowers`].
     pub fn in_series_behind(spare: usize, lengths: &[usize]) -> Result<Self, CommunicationError> {
+        check_count(spare)?;
         let series = CommunicationGraph::in_series(lengths)?;
         let moved = |agent: usize| if agent == 0 { 0 } else { agent + spare };
         let rows = series.tracked.iter().map(|row| row.iter().map(|(agent, _)| moved(*agent)).collect());

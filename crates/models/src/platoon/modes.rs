@@ -5,11 +5,16 @@
 //! (`notes/veerman_platoons.md`).
 
 use super::Gains;
-use arithmetic::{ArithmeticError, Dyadic, Interval, Real, Sign, Signed};
+use arithmetic::{ArithmeticError, Dyadic, Interval, Rational, Real, Sign, Signed};
 
 /// The angle `phi_k`, of the kind of `like`; `1 <= k <= followers`.
 pub fn mode_angle<T: Real>(like: &T, followers: u64, k: u64) -> T {
-    like.pi() * like.ratio(2 * k as i64 - 1, 2 * followers.max(1) as i64)
+    let (over, under) = (2 * i128::from(k) - 1, 2 * i128::from(followers.max(1)));
+    let share = match (i64::try_from(over), i64::try_from(under)) {
+        (Ok(over), Ok(under)) => like.ratio(over, under),
+        _ => like.rational(&Rational::new(over.into(), under.into())),
+    };
+    like.pi() * share
 }
 
 /// The eigenvalue `lambda_k = 1 - cos phi_k = 2 sin²(phi_k/2)` of `P_2`.

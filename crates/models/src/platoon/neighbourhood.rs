@@ -2,6 +2,7 @@
 //! on. Cars that are not there are left out and the other weights are scaled to the sum one, as equation (2) does for the last
 //! car.
 
+use super::communication_graph::check_count;
 use super::{CommunicationError, CommunicationGraph, Gains};
 use arithmetic::{Complex, Rational, Ring, rational};
 use num_traits::{ToPrimitive, Zero};
@@ -34,10 +35,11 @@ impl Neighbourhood {
     /// The graph of so many followers.
     ///
     /// # Errors
-    /// [`CommunicationError::NoFollowers`].
+    /// [`CommunicationError::NoFollowers`]; [`CommunicationError::TooManyFollowers`].
     pub fn graph(&self, followers: usize) -> Result<CommunicationGraph, CommunicationError> {
+        check_count(followers)?;
         let row = |k: usize| {
-            let place = |d: i64| usize::try_from(k as i64 + d).ok().filter(|agent| *agent <= followers);
+            let place = |d: i64| usize::try_from(k as i128 + i128::from(d)).ok().filter(|agent| *agent <= followers);
             let there: Vec<_> = self.weights.iter().filter_map(|(d, w)| Some((place(*d)?, w))).collect();
             let sum: Rational = there.iter().map(|(_, w)| *w).sum();
             there.into_iter().map(|(agent, w)| (agent, w / &sum)).collect()

@@ -11,7 +11,7 @@
 
 use super::response::positive_root;
 use super::shape::frequency_response_by;
-use super::{FrequencyResponse, Gains, chebyshev};
+use super::{FrequencyResponse, Gains, chebyshev, theorem1};
 use arithmetic::{
     ArithmeticError, Ball, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, significant_digits,
 };
@@ -114,7 +114,7 @@ pub fn is_below_full_phase(gains: &Gains<Rational>, followers: u64, w: &Interval
     let w = w.with_precision(64);
     let gains = gains.map(|q| w.rational(q));
     let square = w.square();
-    let m4 = w.integer(followers as i64).square().square();
+    let m4 = theorem1::count(&w, followers).square().square();
     let bound = w.integer(16) * (gains.f.square() + square.clone() * gains.g.square());
     (bound - square.square() * m4).is_certainly_positive()
 }

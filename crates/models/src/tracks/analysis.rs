@@ -65,6 +65,9 @@ pub struct Analysis {
 /// [`ChoicesError`]; also where no frame has a heading of every fish, and where the work was stopped before there was one.
 pub fn analyse(tracks: &Tracks, choices: &Choices, progress: &dyn Progress) -> Result<Analysis, ChoicesError> {
     choices.check(tracks.fish())?;
+    if !tracks.is_whole() {
+        return Err(ChoicesError::Recording { fish: tracks.fish(), frames: tracks.frames.len() });
+    }
     progress.checkpoint()?;
     let mut motion = Motion::new(tracks, choices.window, choices.still);
     let mut positions = match choices.positions {
@@ -188,7 +191,9 @@ impl Analysis {
 
     fn why_nothing_is_left(&self, tracks: &Tracks) -> String {
         let LeftOut { recorded, missing, window, still, .. } = self.left_out;
-        let rarest = (0..tracks.fish()).min_by_key(|&k| self.fish[k].seen).unwrap_or(0);
+        let Some(rarest) = (0..tracks.fish()).min_by_key(|&k| self.fish[k].seen) else {
+            return "there are no fish in the recording".to_string();
+        };
         format!(
             "no frame has a heading of all {} fish: of {recorded} frames, a fish is missing in {missing}, the window of {} \
              frames meets a gap or an end in {window}, a fish is at rest in {still}; fish {} is seen least, in {} frames; \

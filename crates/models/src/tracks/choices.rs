@@ -64,12 +64,20 @@ pub enum ChoicesError {
     #[error("the speed {0} of a fish at rest is not zero or a positive number")]
     Still(f64),
     /// More neighbours than there are.
-    #[error("{fish} fish have between 1 and {} neighbours, not {n}", fish - 1)]
+    #[error("{fish} fish have between 1 and {} neighbours, not {n}", fish.saturating_sub(1))]
     Neighbours {
         /// The number that was asked for.
         n: usize,
         /// How many fish there are.
         fish: usize,
+    },
+    /// A recording put together by hand whose parts do not fit.
+    #[error("a recording of {fish} fish in {frames} frames needs as many positions of each fish")]
+    Recording {
+        /// How many fish there are.
+        fish: usize,
+        /// How many frames there are.
+        frames: usize,
     },
     /// The window is longer than any run of frames.
     #[error("{0}")]

@@ -37,7 +37,7 @@ pub fn gaps(tracks: &Tracks) -> Vec<Gap> {
                     at_end: number == end,
                 });
             }
-            next = number + 1;
+            next = number.saturating_add(1);
         }
     }
     found

@@ -15,7 +15,8 @@ pub struct Motion {
 /// Whether the frames next to frame `i` are `i - 1` and `i + 1` on the grid too.
 fn inside_a_run(tracks: &Tracks, i: usize) -> bool {
     let number = |i: usize| tracks.frames.get(i).map(|frame| frame.number);
-    i > 0 && number(i - 1).map(|n| n + 1) == number(i) && number(i).map(|n| n + 1) == number(i + 1)
+    let next = |i: usize| number(i).and_then(|n| n.checked_add(1));
+    i > 0 && next(i - 1) == number(i) && next(i).is_some() && next(i) == number(i + 1)
 }
 
 /// Positions of one fish averaged over `window` frames (odd) around each; `None` where the window is not filled without a gap. A
@@ -26,7 +27,7 @@ pub fn smoothed(tracks: &Tracks, fish: usize, window: usize) -> Vec<Option<Vecto
     let average = |i: usize| {
         let (from, to) = (i.checked_sub(half)?, i.checked_add(half)?);
         let (first, last) = (tracks.frames.get(from)?, tracks.frames.get(to)?);
-        if last.number - first.number != 2 * half as u64 {
+        if last.number.checked_sub(first.number)? != 2 * half as u64 {
             return None;
         }
         let mut sum = Complex::new(0.0, 0.0);
@@ -51,7 +52,7 @@ impl Motion {
                     if !inside_a_run(tracks, i) || s[i].is_none() {
                         return None;
                     }
-                    Some((s[i + 1].clone()? - s[i - 1].as_ref()?).scale(&scale))
+                    Some((s.get(i + 1)?.clone()? - s[i - 1].as_ref()?).scale(&scale))
                 };
                 (0..s.len()).map(velocity).collect()
             })

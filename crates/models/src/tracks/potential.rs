@@ -22,8 +22,8 @@ impl Scale {
     /// The factor as numerator and denominator.
     pub fn ratio(self, n: i64) -> (i64, i64) {
         match self {
-            Scale::Figure => (2, n + 1),
-            Scale::Text => (n + 2, n),
+            Scale::Figure => (2, n.saturating_add(1)),
+            Scale::Text => (n.saturating_add(2), n),
             Scale::PerArc => (1, n),
         }
     }

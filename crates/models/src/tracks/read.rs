@@ -185,9 +185,16 @@ impl Tracks {
         self.ids.len()
     }
 
+    /// Whether there is a place in each frame for each fish, and frames are numbered in order: so it is of all that were read.
+    pub(super) fn is_whole(&self) -> bool {
+        self.positions.len() == self.fish()
+            && self.positions.iter().all(|places| places.len() == self.frames.len())
+            && self.frames.is_sorted_by(|a, b| a.number < b.number)
+    }
+
     /// Frames from the first to the last, also those without any row.
     pub fn recorded_frames(&self) -> u64 {
-        self.frames.last().map_or(0, |frame| frame.number + 1)
+        self.frames.last().map_or(0, |frame| frame.number.saturating_add(1))
     }
 
     /// The time of a frame number, also of one without rows.
@@ -214,7 +221,7 @@ impl Tracks {
             ids: kept.iter().map(|&k| self.ids[k].clone()).collect(),
             frames: self.frames.clone(),
             step: self.step,
-            positions: kept.iter().map(|&k| self.positions[k].clone()).collect(),
+            positions: kept.iter().map(|&k| self.positions.get(k).cloned().unwrap_or_default()).collect(),
         })
     }
 
@@ -231,7 +238,7 @@ impl Tracks {
         let mut text = String::from("t,id,x,y\n");
         for (i, frame) in self.frames.iter().enumerate() {
             for (id, places) in self.ids.iter().zip(&self.positions) {
-                if let Some(r) = &places[i] {
+                if let Some(Some(r)) = places.get(i) {
                     text.push_str(&format!("{},{},{},{}\n", frame.time, csv_field(id), r.re, r.im));
                 }
             }

@@ -114,3 +114,16 @@ proptest! {
         }
     }
 }
+
+/// The reciprocal of so small a radius is infinite, and so would the number of cells be.
+#[test]
+fn places_and_radii_near_the_least_numbers_have_cells() {
+    for radius in [5e-324, 1e-310] {
+        let points = [[0.0, 0.0], [1e-320, 1e-320], [5e-324, 0.0]];
+        let list = CellList::new(&points, radius).expect("finite");
+        assert_eq!(list.numbers(), [0, 1, 2]);
+        // Squares of such numbers are zero.
+        assert_eq!(list.pairs(), []);
+    }
+    assert_eq!(nearest(&[[0.0, 0.0], [1e-320, 0.0], [5e-324, 0.0]], 5).expect("finite"), [[1, 2], [0, 2], [0, 1]]);
+}

@@ -4,7 +4,7 @@ use arithmetic::random::{generator, uniform};
 use arithmetic::{Complex, Unwatched, rational};
 use models::double_integrator::{HeadingDifference, HeadingLaw, Potential};
 use models::oscillator::{Neighbours, ParticleLaw};
-use motion::{IndividualFlock, IndividualLaw, Moving, Pace, Sensing, Switch};
+use motion::{FollowError, IndividualFlock, IndividualLaw, Moving, Pace, Sensing, Switch};
 use std::f64::consts::PI;
 
 const RADIUS: f64 = 2.0;
@@ -255,4 +255,15 @@ fn rows_and_columns_that_move_together_keep_their_neighbours() {
     let arcs = nearest(&start, 3);
     let run = run_with(&law, Sensing::Nearest, &arcs, &start, &[30.0], Pace::Tolerance(1e-8));
     assert_eq!(run.switches, []);
+}
+
+#[test]
+fn links_are_between_two_agents_that_are_there() {
+    let law = HeadingLaw::new(&Potential::inverse_square_log(&rational(1, 1)), HeadingDifference::Wrapped);
+    for sensing in [Sensing::Within(RADIUS), Sensing::Nearest] {
+        for pair in [(0, 4), (9, 1), (2, 2)] {
+            let flock = IndividualFlock::new(law.clone(), sensing, &start(4, 1), &[(0, 1), pair], FINE);
+            assert_eq!(flock.err(), Some(FollowError::Link { pair, count: 4 }));
+        }
+    }
 }

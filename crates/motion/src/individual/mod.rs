@@ -157,6 +157,9 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
         links: &[Pair],
     ) -> Result<Self, FollowError> {
         let count = start.len();
+        if let Some(&pair) = links.iter().find(|(i, j)| i == j || *i.max(j) >= count) {
+            return Err(FollowError::Link { pair, count });
+        }
         let scale = match sensing {
             Sensing::Within(radius) => radius,
             Sensing::Nearest => ranks::typical(start, links),

@@ -5,12 +5,15 @@ mod at;
 mod laws;
 mod links;
 mod modes;
+mod numbers;
+
+pub(crate) use numbers::Start;
 
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::timeline::{Covered, Moment, Piece, Timeline, clock};
 use crate::truth::Doubt;
-use arithmetic::{Dyadic, FloatInterval, Interval, Progress, Rational, Real, Ring, rational};
+use arithmetic::{FloatInterval, Interval, Progress, Rational, Real, Ring, rational};
 use at::At;
 use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
 use models::double_integrator::{
@@ -20,6 +23,7 @@ use models::oscillator::Neighbours;
 use modes::ModalPlatoon;
 use motion::validated::{Flow, IntervalVector, Parallelepiped, SmoothLaw, Step};
 use num_traits::ToPrimitive;
+use numbers::{BITS, narrowed, point, widened};
 use scenario::ExactMotion;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -32,14 +36,6 @@ pub(crate) struct MotionSubject<'c> {
     progress: &'c dyn Progress,
     tube: RefCell<Rc<Tube>>,
     modal: OnceCell<Option<ModalPlatoon>>,
-}
-
-/// Which list of the start.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Start {
-    Positions,
-    Velocities,
-    Phases,
 }
 
 /// Enclosures of the states, one after the other.
@@ -71,25 +67,6 @@ const MOST_SECTIONS: usize = 50_000;
 
 /// Most agents.
 const MOST_AGENTS: usize = 16;
-
-/// Bits of what is measured.
-const BITS: u32 = 64;
-
-fn point(q: &Rational) -> FloatInterval {
-    FloatInterval::from_rational(q)
-}
-
-fn widened(x: &FloatInterval) -> Interval {
-    let end = |x: f64| Dyadic::from_f64(x);
-    match (end(x.lo()), end(x.hi())) {
-        (Some(lo), Some(hi)) => Interval::between(lo, hi, BITS),
-        _ => {
-            // Unbounded: nothing is known.
-            let far = Dyadic::new(1.into(), 4096);
-            Interval::between(far.negated(), far, BITS)
-        }
-    }
-}
 
 impl<'c> MotionSubject<'c> {
     pub fn new(
@@ -377,12 +354,6 @@ fn while_linked(mut tube: Tube, network: &Neighbours, square: &Rational) -> Tube
     let (i, j) = (pair.0 + 1, pair.1 + 1);
     tube.failure = Some(format!("particles {i} and {j} may pass the radius after t = {}", clock(end)));
     tube
-}
-
-/// An enclosure between floats.
-fn narrowed(x: &Interval) -> FloatInterval {
-    let (lo, hi) = x.to_rationals();
-    FloatInterval::between(point(&lo).lo(), point(&hi).hi())
 }
 
 impl Timeline for MotionSubject<'_> {

@@ -2,6 +2,7 @@
 
 use super::csv;
 use crate::plot::{Axis, Colour, Panel, Series};
+use arithmetic::Unwatched;
 use arithmetic::random::generator;
 use ledger::{CheckError, Options};
 use models::double_integrator::{Flock, Motion, Observation, Sample, Setup, Trial, Vector};
@@ -35,7 +36,7 @@ pub(super) fn trials(
 /// A motion with what is seen of it at its samples.
 pub(super) fn observations(flock: &Flock, times: &[f64]) -> Result<(Motion, Vec<Observation>), CheckError> {
     let until = times.last().copied().unwrap_or(0.0);
-    let motion = flock.run(until, times, &Setup::OPTIONS).map_err(other)?;
+    let motion = flock.run(until, times, &Setup::OPTIONS, &Unwatched).map_err(other)?;
     let seen = motion.samples.iter().map(|sample| Observation::of(sample, flock.potential()));
     let seen = seen.collect::<Result<_, _>>()?;
     Ok((motion, seen))

@@ -1,7 +1,6 @@
 //! The files of the Coq development as pages, with an address for each theorem of the table.
 
-use super::notation::escape;
-use crate::page::Links;
+use crate::page::{Links, escape};
 use maud::{Markup, PreEscaped, html};
 use proofs::kernel::{Source, theorems};
 

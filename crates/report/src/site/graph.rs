@@ -1,10 +1,9 @@
 //! The picture of claims, corrections and theorems, with links.
 
 use super::Site;
-use super::notation::escape;
 use super::related::Tie;
 use super::words::{mark, spoken};
-use crate::page::Links;
+use crate::page::{Links, escape};
 use crate::papers::{paper as paper_of, papers};
 use ledger::{Entry, correction_id};
 use maud::{Markup, PreEscaped, html};

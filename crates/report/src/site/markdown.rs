@@ -2,7 +2,7 @@
 
 use super::notes::{NOTES, path};
 use super::texts::Names;
-use crate::page::Links;
+use crate::page::{Links, escape};
 use maud::{Markup, PreEscaped};
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};
 
@@ -84,7 +84,7 @@ fn code_span<'a>(code: &str, names: &Names, links: Links) -> Event<'a> {
     } else if code.split([' ', ',']).any(known) {
         names.linked(code, links).into_string()
     } else {
-        super::notation::escape(code)
+        escape(code)
     };
     Event::InlineHtml(format!("<code>{linked}</code>").into())
 }

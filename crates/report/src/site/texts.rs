@@ -2,7 +2,7 @@
 
 use super::notation;
 use crate::figures::Figure;
-use crate::page::Links;
+use crate::page::{Links, escape};
 use maud::{Markup, PreEscaped, html};
 use proofs::kernel::Theorem;
 use std::collections::BTreeSet;
@@ -30,7 +30,7 @@ impl Names {
 
     /// A text with its links.
     pub fn linked(&self, text: &str, links: Links) -> Markup {
-        self.with(text, links, notation::escape)
+        self.with(text, links, escape)
     }
 
     fn with(&self, text: &str, links: Links, set: fn(&str) -> String) -> Markup {

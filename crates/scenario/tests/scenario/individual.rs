@@ -2,7 +2,7 @@
 
 use super::run;
 use arithmetic::random::{generator, uniform};
-use arithmetic::rational;
+use arithmetic::{Unwatched, rational};
 use models::double_integrator::{Alignment, EventKind, Flock, Network, Options, Potential, State};
 use scenario::{Event, Outcome};
 
@@ -151,7 +151,7 @@ fn the_others_go_on_while_a_pair_stays() {
     let velocities = crowd.angles.iter().zip(&crowd.speeds).map(|(a, s)| [s * a.cos(), s * a.sin()]).collect();
     let start = State { positions: crowd.places, velocities };
     let flock = Flock::new(Alignment::Velocity, potential, Network::Within(2.0), start).expect("a flock");
-    let motion = flock.run(1.5, &[0.1, 1.5], &Options::default()).expect("a motion");
+    let motion = flock.run(1.5, &[0.1, 1.5], &Options::default(), &Unwatched).expect("a motion");
     let switch = |kind| matches!(kind, EventKind::Link | EventKind::Unlink);
     let those: Vec<_> = motion.events.iter().filter(|e| switch(e.kind)).map(|e| (e.pair.0 + 1, e.pair.1 + 1)).collect();
     assert_eq!(outcome.events.iter().map(|event| event.pair).collect::<Vec<_>>(), those);

@@ -3,6 +3,7 @@
 //! `notes/exact_flocks.md` has the bounds, by the numbers of its steps.
 
 use super::links::{Change, Links};
+use super::wholes::{Velocities, Whole, wholes};
 use super::words::Words;
 use crate::averaging::flock::IntegerState;
 use crate::averaging::hysteresis::Threshold;
@@ -270,10 +271,17 @@ impl<const L: usize> Balls<L> {
         self.velocities[a].minus(self.velocities[b]).to_f64(&self.scales)
     }
 
+    /// The connected parts of the network and where they go.
+    pub fn wholes(&self) -> Vec<Whole> {
+        let (_, error) = self.errors();
+        let difference = |i, j, k| self.velocity_difference(i, j, k);
+        wholes(&self.links, &self.weights, &Velocities { dimension: self.dimension, error, difference })
+    }
+
     /// Many steps at once on a network that stays, where velocities have settled so far that this costs little precision; whether
     /// it was done.
     pub fn jump(&mut self, steps: u64) -> bool {
-        let wholes = super::outlook::wholes(self, &self.weights);
+        let wholes = self.wholes();
         let unit = self.scales[0];
         let stray = wholes.iter().fold(0.0, |most: f64, w| most.max(2.0 * w.stray)) / unit;
         let range = wholes.iter().fold(0.0, |most: f64, w| most.max(w.range)) / unit;

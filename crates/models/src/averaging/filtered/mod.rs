@@ -6,13 +6,14 @@ mod classes;
 mod links;
 mod outlook;
 mod watch;
+mod wholes;
 mod words;
 
 use super::flock::{Flock, IntegerState, Start, Switch};
 use super::hysteresis::Threshold;
 use super::{FlockError, Weights};
 use algebra::graph::Graph;
-use arithmetic::{Progress, Unwatched};
+use arithmetic::Progress;
 use balls::{Balls, PairBall};
 use classes::Classes;
 use links::{Change, Links};
@@ -140,7 +141,7 @@ impl FilteredFlock {
     /// What is certain about the network from now on, if anything is.
     pub(super) fn outlook(&self, progress: &dyn Progress) -> Result<Option<Outlook>, FlockError> {
         let State::Balls(balls) = &self.state else { return Ok(None) };
-        outlook::outlook(balls, &self.weights, &self.threshold, progress).map(Some)
+        outlook::outlook(balls, &self.threshold, progress).map(Some)
     }
 
     /// Many steps at once in which nothing changes; whether that was possible.
@@ -196,19 +197,11 @@ impl FilteredFlock {
         u64::try_from(self.exact.time() - &self.origin).unwrap_or(u64::MAX)
     }
 
-    /// One step, as [`Flock::step`].
-    ///
-    /// # Errors
-    /// As there.
-    pub fn step(&mut self) -> Result<Option<Switch>, FlockError> {
-        self.step_watched(&Unwatched)
-    }
-
-    /// As [`FilteredFlock::step`], until `progress` stops it; it can go on then.
+    /// One step, as [`Flock::step`], until `progress` stops it; it can go on then.
     ///
     /// # Errors
     /// As there, and [`FlockError::Cancelled`].
-    pub fn step_watched(&mut self, progress: &dyn Progress) -> Result<Option<Switch>, FlockError> {
+    pub fn step(&mut self, progress: &dyn Progress) -> Result<Option<Switch>, FlockError> {
         let State::Balls(balls) = &self.state else { return self.step_exactly() };
         let due = self.watch.due(balls, &self.network, &self.classes);
         let mut changed = Vec::new();

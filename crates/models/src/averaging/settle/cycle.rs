@@ -4,7 +4,7 @@
 //! a phase on, after `k` rounds, `x_i - x_j = A + B k - z(k)`, and `z` is halved every so many rounds as on a fixed network;
 //! birds that are connected by some network of the cycle take the place of a flock.
 
-use super::SettleError;
+use super::error::SettleError;
 use super::limits::{log2_above, log2_below};
 use super::ties::pair_in_cycle;
 use crate::averaging::{Flock, Start, contraction_watched, deviation_matrix_watched, transition_matrix};

@@ -1,6 +1,6 @@
 //! What a flock on a fixed network tends to: drift, limit configuration and how fast the rest dies out.
 
-use super::SettleError;
+use super::error::SettleError;
 use crate::averaging::flock::IntegerState;
 use crate::averaging::{
     Weights, contraction_watched, deviation_matrix_watched, stationary_distribution, transition_matrix,

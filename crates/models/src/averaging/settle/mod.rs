@@ -7,132 +7,25 @@
 //! far away they are. `notes/settling.md` has the argument.
 
 mod cycle;
+mod ending;
+mod error;
 mod limits;
 mod pairs;
 mod perturbation;
+mod recent;
 mod remainder;
 mod repetition;
 mod ties;
 mod trajectory;
 mod verdict;
 
-use super::{Flock, FlockError, Switch};
-use algebra::graph::Graph;
-use algebra::matrix::MatrixError;
-use algebra::spectrum::RecurrenceError;
-use arithmetic::{ArithmeticError, Cancelled, Interval, Progress};
-use num_bigint::BigInt;
+pub use ending::{Ending, Limits, Settlement};
+pub use error::SettleError;
+
+use super::{Flock, Switch};
+use arithmetic::Progress;
 use repetition::Cycle;
 use trajectory::{Next, Trajectory};
-
-/// Why a flock could not be followed.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SettleError {
-    /// The flock cannot go on.
-    #[error(transparent)]
-    Flock(FlockError),
-    /// A matrix without a limit.
-    #[error(transparent)]
-    Matrix(MatrixError),
-    /// A sign in the long run that is not decided.
-    #[error(transparent)]
-    Recurrence(RecurrenceError),
-    /// An interval operation without a result.
-    #[error(transparent)]
-    Arithmetic(#[from] ArithmeticError),
-    /// A network that contracts too slowly to be followed.
-    #[error("the network contracts too slowly")]
-    TooSlow,
-    /// Contributions that cannot be told apart.
-    #[error("contributions too small to be written as numbers decide, and they cannot be told apart")]
-    Unresolved,
-    /// Stopped by the caller.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-    /// A jump that does not pass its own check: never to be seen.
-    #[error("the switch predicted for t = {0} does not pass the rule")]
-    Inconsistent(String),
-}
-
-impl From<FlockError> for SettleError {
-    fn from(error: FlockError) -> Self {
-        match error {
-            FlockError::Cancelled(stopped) => SettleError::Cancelled(stopped),
-            other => SettleError::Flock(other),
-        }
-    }
-}
-
-impl From<MatrixError> for SettleError {
-    fn from(error: MatrixError) -> Self {
-        match error {
-            MatrixError::Cancelled(stopped) => SettleError::Cancelled(stopped),
-            other => SettleError::Matrix(other),
-        }
-    }
-}
-
-impl From<RecurrenceError> for SettleError {
-    fn from(error: RecurrenceError) -> Self {
-        match error {
-            RecurrenceError::Cancelled(stopped) => SettleError::Cancelled(stopped),
-            other => SettleError::Recurrence(other),
-        }
-    }
-}
-
-/// How far to go.
-#[derive(Debug, Clone)]
-pub struct Limits {
-    /// Exact steps on one network.
-    pub steps: u64,
-    /// Switches in all.
-    pub switches: usize,
-    /// Bits to which the numbers of the state may grow in an exact jump; longer jumps keep what is left out as sequences.
-    pub jump_bits: u64,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Limits { steps: 400_000, switches: 100_000, jump_bits: 1 << 22 }
-    }
-}
-
-/// How it ends.
-#[derive(Debug, Clone)]
-pub enum Ending {
-    /// The network never changes again.
-    Steady,
-    /// The network repeats a cycle of this length forever.
-    Alternating {
-        /// Length of the cycle.
-        period: usize,
-    },
-    /// The next switch comes, but at a time whose digits cannot be written down.
-    Beyond {
-        /// The pair that comes within distance 1 (from 0), or all that may be the first.
-        pairs: Vec<(usize, usize)>,
-        /// Encloses the binary logarithm of the time from the last switch on.
-        log2_steps: Interval,
-    },
-    /// Not decided, and why.
-    Undecided(String),
-    /// Stopped by the caller.
-    Interrupted,
-}
-
-/// What became of a flock.
-#[derive(Debug, Clone)]
-pub struct Settlement {
-    /// The network after the last switch.
-    pub network: Graph,
-    /// The time of the last switch, 0 if there was none.
-    pub last_switch: BigInt,
-    /// How it ends.
-    pub ending: Ending,
-    /// Why.
-    pub why: String,
-}
 
 /// Follows a flock to its end; `found` sees every switch at once. Stopped by `progress`, it ends in [`Ending::Interrupted`] with the
 /// network after the last switch that was found.

@@ -1,6 +1,6 @@
 //! Each pair of birds on a fixed network: when its status is settled, or when it can change next.
 
-use super::SettleError;
+use super::error::SettleError;
 use super::limits::{FixedNetwork, Motion, dot, log2_below};
 use super::perturbation::{Functional, Magnitude, Stage, difference_functional, value_of};
 use super::ties;

@@ -5,7 +5,7 @@
 //! sign and size at a huge `s` follow from the leading root. Later stages act linearly, so a functional of the present
 //! state is pulled back through them.
 
-use super::SettleError;
+use super::error::SettleError;
 use super::limits::{FixedNetwork, Motion, largest, log2_above};
 use algebra::graph::Graph;
 use algebra::matrix::{MatrixError, RationalMatrix};

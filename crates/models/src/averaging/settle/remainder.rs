@@ -1,10 +1,11 @@
 //! Steps and jumps of a flock of which something was left out: a jump goes to the limit motion, and what it leaves out decides exact ties.
 
+use super::ending::Limits;
+use super::error::SettleError;
 use super::limits::{FixedNetwork, Motion};
 use super::pairs::{Approach, Prospects};
 use super::perturbation::{Functional, Jump, Stage, difference_functional, value_of};
 use super::trajectory::{Next, Trajectory};
-use super::{Limits, SettleError};
 use crate::averaging::flock::IntegerState;
 use crate::averaging::{Flock, Switch, transition_matrix};
 use algebra::graph::Graph;

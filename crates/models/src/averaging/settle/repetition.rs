@@ -1,18 +1,13 @@
-//! Networks that come again and again: finding a cycle among the last ones, and proving that it goes on for ever.
+//! Networks that come again and again: proving that a cycle that was seen goes on for ever, and going round it.
 
 use super::cycle::{Future, future};
+use super::ending::Limits;
+use super::error::SettleError;
 use super::trajectory::Trajectory;
-use super::{Limits, SettleError};
 use crate::averaging::{FilteredFlock, Flock, Switch};
 use algebra::graph::Graph;
 use num_bigint::BigInt;
 use num_integer::Integer;
-
-/// The longest cycle of networks that is looked for.
-pub(super) const LONGEST_CYCLE: usize = 6;
-
-/// Times a cycle is seen before it is analysed.
-pub(super) const REPETITIONS: usize = 6;
 
 /// Whether the networks go round for ever.
 pub(super) enum Cycle {
@@ -40,20 +35,13 @@ impl Trajectory<'_> {
         if !self.stages.is_empty() || self.flock.threshold().log2_below().is_some() {
             return Ok(Cycle::None);
         }
-        let recent = &self.recent;
-        let repeats = |period: usize| {
-            let seen = REPETITIONS * period;
-            recent.len().is_multiple_of(2 * seen)
-                && recent.len() >= 2 * seen
-                && (recent.len() - seen..recent.len()).all(|k| recent[k] == recent[k - period])
-        };
-        let Some(period) = (2..=LONGEST_CYCLE).find(|&p| repeats(p)) else { return Ok(Cycle::None) };
+        let Some(period) = self.recent.period() else { return Ok(Cycle::None) };
         // Each attempt costs more than the one before.
         if self.switches < self.next_attempt {
             return Ok(Cycle::None);
         }
         self.next_attempt = 2 * self.switches;
-        let cycle: Vec<Graph> = recent[recent.len() - period..].iter().map(|network| (**network).clone()).collect();
+        let cycle = self.recent.last(period);
         let Some(flock) = self.exact()? else { return Ok(Cycle::None) };
         let (horizon, until) = match future(&flock, &cycle, limits.steps, self.progress) {
             Ok(Future::Keeps(horizon)) => (horizon, None),
@@ -84,7 +72,7 @@ impl Trajectory<'_> {
         let mut follower = FilteredFlock::from_exact(flock.clone())?;
         for step in 0..horizon {
             self.progress.checkpoint()?;
-            follower.step_watched(self.progress)?;
+            follower.step(self.progress)?;
             if *follower.network() != cycle[(step as usize).mod_floor(&period)] {
                 return Ok(Cycle::None);
             }

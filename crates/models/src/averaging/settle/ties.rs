@@ -1,6 +1,6 @@
 //! Distances that tend to 1, and networks that alternate forever: signs in the long run from shortest recurrences.
 
-use super::SettleError;
+use super::error::SettleError;
 use crate::averaging::Flock;
 use algebra::graph::Graph;
 use algebra::spectrum::Recurrence;

@@ -1,15 +1,16 @@
 //! A flock on its way: steps by balls, by exact numbers, and jumps from switch to switch.
 
+use super::ending::{Ending, Limits};
+use super::error::SettleError;
 use super::limits::{FixedNetwork, Motion};
 use super::pairs::prospects;
 use super::perturbation::Stage;
-use super::repetition::{LONGEST_CYCLE, REPETITIONS};
-use super::{Ending, Limits, SettleError};
+use super::recent::Recent;
 use crate::averaging::{FilteredFlock, Flock, FlockError, Switch};
 use algebra::graph::Graph;
 use arithmetic::Progress;
 use num_bigint::BigInt;
-use std::sync::Arc;
+
 /// Steps that are taken one by one after a switch before anything is analysed.
 const PATIENCE: u64 = 48;
 
@@ -36,8 +37,7 @@ pub(super) struct Trajectory<'a> {
     pub(super) may_jump: bool,
     /// What happened since the last exact state; empty while the state is exact.
     pub(super) stages: Vec<Stage>,
-    /// The networks of the last steps, as long as switches follow one another closely.
-    pub(super) recent: Vec<Arc<Graph>>,
+    pub(super) recent: Recent,
     pub(super) last_switch: BigInt,
     pub(super) switches: usize,
     /// A cycle is not looked for before so many switches.
@@ -61,7 +61,7 @@ impl<'a> Trajectory<'a> {
             before_jumps: None,
             may_jump: true,
             stages: Vec::new(),
-            recent: Vec::new(),
+            recent: Recent::default(),
             last_switch: BigInt::ZERO,
             switches: 0,
             next_attempt: 0,
@@ -195,15 +195,14 @@ impl<'a> Trajectory<'a> {
                     Some(balls) => balls,
                     none => none.insert(FilteredFlock::from_exact(self.flock.clone())?),
                 };
-                balls.step_watched(self.progress)?
+                balls.step(self.progress)?
             } else {
                 self.careful_step()?
             };
-            if self.recent.len() == 4 * LONGEST_CYCLE * REPETITIONS {
-                self.recent.clear();
+            if switch.is_some() || !self.recent.push_same() {
+                let network = self.network().clone();
+                self.recent.push(network);
             }
-            let same = self.recent.last().filter(|_| switch.is_none()).cloned();
-            self.recent.push(same.unwrap_or_else(|| Arc::new(self.network().clone())));
             if switch.is_some() {
                 return Ok(switch);
             }

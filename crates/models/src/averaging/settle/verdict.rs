@@ -1,6 +1,6 @@
 //! The end of a flock in words: why its network never changes again, or that it changes at a time that cannot be written.
 
-use super::Ending;
+use super::ending::Ending;
 use super::pairs::Prospects;
 use super::trajectory::{Next, Trajectory};
 use arithmetic::Interval;

@@ -77,3 +77,10 @@ fn control_from_a_file() {
     let expected = FlockError::Control { expected: 4, rows: 2, cols: 2 };
     assert_eq!(flock.step_controlled(|_| Some(wrong)), Err(expected));
 }
+
+#[test]
+fn no_matrix_controls_more_birds_than_there_can_be() {
+    let two = RationalMatrix::identity(2).unwrap();
+    let refused = FlockError::Control { expected: usize::MAX, rows: 2, cols: 2 };
+    assert_eq!(models::averaging::check_control(&two, usize::MAX, 2), Err(refused));
+}

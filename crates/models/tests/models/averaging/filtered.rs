@@ -1,7 +1,7 @@
 //! Flocks stepped by balls against exact ones: the same networks, bit for bit.
 
 use super::flock::starts;
-use arithmetic::{Rational, rational};
+use arithmetic::{Rational, Unwatched, rational};
 use models::averaging::{FilteredFlock, Flock, Hysteresis, Start, Weights};
 use num_traits::Pow;
 use proptest::prelude::*;
@@ -9,12 +9,12 @@ use proptest::prelude::*;
 fn agree(start: &Start, steps: u64) {
     let (mut exact, mut filtered) = (Flock::new(start).unwrap(), FilteredFlock::new(start).unwrap());
     for t in 1..=steps {
-        assert_eq!(filtered.step(), exact.step(), "t = {t} of {start:?}");
+        assert_eq!(filtered.step(&Unwatched), exact.step(), "t = {t} of {start:?}");
         assert_eq!(filtered.network(), exact.network());
     }
     assert_eq!(filtered.time(), *exact.time());
     assert_eq!(filtered.denominator_bits(), exact.denominator_bits());
-    let after = filtered.exact(&arithmetic::Unwatched).unwrap();
+    let after = filtered.exact(&Unwatched).unwrap();
     assert_eq!((after.positions(), after.velocities()), (exact.positions(), exact.velocities()));
 }
 

@@ -108,7 +108,18 @@ fn an_edge_that_will_be_lost_is_not_held_for_good() {
     let (mut exact, mut filtered) =
         (Flock::new(&start).expect("a flock"), FilteredFlock::new(&start).expect("a flock"));
     for edges in [2, 1, 1, 1] {
-        assert_eq!(filtered.step(), exact.step());
+        assert_eq!(filtered.step(&arithmetic::Unwatched), exact.step());
         assert_eq!((exact.network().edges().len(), filtered.network() == exact.network()), (edges, true));
     }
+}
+
+/// `n^4 log2 n` is about `2^60.4` for the first number of birds here and above `2^64` for the last.
+#[test]
+fn thresholds_with_exponents_beyond_an_integer_have_no_logarithm() {
+    let below = |birds: usize| Hysteresis::Paper.log2_below(birds);
+    assert!(below(18_000).is_some_and(|log2| log2 < -(1 << 60)));
+    assert_eq!([21_000, 40_000, 70_000, usize::MAX].map(below), [None; 4]);
+    assert_eq!((below(0), below(1)), (None, Some(-3)));
+    let error = FlockError::ThresholdTooSmall { birds: 21_000 }.to_string();
+    assert_eq!(error, "the hysteresis threshold of the paper is too small to be enclosed for 21000 birds");
 }

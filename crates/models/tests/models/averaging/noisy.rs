@@ -1,7 +1,7 @@
 //! The noisy flock against a naive twin.
 
 use arithmetic::random::{generator, uniform};
-use models::averaging::NoisyFlock;
+use models::averaging::{NoisyError, NoisyFlock};
 use std::f64::consts::TAU;
 
 /// The shortest vector from one place to the other in the periodic square.
@@ -70,4 +70,14 @@ fn places_are_wrapped_into_the_square() {
     let flock = NoisyFlock { positions: vec![], headings: vec![], side: 2.0, radius: 1.0, speed: 0.1, noise: 0.0 };
     let wrapped = [-1e-20, 0.0, 1.5, 2.0, 3.5, -0.5].map(|x| flock.wrapped(x));
     assert_eq!(wrapped, [0.0, 0.0, 1.5, 0.0, 1.5, 1.5]);
+}
+
+#[test]
+fn birds_without_a_heading_are_refused() {
+    let mut random = generator("noisy", "headings", 0);
+    for (birds, found) in [(2, 1), (1, 2), (0, 1)] {
+        let (positions, headings) = (vec![[0.5, 0.5]; birds], vec![0.0; found]);
+        let mut flock = NoisyFlock { positions, headings, side: 2.0, radius: 1.0, speed: 0.1, noise: 0.0 };
+        assert_eq!(flock.step(&mut random), Err(NoisyError::Headings { birds, found }));
+    }
 }

@@ -66,3 +66,11 @@ fn weights_of_all_birds_count() {
     assert!(!given([(1, 2), (1, 2), (1, 2)]).are_admissible(&path));
     assert!(!given([(1, 2), (1, 3), (0, 1)]).are_admissible(&path));
 }
+
+/// The clock of the run may stand at its end.
+#[test]
+fn stabilisers_of_the_last_time_have_times() {
+    let mut observer = Observer::new(3, u64::MAX, false);
+    observer.push(u64::MAX, &Graph::path(3), &Weights::Lazy, &Unwatched).unwrap();
+    assert!(observer.stabilisers().iter().all(|s| s.time == usize::MAX));
+}

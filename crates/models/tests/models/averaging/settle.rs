@@ -617,7 +617,7 @@ proptest! {
         let (jumped, settled) = all_switches(&start, &Limits::default());
         prop_assert!(matches!(settled.ending, Ending::Steady), "{}", settled.why);
         let mut flock = models::averaging::FilteredFlock::new(&start).unwrap();
-        let stepped: Vec<Switch> = (0..4000).filter_map(|_| flock.step().unwrap()).collect();
+        let stepped: Vec<Switch> = (0..4000).filter_map(|_| flock.step(&Unwatched).unwrap()).collect();
         let jumped: Vec<Switch> = jumped.into_iter().filter(|s| s.time <= 4000.into()).collect();
         prop_assert_eq!(jumped, stepped);
     }

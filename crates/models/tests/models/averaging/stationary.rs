@@ -129,3 +129,13 @@ fn directed_networks_contract_towards_a_bird_that_all_hear() {
     let wide = RationalMatrix::from_integers(&[[1, 1]], 2).expect("a shape");
     assert_eq!(contraction(&wide), Err(MatrixError::NotSquare { rows: 1, cols: 2 }));
 }
+
+/// Twice and three times the number of neighbours have to be numbers still.
+#[test]
+fn weights_are_for_numbers_of_neighbours_that_a_graph_has() {
+    for degree in [usize::MAX, 1 << 63, (1 << 63) - 1] {
+        assert_eq!((Weights::Lazy.of(degree, 0), Weights::Vicsek.of(degree, 0)), (None, None), "{degree}");
+    }
+    assert_eq!(Weights::Lazy.of(1 << 61, 0), Some(rational(2, 3 << 61)));
+    assert_eq!(Weights::Vicsek.of((1 << 63) - 2, 0), Some(rational(1, i64::MAX)));
+}

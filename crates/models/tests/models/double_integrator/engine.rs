@@ -44,8 +44,9 @@ fn signals_impose_energy_at_their_times() {
     // A graph from the end on is in force there; one from later on is not.
     for (from, is_in_force) in [(1.5, true), (2.0, true), (2.5, false)] {
         let signal = Network::Signal(vec![(-1.0, star.clone()), (0.0, path.clone()), (from, star.clone())]);
-        let motion = flock(signal).run(2.0, &[0.0, from.min(2.0), 2.0], &options).unwrap();
-        let alone = flock(Network::Fixed(path.clone())).run(from.min(2.0), &[from.min(2.0)], &options).unwrap();
+        let motion = flock(signal).run(2.0, &[0.0, from.min(2.0), 2.0], &options, &Unwatched).unwrap();
+        let alone =
+            flock(Network::Fixed(path.clone())).run(from.min(2.0), &[from.min(2.0)], &options, &Unwatched).unwrap();
         let there = &motion.samples[1];
         assert!(distance(&there.state, &alone.samples[0].state) < 1e-9);
         assert_eq!((&motion.samples[0].links, motion.samples[0].time), (&path.edges(), 0.0));
@@ -81,17 +82,17 @@ impl Progress for After {
 fn stopped_runs_keep_what_they_reached() {
     let flock = flock(Network::Fixed(Graph::path(4)));
     let times: Vec<f64> = (0..=50).map(|k| f64::from(k) * 0.1).collect();
-    let whole = flock.run(5.0, &times, &Options::default()).unwrap();
+    let whole = flock.run(5.0, &times, &Options::default(), &Unwatched).unwrap();
     let mut before = 0.0;
     for steps in [0, 1, 3, 5] {
-        let (motion, end) = flock.run_watched(5.0, &times, &Options::default(), &After(steps, AtomicUsize::new(0)));
+        let (motion, end) = flock.run_as_far(5.0, &times, &Options::default(), &After(steps, AtomicUsize::new(0)));
         let Err(MotionError::Halted(time)) = end else { panic!("{end:?}") };
         assert!(if steps == 0 { time == 0.0 } else { time > before }, "{steps} {time}");
         assert_eq!(motion.samples.len(), times.iter().filter(|t| **t < time).count());
         assert_eq!(motion.samples, whole.samples[..motion.samples.len()]);
         before = time;
     }
-    let (motion, end) = flock.run_watched(5.0, &times, &Options::default(), &Unwatched);
+    let (motion, end) = flock.run_as_far(5.0, &times, &Options::default(), &Unwatched);
     assert_eq!((motion, end), (whole, Ok(())));
 }
 
@@ -101,7 +102,7 @@ fn arrivals_are_counted() {
     let nothing = Potential::new(Vec::new(), (rational(1, 1), rational(0, 1)));
     let start = State { positions: vec![[-5.0, 1.99], [0.0, 0.0]], velocities: vec![[1.0, 0.0], [0.0, 0.0]] };
     let flock = Flock::new(Alignment::Velocity, nothing, Network::Within(2.0), start).unwrap();
-    let run = |most_events| flock.run(20.0, &[], &Options { most_events, ..Options::default() });
+    let run = |most_events| flock.run(20.0, &[], &Options { most_events, ..Options::default() }, &Unwatched);
     let all = run(2).unwrap();
     assert_eq!(all.events.len(), 2);
     for count in [0, 1] {
@@ -116,13 +117,14 @@ fn limits_of_runs_are_those_that_are_told() {
     let flock = flock(Network::Fixed(Graph::path(4)));
     let with = |relative, absolute| {
         let tolerance = Tolerance { relative, absolute };
-        flock.run(0.0, &[], &Options { tolerance, ..Options::default() }).map(|motion| motion.steps)
+        flock.run(0.0, &[], &Options { tolerance, ..Options::default() }, &Unwatched).map(|motion| motion.steps)
     };
     for bad in [0.0, 1.0, -1e-9, f64::INFINITY] {
         assert!(with(bad, 1e-9).is_err() && with(1e-9, bad).is_err(), "{bad}");
     }
     assert!(with(0.99, 0.99).is_ok());
-    let run = |until, samples: &[f64]| flock.run(until, samples, &Options::default()).map(|m| m.samples.len());
+    let run =
+        |until, samples: &[f64]| flock.run(until, samples, &Options::default(), &Unwatched).map(|m| m.samples.len());
     assert_eq!(run(f64::INFINITY, &[]), Err(MotionError::Until(f64::INFINITY)));
     assert_eq!(run(0.1, &[0.0, 0.0, 0.05, 0.1, 0.1]), Ok(5));
     for (samples, sample) in [(&[0.05, 0.2][..], 0.2), (&[-0.1], -0.1), (&[0.1, 0.05], 0.05)] {
@@ -141,7 +143,7 @@ fn held() -> Flock {
 fn runs_that_stay_end_where_none_stays() {
     let options = Options { prefer: Prefer::Stay, ..Options::default() };
     let times: Vec<f64> = (0..=20).map(|k| f64::from(k) * 0.05).collect();
-    let whole = held().run(1.0, &times, &options).unwrap();
+    let whole = held().run(1.0, &times, &options, &Unwatched).unwrap();
     let left = whole.events.iter().find(|e| e.pair == (0, 1) && e.kind != EventKind::Stay).unwrap().time;
     for from in [0.0, 7.0] {
         let later: Vec<f64> = times.iter().map(|t| from + t).collect();
@@ -157,7 +159,7 @@ fn runs_that_stay_end_where_none_stays() {
         for (sample, known) in motion.samples.iter().zip(&whole.samples).take(motion.samples.len() - 1) {
             assert!((sample.time - from - known.time).abs() < 1e-12 && distance(&sample.state, &known.state) < 1e-7);
         }
-        let there = held().run(last.time - from, &[last.time - from], &options).unwrap();
+        let there = held().run(last.time - from, &[last.time - from], &options, &Unwatched).unwrap();
         assert!(distance(&there.samples[0].state, &last.state) < 1e-7);
         // No longer than asked for.
         let (short, end) = held().run_staying(from, &links, &[from + 0.1], &options, &Unwatched);
@@ -181,7 +183,7 @@ fn heading_alignment_follows_its_law() {
     for reading in [HeadingDifference::Wrapped, HeadingDifference::Raw] {
         let network = Network::Fixed(Graph::path(4));
         let flock = Flock::new(Alignment::Heading(reading), spring(), network, start()).unwrap();
-        let found = flock.run(1.0, &[1.0], &Options::default()).unwrap();
+        let found = flock.run(1.0, &[1.0], &Options::default(), &Unwatched).unwrap();
         let law = |state: &State<f64>| -> Result<_, ArithmeticError> {
             let gradients = potential_gradients(&state.positions, &edges, PLANE, |_, _, s| spring().slope(s))?;
             let angles = state.velocities.iter().map(heading).collect::<Result<Vec<f64>, _>>()?;
@@ -223,7 +225,7 @@ fn pairs_part_where_the_weight_would_be_more_than_one() {
         let [positions, velocities] = agents.map(|x| x.map(|x| [x, 0.0]).to_vec());
         let flock =
             Flock::new(Alignment::Velocity, spring(), Network::Within(2.0), State { positions, velocities }).unwrap();
-        let motion = flock.run(time + 0.01, &[], &options).unwrap();
+        let motion = flock.run(time + 0.01, &[], &options, &Unwatched).unwrap();
         let events: Vec<_> = motion.events.iter().map(|e| (e.pair, e.kind)).collect();
         assert_eq!(events, [((1, 2), EventKind::Stay), ((1, 2), EventKind::Unlink)], "{k} {time}");
         assert!((motion.events[1].time - time).abs() < 3e-7, "{k}: {} {time}", motion.events[1].time);
@@ -236,7 +238,7 @@ fn steps_before_and_after_an_arrival_are_counted() {
     let start = State { positions: vec![[5.0, 0.0], [0.0, 0.0]], velocities: vec![[-1.0, 0.0], [0.0, 0.0]] };
     let steps = |until: f64| {
         let flock = Flock::new(Alignment::Velocity, spring(), Network::Within(2.0), start.clone()).unwrap();
-        flock.run(until, &[], &Options::default()).unwrap().steps
+        flock.run(until, &[], &Options::default(), &Unwatched).unwrap().steps
     };
     // One more, cut short by the end.
     assert!(steps(2.999) > 1);

@@ -1,6 +1,6 @@
 //! Pairs at distance exactly `R`: the ways on, exactly and followed.
 
-use arithmetic::{Rational, rational};
+use arithmetic::{Rational, Unwatched, rational};
 use models::double_integrator::{
     Alignment, Branch, Coordinates, EventKind, Flock, Fork, ForkError, MotionError, Network, Options, Potential,
     Prefer, State, Way, fork,
@@ -47,10 +47,10 @@ fn two_agents_at_rest_stay_or_fall_together() {
     let decided = |way| Branch { ways: vec![((0, 1), way)], decided: true };
     assert_eq!(found.branches, [decided(Way::Enters), decided(Way::Stays(rational(0, 1)))]);
     assert_eq!(found.grazing, [(0, 1)]);
-    let rest = flock(AT_REST).run(5.0, &[5.0], &Options::default()).unwrap();
+    let rest = flock(AT_REST).run(5.0, &[5.0], &Options::default(), &Unwatched).unwrap();
     assert_eq!(&rest.samples[0].state, flock(AT_REST).start());
     assert_eq!((rest.choices.len(), rest.choices[0].taken), (1, 1));
-    let fall = flock(AT_REST).run(5.0, &[5.0], &prefer(Prefer::Enter)).unwrap();
+    let fall = flock(AT_REST).run(5.0, &[5.0], &prefer(Prefer::Enter), &Unwatched).unwrap();
     assert_eq!(fall.events[0].kind, EventKind::Link);
     assert!((PLANE.square(&fall.samples[0].state.separation(0, 1)) - 1.0).abs() < 0.2);
     assert!(fall.energy.is_monotone());
@@ -64,16 +64,16 @@ fn two_agents_moving_across_can_do_three_things() {
     assert_eq!(ways(ACROSS).branches, expected);
     let times = [1.0, 10.0, 100.0];
     // Leaving: free flight.
-    let away = flock(ACROSS).run(100.0, &times, &prefer(Prefer::Leave)).unwrap();
+    let away = flock(ACROSS).run(100.0, &times, &prefer(Prefer::Leave), &Unwatched).unwrap();
     for sample in &away.samples {
         assert!((PLANE.square(&sample.state.separation(0, 1)) - 4.0 - sample.time * sample.time).abs() < 1e-8);
     }
     // Entering: the distance falls at once.
-    let in_ = flock(ACROSS).run(0.1, &[0.1], &prefer(Prefer::Enter)).unwrap();
+    let in_ = flock(ACROSS).run(0.1, &[0.1], &prefer(Prefer::Enter), &Unwatched).unwrap();
     let s = PLANE.square(&in_.samples[0].state.separation(0, 1));
     assert!((s - (4.0 - 14.0 * 0.01)).abs() < 0.01, "{s}");
     // Staying: the relative speed u obeys u' = -2m u with the weight m = 2u²/30, so u = 1/sqrt(1 + 8t/30).
-    let stay = flock(ACROSS).run(100.0, &times, &prefer(Prefer::Stay)).unwrap();
+    let stay = flock(ACROSS).run(100.0, &times, &prefer(Prefer::Stay), &Unwatched).unwrap();
     for sample in &stay.samples {
         let (r, v) = (sample.state.separation(0, 1), sample.state.relative_velocity(0, 1));
         let speed = 1.0 / (1.0 + 8.0 * sample.time / 30.0).sqrt();
@@ -83,8 +83,8 @@ fn two_agents_moving_across_can_do_three_things() {
     assert!(stay.energy.is_monotone(), "{:?}", stay.energy);
     // By number.
     let first = |k| Options { first_branch: Some(k), ..Options::default() };
-    assert_eq!(flock(ACROSS).run(100.0, &times, &first(2)).unwrap(), stay);
-    let refused = flock(ACROSS).run(1.0, &[], &first(3));
+    assert_eq!(flock(ACROSS).run(100.0, &times, &first(2), &Unwatched).unwrap(), stay);
+    let refused = flock(ACROSS).run(1.0, &[], &first(3), &Unwatched);
     assert_eq!(refused, Err(MotionError::NoSuchBranch { index: 3, count: 3 }));
 }
 
@@ -138,7 +138,7 @@ fn staying_ends_where_no_weight_does() {
     let agents: Agents = &[((0, 0), (0, 0)), ((4, 0), (0, 0)), ((7, 0), (0, 0))];
     let found = ways(agents);
     assert_eq!(found.branches.len(), 3);
-    let motion = flock(agents).run(2.0, &[0.1, 2.0], &prefer(Prefer::Stay)).unwrap();
+    let motion = flock(agents).run(2.0, &[0.1, 2.0], &prefer(Prefer::Stay), &Unwatched).unwrap();
     assert_eq!(motion.events[0].kind, EventKind::Stay);
     assert!((PLANE.square(&motion.samples[0].state.separation(0, 1)) - 4.0).abs() < 1e-9);
     let next = motion.events.iter().find(|e| e.pair == (0, 1) && e.kind != EventKind::Stay).unwrap();
@@ -164,11 +164,11 @@ fn where_links_push_apart_pairs_stay_at_the_threshold() {
     let found = fork(&exact, &rational(4, 1), PLANE, &wide).unwrap();
     assert_eq!(found.branches.len(), 1);
     assert!(found.branches[0].decided && matches!(found.branches[0].ways[0].1, Way::Stays(_)));
-    let still = flock(0.0).run(3.0, &[0.01], &Options::default()).unwrap();
+    let still = flock(0.0).run(3.0, &[0.01], &Options::default(), &Unwatched).unwrap();
     assert!(still.events[0].kind == EventKind::Stay && still.choices.iter().all(|c| c.time > 0.0));
     assert!((PLANE.square(&still.samples[0].state.separation(0, 1)) - 4.0).abs() < 1e-12);
     // Near it the pair switches ever faster until it stays.
-    let moving = flock(0.05).run(3.0, &[], &Options::default()).unwrap();
+    let moving = flock(0.05).run(3.0, &[], &Options::default(), &Unwatched).unwrap();
     assert!(moving.events.len() < 10_000 && moving.energy.is_monotone(), "{} {:?}", moving.events.len(), moving.energy);
 }
 
@@ -228,7 +228,7 @@ fn one_side_at_rest_is_no_equilibrium() {
     }
     // The same by following it: without the link the distance grows like the square of the way across.
     let [start, later] = [0.0, 0.004].map(|time| {
-        let motion = flock(&agents).run(time, &[time], &prefer(Prefer::Leave)).unwrap();
+        let motion = flock(&agents).run(time, &[time], &prefer(Prefer::Leave), &Unwatched).unwrap();
         PLANE.square(&motion.samples[0].state.separation(0, 1))
     });
     let across = 1470.0 * 0.004f64.powi(3) / 6.0;

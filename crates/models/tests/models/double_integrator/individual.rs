@@ -32,7 +32,7 @@ fn flock(state: &State<f64>) -> Flock {
 /// All in the same steps, Dormand and Prince of order eight.
 fn together(state: &State<f64>, until: f64) -> Motion {
     let tolerance = Tolerance { relative: 1e-13, absolute: 1e-13 };
-    flock(state).run(until, &[until], &Options { tolerance, ..Options::default() }).unwrap()
+    flock(state).run(until, &[until], &Options { tolerance, ..Options::default() }, &Unwatched).unwrap()
 }
 
 struct Run {

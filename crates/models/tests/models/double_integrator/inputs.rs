@@ -1,7 +1,7 @@
 //! What is refused, and in which words.
 
 use algebra::graph::Graph;
-use arithmetic::rational;
+use arithmetic::{Unwatched, rational};
 use models::double_integrator::{
     Alignment, Flock, HeadingDifference, InputError, MotionError, Network, Options, Potential, State,
 };
@@ -102,20 +102,23 @@ fn headings_are_needed_by_heading_alignment_only() {
 fn bad_runs_are_refused() {
     let flock = Flock::new(Alignment::Velocity, potential(), Network::Within(1.5), pair(1.0)).unwrap();
     let options = Options::default();
-    assert!(matches!(flock.run(f64::NAN, &[], &options), Err(MotionError::Until(_))));
-    assert_eq!(flock.run(-1.0, &[], &options), Err(MotionError::Until(-1.0)));
+    assert!(matches!(flock.run(f64::NAN, &[], &options, &Unwatched), Err(MotionError::Until(_))));
+    assert_eq!(flock.run(-1.0, &[], &options, &Unwatched), Err(MotionError::Until(-1.0)));
     for samples in [vec![2.0], vec![0.5, 0.25], vec![-1.0], vec![f64::NAN], vec![0.1, f64::NAN]] {
-        assert!(matches!(flock.run(1.0, &samples, &options), Err(MotionError::Samples { .. })), "{samples:?}");
+        assert!(
+            matches!(flock.run(1.0, &samples, &options, &Unwatched), Err(MotionError::Samples { .. })),
+            "{samples:?}"
+        );
     }
     for (relative, absolute) in [(0.0, 1e-9), (1e-9, 0.0), (f64::NAN, 1e-9), (2.0, 1e-9)] {
         let options = Options { tolerance: Tolerance { relative, absolute }, ..options };
-        assert!(matches!(flock.run(1.0, &[], &options), Err(MotionError::Tolerance(_))));
+        assert!(matches!(flock.run(1.0, &[], &options, &Unwatched), Err(MotionError::Tolerance(_))));
     }
-    assert_eq!(flock.run(0.0, &[0.0, 0.0], &options).unwrap().samples.len(), 2);
+    assert_eq!(flock.run(0.0, &[0.0, 0.0], &options, &Unwatched).unwrap().samples.len(), 2);
     let few = Options { most_events: 0, ..options };
     let fast = state(&[[0.0, 0.0], [3.0, 0.0]], &[[1.0, 0.0], [0.0, 0.0]]);
     let flock = Flock::new(Alignment::Velocity, potential(), Network::Within(1.5), fast).unwrap();
-    let stopped = flock.run(5.0, &[], &few).unwrap_err().to_string();
+    let stopped = flock.run(5.0, &[], &few, &Unwatched).unwrap_err().to_string();
     assert!(stopped.ends_with(", the last of agents 1 and 2"), "{stopped}");
 }
 
@@ -126,7 +129,7 @@ fn singular_motions_stop_with_the_agents_named() {
     let start = state(&[[0.0, 0.0], [5.0, 0.0], [1.0, 0.0]], &[[0.0, 0.0]; 3]);
     let network = Network::Fixed(Graph::from_edges(3, &[(0, 2)]).unwrap());
     let flock = Flock::new(Alignment::Velocity, falling, network, start).unwrap();
-    match flock.run(10.0, &[], &Options::default()) {
+    match flock.run(10.0, &[], &Options::default(), &Unwatched) {
         Err(error @ MotionError::Stuck { .. }) => {
             assert!(error.to_string().contains("agents 1 and 3"), "{error}");
         }
@@ -136,7 +139,7 @@ fn singular_motions_stop_with_the_agents_named() {
     let same = state(&[[0.0, 0.0], [0.0, 0.0]], &[[0.0, 0.0]; 2]);
     let network = Network::Signal(vec![(0.0, Graph::empty(2)), (1.0, Graph::path(2))]);
     let flock = Flock::new(Alignment::Velocity, potential(), network, same).unwrap();
-    let error = flock.run(2.0, &[], &Options::default()).unwrap_err().to_string();
+    let error = flock.run(2.0, &[], &Options::default(), &Unwatched).unwrap_err().to_string();
     assert_eq!(
         error,
         "at t = 1 a new graph comes into force: agents 1 and 2 are linked and in the same place, where the potential is infinite"

@@ -273,6 +273,7 @@ fn refusals_are_errors() {
     assert!(heading_rate(&[q(0), q(0)], &[q(1), q(0)]).is_err());
     assert!(kinetic_energy::<Rational>(&[], PLANE).is_err());
     assert!(State::<Rational>::from_list(2, &[q(0), q(1)]).is_none());
+    assert!(State::<Rational>::from_list(1 << 62, &[]).is_none());
     assert_eq!(rotated(&[q(1), q(2)]), [q(-2), q(1)]);
     assert!((HeadingDifference::Wrapped.read(6.0) - (6.0 - std::f64::consts::TAU)).abs() < 1e-15);
     assert!((HeadingDifference::Wrapped.read(-6.0) + (6.0 - std::f64::consts::TAU)).abs() < 1e-15);

@@ -1,7 +1,7 @@
 //! The float motion: against a fixed-step twin, conserved momentum, falling energy.
 
 use algebra::graph::Graph;
-use arithmetic::rational;
+use arithmetic::{Unwatched, rational};
 use models::double_integrator::{
     Alignment, Coordinates, Flock, Network, Options, Pair, Potential, State, Vector, disagreement, follow,
     random_flock, velocity_alignment,
@@ -49,7 +49,7 @@ fn flock() -> Flock {
 
 #[test]
 fn both_methods_agree() {
-    let found = flock().run(3.0, &[3.0], &Options::default()).unwrap().samples.remove(0).state;
+    let found = flock().run(3.0, &[3.0], &Options::default(), &Unwatched).unwrap().samples.remove(0).state;
     let by_law = follow(&start(), &[3.0], Options::default().tolerance, |s| Ok(law(s))).unwrap().remove(0);
     let naive = naive(&start(), 3.0, 3000);
     for (a, b) in found.positions.iter().chain(&found.velocities).zip(naive.positions.iter().chain(&naive.velocities)) {
@@ -63,7 +63,7 @@ fn both_methods_agree() {
 #[test]
 fn momentum_stays_and_energy_falls() {
     let times: Vec<f64> = (0..=200).map(|k| f64::from(k) / 10.0).collect();
-    let motion = flock().run(20.0, &times, &Options::default()).unwrap();
+    let motion = flock().run(20.0, &times, &Options::default(), &Unwatched).unwrap();
     assert!(motion.energy.is_monotone(), "{:?}", motion.energy);
     assert!(motion.samples.windows(2).all(|w| w[1].energy <= w[0].energy + 1e-9));
     assert_eq!(motion.samples[0].energy, motion.energy.first);

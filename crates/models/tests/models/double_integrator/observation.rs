@@ -1,7 +1,7 @@
 //! What is seen of flocks, and the setups of the papers' simulations.
 
 use algebra::graph::Graph;
-use arithmetic::rational;
+use arithmetic::{ArithmeticError, Unwatched, rational};
 use models::double_integrator::{
     Alignment, Flock, HeadingReading, LinkRule, Network, Observation, Potential, Sample, Setup, State, Trial,
 };
@@ -184,7 +184,7 @@ fn the_closest_approach_is_that_of_the_cubics() {
     // As many stretches as are needed for none to be longer than asked for, and at least one.
     for (until, every, steps) in [(4.0, Some(0.75), 6), (4.0, Some(1.0), 4), (4.0, Some(9.0), 1), (4.0, None, 1)] {
         let times: Vec<f64> = (0..=steps).map(|k| until * f64::from(k) / f64::from(steps)).collect();
-        let samples = flock.run(until, &times, &Setup::OPTIONS).unwrap().samples;
+        let samples = flock.run(until, &times, &Setup::OPTIONS, &Unwatched).unwrap().samples;
         let trial = flock.trial(until, every, &Setup::OPTIONS).unwrap();
         assert_eq!((trial.start.time, trial.end.time), (0.0, until));
         assert_eq!(trial.end, Observation::of(&samples[samples.len() - 1], &spring()).unwrap());
@@ -209,4 +209,19 @@ fn links_that_change_at_once_do_so_together() {
     assert!(stayed(&[path]) && stayed(&[path, star]) && stayed(&[star, path]) && stayed(&[star, path, star, path]));
     let pair: &[_] = &[(0, 1)];
     assert!(!stayed(&[pair]) && !stayed(&[pair, path]) && !stayed(&[path, pair]) && !stayed(&[path, pair, star]));
+}
+
+#[test]
+fn samples_whose_lists_do_not_fit_are_refused() {
+    let sample = |positions: Vec<[f64; 2]>, velocities: Vec<[f64; 2]>, links: Vec<(usize, usize)>| {
+        let sample = Sample { time: 0.0, state: State { positions, velocities }, links, energy: 0.0 };
+        Observation::of(&sample, &log())
+    };
+    let (here, there) = ([0.0, 0.0], [1.0, 0.0]);
+    assert!(sample(vec![here, there], vec![here, here], vec![(0, 1)]).is_ok());
+    let domain = |found: Result<Observation, ArithmeticError>| matches!(found, Err(ArithmeticError::Domain(_)));
+    assert!(domain(sample(vec![here, there], vec![here], vec![])));
+    assert!(domain(sample(vec![here], vec![here, here], vec![])));
+    assert!(domain(sample(vec![here, there], vec![here, here], vec![(0, 2)])));
+    assert!(domain(sample(vec![], vec![], vec![])));
 }

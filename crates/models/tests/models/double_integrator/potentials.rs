@@ -1,6 +1,6 @@
 //! Potentials as sums of powers: multiples, slopes and curvatures, minima, Definition 3.
 
-use arithmetic::{Interval, Rational, rational};
+use arithmetic::{ArithmeticError, Interval, Rational, rational};
 use models::double_integrator::{Potential, PotentialError};
 
 fn potentials() -> Vec<Potential> {
@@ -109,4 +109,12 @@ fn the_numerator_of_a_slope_is_it_times_the_least_power_that_makes_it_a_polynomi
     assert_eq!(of(&[(1, 1), (2, 3)]), ("0 1 3".to_string(), 0));
     assert_eq!(of(&[(-2, -5), (0, 1)]), ("-5 0 1".to_string(), 2));
     assert_eq!(of(&[(-3, 1), (-2, -2)]), ("1 -2".to_string(), 3));
+}
+
+#[test]
+fn the_largest_exponent_has_no_integral() {
+    let potential = |k: i32| Potential::new(vec![(k, rational(1, 1))], (rational(1, 1), rational(0, 1)));
+    assert!(matches!(potential(i32::MAX).value(&1.0), Err(ArithmeticError::Domain(_))));
+    assert_eq!((potential(i32::MAX).slope(&1.0), potential(i32::MAX - 1).value(&1.0)), (Ok(1.0), Ok(0.0)));
+    assert_eq!(potential(i32::MIN).value(&1.0), Ok(0.0));
 }

@@ -1,7 +1,7 @@
 //! Motions with a network that switches: closed forms, ties, grazing, energy, and a twin that looks at many instants.
 
 use algebra::graph::Graph;
-use arithmetic::{Rational, rational};
+use arithmetic::{Rational, Unwatched, rational};
 use models::double_integrator::{
     Alignment, Coordinates, EventKind, Flock, Motion, Network, Options, Pair, Potential, State, follow, linked_within,
     random_flock, velocity_alignment,
@@ -28,7 +28,7 @@ fn flock(potential: Potential, network: Network, agents: &[([f64; 2], [f64; 2])]
 }
 
 fn run(flock: &Flock, until: f64) -> Motion {
-    flock.run(until, &[until], &Options::default()).unwrap()
+    flock.run(until, &[until], &Options::default(), &Unwatched).unwrap()
 }
 
 fn kinds(motion: &Motion) -> Vec<(Pair, EventKind)> {
@@ -163,7 +163,7 @@ fn random(seed: u64, count: usize, half: f64) -> Flock {
 fn links_are_those_of_the_distances_at_every_instant() {
     let times: Vec<f64> = (0..=6000).map(|k| f64::from(k) / 400.0).collect();
     for seed in 0..6 {
-        let motion = random(seed, 10, 3.0).run(15.0, &times, &Options::default()).unwrap();
+        let motion = random(seed, 10, 3.0).run(15.0, &times, &Options::default(), &Unwatched).unwrap();
         assert!(!motion.events.is_empty());
         for sample in &motion.samples {
             let near = linked_within(&sample.state.positions, &4.0, PLANE);
@@ -193,7 +193,7 @@ fn the_saturated_energy_neither_rises_nor_jumps() {
     for (seed, count, half) in (0..40).map(|seed| (seed, 10, 3.0)).chain([(50, 40, 6.0), (51, 3, 1.5), (52, 1, 1.0)]) {
         for relative in [1e-6, 1e-9, 1e-12] {
             let options = Options { tolerance: Tolerance { relative, absolute: relative }, ..Options::default() };
-            let motion = random(seed, count, half).run(10.0, &[], &options).unwrap();
+            let motion = random(seed, count, half).run(10.0, &[], &options, &Unwatched).unwrap();
             assert!(motion.energy.is_monotone(), "seed {seed}, {relative}: {:?}", motion.energy);
             assert!(motion.energy.last <= motion.energy.first);
         }
@@ -204,7 +204,7 @@ fn the_saturated_energy_neither_rises_nor_jumps() {
 fn samples_do_not_change_the_motion() {
     let times: Vec<f64> = (0..=100).map(|k| f64::from(k) / 10.0).collect();
     let flock = random(3, 10, 3.0);
-    let (few, many) = (run(&flock, 10.0), flock.run(10.0, &times, &Options::default()).unwrap());
+    let (few, many) = (run(&flock, 10.0), flock.run(10.0, &times, &Options::default(), &Unwatched).unwrap());
     assert_eq!((few.samples.last(), &few.events), (many.samples.last(), &many.events));
 }
 
@@ -223,7 +223,7 @@ fn tighter_tolerances_converge() {
     let flock = random(5, 8, 2.5);
     let of = |relative: f64| {
         let options = Options { tolerance: Tolerance { relative, absolute: relative }, ..Options::default() };
-        flock.run(6.0, &[6.0], &options).unwrap()
+        flock.run(6.0, &[6.0], &options, &Unwatched).unwrap()
     };
     let best = of(1e-13);
     for relative in [1e-7, 1e-9, 1e-11] {
@@ -242,7 +242,7 @@ fn signals_are_followed_piece_by_piece() {
     let agents =
         [([0.0, 0.0], [1.0, 0.0]), ([1.2, 0.1], [0.0, -0.5]), ([2.0, 1.0], [0.3, 0.3]), ([0.5, 2.0], [-0.2, 0.1])];
     let signal = Network::Signal(vec![(0.0, path.clone()), (1.5, star.clone()), (2.0, path.clone())]);
-    let motion = flock(spring(), signal, &agents).run(3.0, &[1.5, 3.0], &Options::default()).unwrap();
+    let motion = flock(spring(), signal, &agents).run(3.0, &[1.5, 3.0], &Options::default(), &Unwatched).unwrap();
     let law = |graph: &Graph| {
         let edges = graph.edges();
         move |s: &State<f64>| velocity_alignment(s, &edges, PLANE, |_, _, x| spring().slope(x))

@@ -1,6 +1,6 @@
 //! What counts as being at the distance `R`, and what is preferred there: both sides of each bound, from its formula.
 
-use arithmetic::{Rational, rational};
+use arithmetic::{Rational, Unwatched, rational};
 use models::double_integrator::{
     Alignment, Branch, Coordinates, EventKind, Flock, Motion, Network, Options, Potential, Prefer, State, Way, fork,
 };
@@ -20,7 +20,7 @@ fn flock(potential: Potential, agents: &[([f64; 2], [f64; 2])]) -> Flock {
 }
 
 fn at_once(flock: &Flock, options: &Options) -> Motion {
-    flock.run(0.0, &[], options).unwrap()
+    flock.run(0.0, &[], options, &Unwatched).unwrap()
 }
 
 /// Position and velocity of an agent, in whole numbers and in floats.
@@ -85,7 +85,9 @@ fn exact_starts_have_the_ways_of_the_exact_fork() {
             let linked = branch.ways.iter().filter(|(_, way)| *way == Way::Enters).map(|(pair, _)| *pair);
             let mut links: Vec<_> = before.iter().copied().chain(linked).collect();
             links.sort_by_key(|&(i, j)| (j, i));
-            let after = flock.run(0.0, &[0.0], &Options { first_branch: Some(taken), ..Options::default() }).unwrap();
+            let after = flock
+                .run(0.0, &[0.0], &Options { first_branch: Some(taken), ..Options::default() }, &Unwatched)
+                .unwrap();
             assert_eq!(after.samples[0].links, links);
         }
     }
@@ -214,8 +216,12 @@ fn open_signs_leave_ways_undecided() {
 /// `2 V'(R²)` times what `|r|² - R²` may be off.
 #[test]
 fn the_jump_that_is_allowed_is_that_of_rounding() {
-    let motion =
-        flock(spring(), &[([5.0, 0.0], [-1.0, 0.0]), ([0.0, 0.0], [0.0, 0.0])]).run(3.0001, &[], &Options::default());
+    let motion = flock(spring(), &[([5.0, 0.0], [-1.0, 0.0]), ([0.0, 0.0], [0.0, 0.0])]).run(
+        3.0001,
+        &[],
+        &Options::default(),
+        &Unwatched,
+    );
     let motion = motion.unwrap();
     assert_eq!(motion.events.iter().map(|e| e.kind).collect::<Vec<_>>(), [EventKind::Link]);
     let energy = 0.5 + 2.25;
@@ -227,7 +233,7 @@ fn the_jump_that_is_allowed_is_that_of_rounding() {
     // After a stay, the drift that the integrator's tolerance allows comes to it: 1000 R (absolute + relative R).
     let pair = [([0.0, 0.0], [0.0, 1.0]), ([2.0, 0.0], [0.0, 0.0])];
     let options = Options { prefer: Prefer::Stay, ..Options::default() };
-    let stay = flock(spring(), &pair).run(1.0, &[], &options).unwrap();
+    let stay = flock(spring(), &pair).run(1.0, &[], &options, &Unwatched).unwrap();
     assert!(stay.energy.jump.time == 0.0 && stay.energy.jump.allowed < 1e-11, "{:?}", stay.energy.jump);
     assert!(stay.energy.is_monotone());
 }

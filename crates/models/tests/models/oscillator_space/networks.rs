@@ -242,3 +242,14 @@ fn circle_centres_follow_circles_without_error() {
     assert!(largest > share && largest < 3.0 * share, "{largest}");
     assert!(by_places.advance_by_centres(0.0, (1.0, 1), turning).is_err());
 }
+
+#[test]
+fn fish_without_a_place_are_alone() {
+    let zones = Zones { repulsion: 1.0, orientation: 2.0, attraction: 4.0, blind_cosine_squared: 1.0 };
+    let (places, heading) = (vec![Complex::new(0.0, 0.0), Complex::new(0.5, 0.0)], Complex::new(1.0, 0.0));
+    let network = |fish: usize| {
+        zones.network(Zone::Repulsion, &State { positions: places.clone(), phasors: vec![heading.clone(); fish] })
+    };
+    assert_eq!(network(3), Neighbours::from_arcs(3, network(2).arcs().collect::<Vec<_>>()));
+    assert_eq!((network(2).arcs().count(), network(1).arcs().count()), (2, 0));
+}

@@ -120,3 +120,9 @@ fn twists_are_those_of_the_mean_step() {
         assert!(m == 0 && (off - 0.3).abs() < 1e-12, "{m} {off}");
     }
 }
+
+#[test]
+fn the_gap_between_clusters_is_known_for_any_number_of_phases() {
+    assert_eq!((cluster_gap(0), cluster_gap(1), cluster_gap(24)), (CLUSTER, CLUSTER, TAU / 72.0));
+    assert_eq!(cluster_gap(usize::MAX), TAU / (3.0 * usize::MAX as f64));
+}

@@ -3,7 +3,9 @@
 use algebra::matrix::solve_over_field;
 use arithmetic::{Complex, Interval, Rational, Ring, Series, rational};
 use models::platoon::modes::Mode;
-use models::platoon::{CommunicationError, CommunicationGraph, Gains, Neighbourhood, amplitude_with_first_car};
+use models::platoon::{
+    Communication, CommunicationError, CommunicationGraph, Gains, Neighbourhood, amplitude_with_first_car,
+};
 
 fn real(x: Rational) -> Complex<Rational> {
     Complex::real(x)
@@ -105,6 +107,15 @@ fn moments_symbols_and_margins_of_wide_rules() {
     assert_eq!(rule(&[(0, 1)]), Err(CommunicationError::Weights(0)));
     let sums = [rule(&[]), rule(&[(0, 1)]), rule(&[(-1, -1), (1, 3)]), rule(&[(-1, 0)])];
     assert!(sums.iter().all(Result::is_err));
+}
+
+/// Nobody is so far away; sums of offsets and places do not overflow.
+#[test]
+fn offsets_of_any_size_lead_to_nobody() {
+    let far = Neighbourhood::new([(i64::MIN, rational(1, 1)), (-1, rational(1, 1)), (i64::MAX, rational(1, 1))]);
+    let far = far.expect("a rule");
+    assert_eq!(far.graph(3), CommunicationGraph::of(Communication::Front, 3));
+    assert_eq!(far.graph(usize::MAX), Err(CommunicationError::TooManyFollowers(usize::MAX)));
 }
 
 #[test]

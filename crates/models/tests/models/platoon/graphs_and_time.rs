@@ -2,14 +2,15 @@
 
 use algebra::matrix::characteristic_coefficients;
 use algebra::spectrum::Polynomial;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, rational};
+use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, Signed, rational};
 use models::platoon::modes::{Mode, mode_angle, mode_eigenvalue};
 use models::platoon::time_domain::{Followers, Modes};
 use models::platoon::vector_form::{characteristic_by_modes, motion_matrix, motion_rows};
 use models::platoon::{
     Communication, CommunicationError, CommunicationGraph, Gains, accelerations, amplitude_one_sided,
-    amplitudes_two_sided, argument, gamma, larger_root_modulus, larger_root_power, lesser_resonance, next_order,
-    peak_on_graph, phase_lag_one_sided, phase_lags_two_sided, resonance, slowest_rate, theorem1,
+    amplitudes_two_sided, argument, gamma, is_below_full_phase, larger_root_modulus, larger_root_power,
+    lesser_resonance, next_order, peak_on_graph, phase_lag_one_sided, phase_lags_two_sided, resonance, slowest_rate,
+    theorem1,
 };
 use proptest::prelude::*;
 
@@ -488,4 +489,38 @@ fn a_swinging_leader_and_any_start_are_followed_as_by_the_law() {
         let rate = (after.positions[k] - before.positions[k]) / (2.0 * h);
         assert!((rate - now.velocities[k]).abs() < 1e-6, "{k}");
     }
+}
+
+#[test]
+fn platoons_that_no_list_holds_are_refused() {
+    let most = usize::MAX;
+    let refused = Err(CommunicationError::TooManyFollowers(most));
+    assert_eq!(CommunicationGraph::of(Communication::Front, most), refused);
+    assert_eq!(CommunicationGraph::star(most), refused);
+    assert_eq!(CommunicationGraph::nth_neighbours(1, most), refused);
+    assert_eq!(CommunicationGraph::in_series(&[2, most]), refused);
+    assert_eq!(CommunicationGraph::in_series(&[most, most]), refused);
+    assert_eq!(CommunicationGraph::in_series_behind(most, &[2]), refused);
+}
+
+/// The angle of the last mode is `pi (1 - 1/(2M))`, that of the first `pi/(2M)`, also where twice `M` does not fit 64 bits.
+#[test]
+fn modes_of_platoons_of_any_length_have_angles() {
+    let like = Interval::from_rational(&rational(1, 1), 120);
+    for m in [1, 3, u64::MAX / 4, u64::MAX / 2, u64::MAX] {
+        let share = Rational::new(1.into(), num_bigint::BigInt::from(m) * 2);
+        for (k, exact) in [(1, share.clone()), (m, rational(1, 1) - &share)] {
+            let angle = mode_angle(&like, m, k);
+            let off = (angle.clone() - like.pi() * like.rational(&exact)).to_f64().abs();
+            assert!(off < 1e-30 && angle.is_certainly_positive(), "{m} {k} {angle}");
+        }
+    }
+    let gains = Gains { f: rational(-1, 1), g: rational(-1, 1) };
+    let slow = slowest_rate(&gains.map(|q| Interval::from_rational(q, 200)), u64::MAX).expect("a rate");
+    // lambda |g|/2 with lambda = 2 sin²(pi/(4M)).
+    assert!((slow.to_f64() * (4.0 * u64::MAX as f64 / std::f64::consts::PI).powi(2) - 1.0).abs() < 1e-9, "{slow}");
+    // |gamma - 1| = w² at f = 0-like gains is far above 4/M² at w = 1 and far below at the frequency of the first mode.
+    let below =
+        |w: f64| is_below_full_phase(&gains, u64::MAX, &Interval::from_rational(&Rational::from_float(w).unwrap(), 64));
+    assert!(!below(1.0) && below(0.1 / u64::MAX as f64));
 }

@@ -223,3 +223,11 @@ fn an_analysis_tells_its_frames_and_checks_its_choices() {
     let error = analyse(&tracks, &Choices { window: 4, ..choices }, &Unwatched).expect_err("no middle frame");
     assert_eq!(error, ChoicesError::EvenWindow(4));
 }
+
+#[test]
+fn no_fish_and_any_number_of_neighbours_are_answered() {
+    let nobody = synthetic_school(School::Milling, &setting(0, 0));
+    let error = analyse(&nobody, &Choices::of_sidebar(0.1), &Unwatched).expect_err("no fish");
+    assert_eq!(error, ChoicesError::NothingLeft("there are no fish in the recording".into()));
+    assert_eq!(Scale::ALL.map(|scale| scale.ratio(i64::MAX)), [(2, i64::MAX), (i64::MAX, i64::MAX), (1, i64::MAX)]);
+}

@@ -318,3 +318,34 @@ fn nearest_neighbours_are_those_of_sorted_distances() {
         assert_eq!(nearest_neighbour(&positions, fish, None), fish);
     }
 }
+
+/// Recordings have public parts, which somebody may put together so that they do not fit.
+#[test]
+fn recordings_whose_parts_do_not_fit_are_refused() {
+    let whole = synthetic_school(School::Milling, &setting(3, 9));
+    let choices = Choices { window: 1, ..Choices::of_sidebar(0.1) };
+    assert!(analyse(&whole, &choices, &Unwatched).is_ok());
+    let broken = |break_it: &dyn Fn(&mut Tracks)| {
+        let mut tracks = whole.clone();
+        break_it(&mut tracks);
+        tracks
+    };
+    let cases = [
+        broken(&|tracks| tracks.positions[1].truncate(4)),
+        broken(&|tracks| drop(tracks.positions.pop())),
+        broken(&|tracks| tracks.positions.push(Vec::new())),
+        broken(&|tracks| tracks.frames.truncate(5)),
+        broken(&|tracks| tracks.frames.reverse()),
+        broken(&|tracks| tracks.frames[8].number = u64::MAX),
+    ];
+    for (place, tracks) in cases.iter().enumerate() {
+        let error = ChoicesError::Recording { fish: 3, frames: tracks.frames.len() };
+        // A gap is no fault of a recording.
+        assert_eq!(analyse(tracks, &choices, &Unwatched).err(), (place < 5).then_some(error), "{place}");
+        Motion::new(tracks, 3, 0.0);
+        assert!(tracks.to_csv().starts_with("t,id,x,y\n") && tracks.recorded_frames() > 0);
+        assert!(tracks.only(&["1".into(), "3".into()]).is_ok());
+    }
+    let error = Choices { nearest: vec![1], ..choices }.check(0).expect_err("no fish");
+    assert_eq!(error.to_string(), "0 fish have between 1 and 0 neighbours, not 1");
+}

@@ -1,7 +1,7 @@
 //! What is measured on the enclosed states of a piece of time.
 
 use super::laws::phasors_of;
-use super::{BITS, narrowed, widened};
+use super::numbers::{BITS, narrowed, widened};
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;

@@ -1,6 +1,6 @@
 //! Platoons on a line as the exact sum over their modes: no steps, so that no time is out of reach.
 
-use super::{BITS, Start, narrowed, point, widened};
+use super::numbers::{BITS, Start, narrowed, point, widened};
 use crate::failure::Failure;
 use arithmetic::{ArithmeticError, FloatInterval, Interval, Rational, Real, rational};
 use models::platoon::time_domain::{Followers, Modes, SwingingStart};

@@ -1,7 +1,7 @@
 //! Pieces of a formula as MathML.
 
-use super::escape;
 use super::tokens::{FUNCTIONS, Kind, LARGE, Node, letter};
+use crate::page::escape;
 
 /// A formula; between its terms the line may be broken.
 pub(super) fn formula(text: &str, nodes: &[Node]) -> String {

@@ -7,6 +7,7 @@
 mod mathml;
 mod tokens;
 
+use crate::page::escape;
 use tokens::{Class, Node, classes, tree};
 
 /// A text as HTML.
@@ -25,11 +26,6 @@ pub(super) fn typeset(text: &str) -> String {
 /// A text as markup.
 pub(super) fn set(text: &str) -> maud::Markup {
     maud::PreEscaped(typeset(text))
-}
-
-/// A text in HTML, as it is.
-pub(super) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// Prose with the formulas that are found in it.

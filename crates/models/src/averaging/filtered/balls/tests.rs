@@ -204,9 +204,8 @@ fn jumps_keep_the_exact_state() {
             assert_eq!(mean.to_integer(), exact.floor().to_integer());
         }
         assert_eq!(balls.mean(&[5]).unwrap(), balls.velocities[5 * dimension..]);
-        let wholes = super::super::outlook::wholes(&balls, &weights);
-        let most =
-            |of: fn(&super::super::outlook::Whole) -> f64| wholes.iter().map(of).fold(0.0, f64::max) / balls.scales[0];
+        let wholes = balls.wholes();
+        let most = |of: fn(&Whole) -> f64| wholes.iter().map(of).fold(0.0, f64::max) / balls.scales[0];
         let (stray, range) = (2.0 * most(|w| w.stray), most(|w| w.range));
         assert!(stray > 1000.0 && range > 10.0);
         let drift = balls.velocity_error + 2;

@@ -1,8 +1,8 @@
 //! What is said to be certain on a network that stays, against the formulas of `notes/exact_flocks.md` and against stepping.
 
+use super::super::links::Links;
 use super::*;
-use crate::averaging::{Flock, Hysteresis, Start};
-use algebra::graph::Graph;
+use crate::averaging::{Flock, Hysteresis, Start, Weights};
 use arithmetic::{Rational, Unwatched, rational};
 
 fn flock(x: &[(i64, i64)], v: &[(i64, i64)], weights: Weights) -> Flock {
@@ -12,51 +12,6 @@ fn flock(x: &[(i64, i64)], v: &[(i64, i64)], weights: Weights) -> Flock {
 
 fn balls(flock: &Flock) -> Balls<2> {
     Balls::new(&flock.integers(), Links::new(flock.network()), flock.weights(), (0, 0)).unwrap().unwrap()
-}
-
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-9 * b.abs()
-}
-
-/// Steps 11 to 13 for a path of three with the weights 1/2, 1/3, 1/2 and one alone: the means, how far velocities are from them, and twice
-/// `Z = D T^(3/2)/2 max|u|`, with the bound of the velocities' differences in the place of `max|u|`.
-#[test]
-fn parts_of_the_network_have_the_bounds_of_the_notes() {
-    let flock = flock(&[(0, 1), (1, 1), (2, 1), (9, 1)], &[(1, 8), (1, 4), (-1, 8), (1, 2)], Weights::Vicsek);
-    let parts = wholes(&balls(&flock), flock.weights());
-    assert_eq!(parts.iter().map(|w| w.members.clone()).collect::<Vec<_>>(), [vec![0, 1, 2], vec![3]]);
-    // Less the first velocity they are 0, 1/8, -1/4, with the shares 2/7, 3/7, 2/7.
-    assert!(close(parts[0].mean[0], (3.0 / 8.0 - 2.0 / 4.0) / 7.0));
-    assert!(close(parts[0].range, 2.0 * 0.25));
-    assert!(close(parts[0].stray, 0.5 * 2.0 * 7f64.powf(1.5) * 0.5));
-    assert!((parts[1].mean[0], parts[1].range, parts[1].stray) == (0.0, 0.0, 0.0));
-    let error = 2.0 * balls(&flock).errors().1;
-    assert!(close(parts[1].mean_error, error) && close(parts[0].mean_error, error + 1e-12 * 0.25));
-    // Where velocities are equal only the error of the balls is left, in the plane longer by the root of two.
-    let row = |x: i64| vec![rational(x, 1), rational(0, 1)];
-    let start = Start {
-        positions: vec![row(0), row(1)],
-        velocities: vec![row(1), row(1)],
-        weights: Weights::Lazy,
-        hysteresis: Hysteresis::None,
-    };
-    let flock = Flock::new(&start).unwrap();
-    let parts = wholes(&balls(&flock), flock.weights());
-    assert!(close(parts[0].range, 2.0 * 2.0 * 2f64.sqrt() * balls(&flock).errors().1));
-    assert!(close(parts[0].stray, parts[0].range * 3f64.powf(1.5) * 0.5));
-}
-
-/// Twice the distance of the farthest from the first, and at most one less than there are nodes.
-#[test]
-fn longest_paths_are_no_longer_than_this() {
-    let of = |n: usize, edges: &[(usize, usize)], members: &[usize]| {
-        longest_path(&Links::new(&Graph::from_edges(n, edges).unwrap()), members)
-    };
-    assert_eq!(of(5, &[(0, 1), (1, 2), (2, 3), (3, 4)], &[0, 1, 2, 3, 4]), 4);
-    assert_eq!(of(5, &[(2, 1), (1, 0), (0, 3), (3, 4)], &[0, 1, 2, 3, 4]), 4);
-    assert_eq!(of(6, &[(1, 2), (1, 3), (1, 4), (1, 5)], &[1, 2, 3, 4, 5]), 2);
-    assert_eq!(of(6, &[(1, 2), (2, 3), (3, 4), (4, 5), (5, 1)], &[1, 2, 3, 4, 5]), 4);
-    assert_eq!(of(2, &[(0, 1)], &[0, 1]), 1);
 }
 
 /// The largest whole number of steps after which, and before which, the distance is certainly beyond the limit.
@@ -113,7 +68,8 @@ fn pairs_of_one_flock_keep_their_side() {
         let flock =
             flock(&[(0, 1), (3, 4), (3 * gap.1 + 4 * gap.0, 4 * gap.1)], &[(0, 1), speed, (0, 1)], Weights::Lazy);
         let balls = balls(&flock);
-        let whole = whole(&balls, flock.weights(), vec![0, 1, 2]);
+        let whole = balls.wholes().remove(0);
+        assert_eq!(whole.members, [0, 1, 2]);
         (within(&balls, &whole, &none), whole.stray, flock.network().has_edge(0, 2))
     };
     // The pair 1-2 is 1/4 from the limit, 2-3 as far as the gap says, and 1-3 is no edge.
@@ -127,7 +83,7 @@ fn pairs_of_one_flock_keep_their_side() {
     let of = |speed: (i64, i64), threshold: &Threshold| {
         let pair = flock(&[(0, 1), (1, 1)], &[(0, 1), speed], Weights::Lazy);
         let balls = balls(&pair);
-        within(&balls, &whole(&balls, pair.weights(), vec![0, 1]), threshold)
+        within(&balls, &balls.wholes()[0], threshold)
     };
     // An edge at distance 1 is held where twice the range, four differences, is below half of 2^-12, the power of two that is taken for the threshold.
     assert_eq!((of((1, 33_000), &held), of((1, 32_000), &held), of((1, 33_000), &none)), (u64::MAX, 0, 0));
@@ -141,7 +97,7 @@ fn flocks_that_part_are_counted_pair_by_pair() {
         let (slow, fast) = ((1, 1_000_000), (1, 8));
         let flock =
             flock(&[(0, 1), (1, 2), (10, 1), (21, 2), (60, 1)], &[(0, 1), slow, fast, fast, last], Weights::Lazy);
-        outlook(&balls(&flock), flock.weights(), &none, &Unwatched).unwrap()
+        outlook(&balls(&flock), &none, &Unwatched).unwrap()
     };
     let all = of((1, 4));
     assert!(all.is_steady() && all.drifting == 8, "{all:?}");
@@ -150,6 +106,6 @@ fn flocks_that_part_are_counted_pair_by_pair() {
     assert!(back.drifting == 8 && (190..=194).contains(&back.quiet) && !back.is_steady(), "{back:?}");
     // Flocks at rest beside each other: no drift is certain, but it would be slow.
     let still = flock(&[(0, 1), (3, 1)], &[(1, 8), (1, 8)], Weights::Lazy);
-    let still = outlook(&balls(&still), still.weights(), &none, &Unwatched).unwrap();
+    let still = outlook(&balls(&still), &none, &Unwatched).unwrap();
     assert!(still.drifting == 0 && !still.is_steady() && still.quiet > 1 << 40, "{still:?}");
 }
