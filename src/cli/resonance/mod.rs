@@ -25,7 +25,7 @@ flockproof resonance --graph front --followers 20 --f -1 --g -1 --to 10\n  flock
 flockproof resonance --followers 16 --sweep f=-4..-1:4,g=-2..-1:3"
 )]
 pub struct Arguments {
-    /// Number of followers, from 1 to 10^12; up to 2000 with --graph front
+    /// Number of followers, from 1 to 10^12; with --graph front up to 2000, and as long as the amplitude is below 10^308
     #[arg(long, value_name = "M")]
     followers: Option<u64>,
     /// Gain of the positions: an integer, a fraction or a decimal below 0; or one for each follower, -1,-2,-1

@@ -151,7 +151,7 @@ fn floats(gains: &[Gains<Rational>]) -> Vec<Gains<f64>> {
 
 /// The peak of the car, and its amplitude there.
 pub(super) fn response(platoon: &Platoon, gains: &[Gains<Rational>], digits: u32) -> Result<Found, CliError> {
-    let refuse = |error: ArithmeticError| CliError::Use(format!("the response does not exist: {error}"));
+    let refuse = |error: ArithmeticError| CliError::Use(format!("no peak was found: {error}"));
     if !platoon.graph.reached_by_leader()[platoon.car] {
         let (leader, car) = (&platoon.leader, &platoon.name);
         return Err(CliError::Use(format!("the leader {leader} does not reach car {car}, which stays at rest")));

@@ -73,10 +73,10 @@ impl BandedPlatoon {
         for k in 0..size {
             // All rows that reach column k start there: earlier columns have been eliminated and dropped.
             let end = (k + self.lower + 1).min(size);
-            let best = (k..end).max_by(|&a, &b| rows[a][0].norm_squared().total_cmp(&rows[b][0].norm_squared()));
+            let best = (k..end).max_by(|&a, &b| modulus(&rows[a][0]).total_cmp(&modulus(&rows[b][0])));
             let best = best.unwrap_or(k);
             rows.swap(k, best);
-            let inverse = rows[k][0].recip()?;
+            let inverse = inverse(&rows[k][0])?;
             let (upper, below) = rows.split_at_mut(k + 1);
             let pivot = &upper[k];
             let mut multipliers = Vec::with_capacity(end - k - 1);
@@ -125,7 +125,7 @@ impl BandedPlatoon {
     /// As [`BandedPlatoon::response`].
     pub fn largest_amplitude(&self, gains: &Gains<f64>, w: f64) -> Result<f64, ArithmeticError> {
         let amplitudes = self.response(gains, w)?;
-        Ok(amplitudes.iter().map(Complex::norm_squared).fold(0.0, f64::max).sqrt())
+        Ok(amplitudes.iter().map(modulus).fold(0.0, f64::max))
     }
 
     /// The modulus of the eigenvalue of `P` nearest to 0, by inverse iteration; the steps that it still changed by, relatively,
@@ -139,13 +139,29 @@ impl BandedPlatoon {
         let (mut value, mut change) = (f64::INFINITY, f64::INFINITY);
         for _ in 0..60 {
             let next = factors.solve(vector)?;
-            let size = next.iter().map(Complex::norm_squared).fold(0.0, f64::max).sqrt();
+            let size = next.iter().map(modulus).fold(0.0, f64::max);
             change = (value * size - 1.0).abs();
             value = 1.0 / size;
             vector = next.iter().map(|z| z.scale(&value)).collect();
         }
         Ok((value, change))
     }
+}
+
+/// `|z|`, also where its square is beyond the floats: behind many cars that all swing more than the one in front.
+pub(super) fn modulus(z: &Complex<f64>) -> f64 {
+    let square = z.norm_squared();
+    if square.is_normal() { square.sqrt() } else { z.re.hypot(z.im) }
+}
+
+/// `1/z` in the same way.
+fn inverse(z: &Complex<f64>) -> Result<Complex<f64>, ArithmeticError> {
+    let size = z.re.abs().max(z.im.abs());
+    if z.norm_squared().is_normal() || size == 0.0 {
+        return z.recip();
+    }
+    let turned = Complex::new(z.re / size, z.im / size).recip()?;
+    Ok(Complex::new(turned.re / size, turned.im / size))
 }
 
 impl Factors {
@@ -159,7 +175,7 @@ impl Factors {
         for k in (0..right.len()).rev() {
             let known = right.iter().skip(k + 1).zip(&self.rows[k][1..]);
             let sum = known.fold(right[k].clone(), |sum, (x, entry)| sum - entry.clone() * x);
-            right[k] = sum.over(&self.rows[k][0])?;
+            right[k] = sum * inverse(&self.rows[k][0])?;
         }
         Ok(right)
     }

@@ -1,6 +1,6 @@
 //! How the peak response grows with the number of cars, in floating point: an exploration, not a proof.
 
-use super::banded::BandedPlatoon;
+use super::banded::{BandedPlatoon, modulus};
 use super::observe::{Extreme, largest};
 use super::{CommunicationGraph, Gains};
 use arithmetic::ArithmeticError;
@@ -75,7 +75,7 @@ pub fn peak_of_car(
     let platoon = BandedPlatoon::new(graph);
     let amplitude = |w: f64| {
         let all = platoon.response_of_cars(gains, w)?;
-        all.get(car.wrapping_sub(1)).map(|z| z.norm_squared().sqrt()).ok_or_else(missing)
+        all.get(car.wrapping_sub(1)).map(modulus).ok_or_else(missing)
     };
     let by_strength = |a: &&Gains<f64>, b: &&Gains<f64>| b.f.total_cmp(&a.f);
     let weakest = gains.iter().min_by(by_strength).ok_or_else(missing)?;
@@ -115,6 +115,9 @@ fn peak_by(
         if found.value > best.value {
             best = found;
         }
+    }
+    if grid.iter().chain([&best.value]).any(|value| !value.is_finite()) {
+        return Err(ArithmeticError::Domain("amplitudes below the largest float; here they are larger"));
     }
     Ok(Some(best))
 }

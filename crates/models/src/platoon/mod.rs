@@ -34,7 +34,8 @@ pub use resonance::{
     resonance, resonance_from,
 };
 pub use response::{
-    amplitude_one_sided, amplitude_with_first_car, amplitudes_two_sided, chebyshev, gain_fraction_one_sided,
-    gain_squared_one_sided, gamma, gamma_minus_one, larger_root_modulus, larger_root_power, strongest_one_sided_square,
+    amplitude_one_sided, amplitude_two_sided, amplitude_with_first_car, amplitudes_two_sided, chebyshev,
+    gain_fraction_one_sided, gain_squared_one_sided, gamma, gamma_minus_one, inverse_square_two_sided,
+    larger_root_modulus, larger_root_power, strongest_one_sided_square,
 };
 pub use shape::{FrequencyResponse, frequency_response};

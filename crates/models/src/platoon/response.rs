@@ -114,6 +114,30 @@ pub fn larger_root_power<T: Real>(gains: &Gains<T>, w: &T, n: u64) -> Result<T, 
     Ok((sinh.square() + w.one()).sqrt()? + sinh)
 }
 
+/// System (2): `1/|a_M|² = |T_M(gamma)|²` for the last of `followers` cars, which exists at every frequency.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where `gamma` does not exist.
+pub fn inverse_square_two_sided<T: Field>(gains: &Gains<T>, w: &T, followers: u64) -> Result<T, ArithmeticError> {
+    Ok(chebyshev(followers, &gamma_minus_one(gains, w)?).0.norm_squared())
+}
+
+/// System (2): the amplitude `a_k = T_{M-k}(gamma)/T_M(gamma)` of car `k`, 0 for the leader, up to `followers`.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where `gamma` does not exist or `T_M(gamma)` may be zero;
+/// [`ArithmeticError::Domain`] where there is no car `k`.
+pub fn amplitude_two_sided<T: Field>(
+    gains: &Gains<T>,
+    w: &T,
+    followers: u64,
+    k: u64,
+) -> Result<Complex<T>, ArithmeticError> {
+    let behind = followers.checked_sub(k).ok_or(ArithmeticError::Domain("a car of the platoon"))?;
+    let distance = gamma_minus_one(gains, w)?;
+    chebyshev(behind, &distance).0.over(&chebyshev(followers, &distance).0)
+}
+
 /// System (2): all amplitudes `a_1, ..., a_M`, `a_k = T_{M-k}(gamma)/T_M(gamma)`, by the three-term recurrence.
 ///
 /// # Errors

@@ -13,8 +13,8 @@ use algebra::spectrum::Polynomial;
 use arithmetic::{ArithmeticError, Complex, Interval, Rational, Real, Ring, Sign, Signed, rational, shown};
 use models::platoon::vector_form::motion_matrix;
 use models::platoon::{
-    Communication, CommunicationGraph, Gains, Resonance, ResonanceError, chebyshev, gain_squared_one_sided,
-    gamma_minus_one, growth, peak_on_graph, resonance, slowest_rate, strongest_one_sided_square,
+    Communication, CommunicationGraph, Gains, Resonance, ResonanceError, amplitude_one_sided, amplitude_two_sided,
+    gain_squared_one_sided, growth, peak_on_graph, resonance, slowest_rate, strongest_one_sided_square,
 };
 use num_traits::ToPrimitive;
 
@@ -262,15 +262,11 @@ impl PlatoonSubject {
                 let all = graph.response(&gains, &w)?;
                 return Ok(all.into_iter().nth(k as usize - 1).unwrap_or_else(|| Complex::real(w.zero())));
             }
-            let distance = gamma_minus_one(&gains, &w)?;
             match self.communication {
-                Communication::Front => (distance.one() + &distance).recip().map(|z| z.power(k)),
-                Communication::FrontAndBack => {
-                    chebyshev(followers - k, &distance).0.over(&chebyshev(followers, &distance).0)
-                }
+                Communication::Front => amplitude_one_sided(&gains, &w, k),
+                Communication::FrontAndBack => amplitude_two_sided(&gains, &w, followers, k),
             }
         };
-        use arithmetic::Field;
         let found = amplitude().and_then(|z| z.norm_squared().sqrt());
         found.map_err(|error| open(&error))
     }

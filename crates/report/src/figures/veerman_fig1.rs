@@ -3,9 +3,8 @@
 use super::veerman::{UNIT, certified, steps};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
-use arithmetic::Complex;
 use ledger::CheckError;
-use models::platoon::{chebyshev, gamma_minus_one};
+use models::platoon::inverse_square_two_sided;
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let mut picture =
@@ -13,10 +12,8 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let mut rows = Vec::new();
     let mut text = String::from("ln |a_N| over the frequency of the leader, f = g = -1 (as printed).\n\n");
     for (followers, end) in [(100u64, 0.15), (1000, 0.015)] {
-        let response = |w: f64| -> Result<f64, CheckError> {
-            let (t, _) = chebyshev(followers, &gamma_minus_one(&UNIT, &w)?);
-            Ok(-0.5 * Complex::norm_squared(&t).ln())
-        };
+        let response =
+            |w: f64| -> Result<f64, CheckError> { Ok(-0.5 * inverse_square_two_sided(&UNIT, &w, followers)?.ln()) };
         let (w, amplitude) = certified(followers)?;
         // The main peak is much narrower than a step of the even grid.
         let near = steps(-1.0, 1.0, 400).map(|u| w * (1.0 + 0.2 * u.powi(5)));

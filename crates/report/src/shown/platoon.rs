@@ -5,7 +5,7 @@ use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::{ArithmeticError, Interval, Rational, decimal, rational};
 use maud::html;
 use models::platoon::{
-    Gains, Resonance, ResonanceError, chebyshev, gamma_minus_one, next_order, resonance as enclose, theorem1,
+    Gains, Resonance, ResonanceError, inverse_square_two_sided, next_order, resonance as enclose, theorem1,
 };
 use num_traits::ToPrimitive;
 
@@ -53,11 +53,9 @@ pub fn resonance(gains: &Gains<Rational>, followers: u64, found: &Resonance) -> 
 fn curve(gains: &Gains<Rational>, followers: u64, found: &Resonance) -> Picture {
     let gains = gains.map(|q| q.to_f64().unwrap_or(f64::NAN));
     let (peak, height) = (found.omega.to_f64(), found.amplitude.to_f64());
-    // |a_M| = 1/|T_M(gamma)|; what has no value is left out of the line.
-    let amplitude = |w: f64| {
-        let t = gamma_minus_one(&gains, &w).map(|distance| chebyshev(followers, &distance).0);
-        t.map_or(f64::NAN, |t| t.norm_squared().sqrt().recip())
-    };
+    // What has no value is left out of the line.
+    let amplitude =
+        |w: f64| inverse_square_two_sided(&gains, &w, followers).map_or(f64::NAN, |square| square.sqrt().recip());
     let frequencies = (1..=POINTS).map(|k| 8.0 * peak * f64::from(k) / f64::from(POINTS));
     let line = frequencies.map(|w| (w, amplitude(w)));
     Picture::new("").grid(1, (720.0, 380.0)).panel(

@@ -6,7 +6,7 @@ use crate::plot::{Axis, Panel, Picture, Series};
 use algebra::matrix::StochasticMatrix;
 use arithmetic::{Progress, Rational};
 use maud::{Markup, html};
-use models::platoon::{Communication, Gains, amplitude_one_sided, chebyshev, gamma_minus_one};
+use models::platoon::{Communication, Gains, amplitude_one_sided, inverse_square_two_sided};
 use num_traits::ToPrimitive;
 use question::{Answer, Bindings, Instance, Margin, Question, Value, Verdict};
 use scenario::Scenario;
@@ -111,7 +111,7 @@ fn platoon(question: &Question, bindings: &Bindings) -> Markup {
     let amplitude = |w: f64| {
         let square = match question.communication() {
             Communication::Front => amplitude_one_sided(&gains, &w, followers).map(|a| a.norm_squared()),
-            _ => gamma_minus_one(&gains, &w).map(|d| chebyshev(followers, &d).0.norm_squared().recip()),
+            _ => inverse_square_two_sided(&gains, &w, followers).map(f64::recip),
         };
         square.map_or(f64::NAN, f64::sqrt)
     };

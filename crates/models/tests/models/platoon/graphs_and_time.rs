@@ -8,9 +8,9 @@ use models::platoon::time_domain::{Followers, Modes};
 use models::platoon::vector_form::{characteristic_by_modes, motion_matrix, motion_rows};
 use models::platoon::{
     Communication, CommunicationError, CommunicationGraph, Gains, accelerations, amplitude_one_sided,
-    amplitudes_two_sided, argument, gamma, is_below_full_phase, larger_root_modulus, larger_root_power,
-    lesser_resonance, next_order, peak_on_graph, phase_lag_one_sided, phase_lags_two_sided, resonance, slowest_rate,
-    theorem1,
+    amplitude_two_sided, amplitudes_two_sided, argument, gamma, inverse_square_two_sided, is_below_full_phase,
+    larger_root_modulus, larger_root_power, lesser_resonance, next_order, peak_on_graph, phase_lag_one_sided,
+    phase_lags_two_sided, resonance, slowest_rate, theorem1,
 };
 use proptest::prelude::*;
 
@@ -88,6 +88,13 @@ proptest! {
         let expected: Vec<_> = (1..=m as u64).map(|k| amplitude_one_sided(&gains, &w, k).unwrap()).collect();
         prop_assert_eq!(front, expected);
         let both = CommunicationGraph::of(Communication::FrontAndBack, m).unwrap().response(&gains, &w).unwrap();
+        for (k, amplitude) in (1..).zip(&both) {
+            prop_assert_eq!(&amplitude_two_sided(&gains, &w, m as u64, k).unwrap(), amplitude);
+        }
+        prop_assert!(amplitude_two_sided(&gains, &w, m as u64, m as u64 + 1).is_err());
+        if let Some(last) = both.last() {
+            prop_assert_eq!(inverse_square_two_sided(&gains, &w, m as u64).unwrap(), last.norm_squared().recip());
+        }
         prop_assert_eq!(both, amplitudes_two_sided(&gains, &w, m).unwrap());
     }
 

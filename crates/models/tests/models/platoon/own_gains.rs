@@ -1,13 +1,15 @@
 //! Gains for each car, and margins.
 
 use algebra::spectrum::Polynomial;
-use arithmetic::{Complex, Rational, rational};
+use arithmetic::{ArithmeticError, Complex, Rational, rational};
 use models::platoon::banded::BandedPlatoon;
 use models::platoon::growth::peak_of_car;
 use models::platoon::margins::{margins, margins_of_cars};
 use models::platoon::state_space::StateSpace;
 use models::platoon::vector_form::{motion_matrix, motion_rows_of_cars};
-use models::platoon::{Communication, CommunicationGraph, Gains, resonance};
+use models::platoon::{
+    Communication, CommunicationGraph, Gains, gain_squared_one_sided, resonance, strongest_one_sided_square,
+};
 
 fn gains(f: f64, g: f64) -> Gains<f64> {
     Gains { f, g }
@@ -27,6 +29,24 @@ fn equal_gains_give_the_certified_resonance() {
     assert!(peak_of_car(&graph, &[gains(-1.0, -1.0)], 1).is_err());
     assert!(peak_of_car(&graph, &vec![gains(-1.0, -1.0); 3], 4).is_err());
     assert!(peak_of_car(&graph, &vec![gains(-1.0, -1.0); 3], 0).is_err());
+}
+
+/// The last of many cars that all swing more than the one in front: squares of the amplitudes, or of the pivots, are beyond the floats, and
+/// at last the amplitude is.
+#[test]
+fn long_one_sided_platoons_have_a_peak_as_long_as_floats_reach() {
+    let one = gains(-1.0, -1.0);
+    let gain = gain_squared_one_sided(&one, &strongest_one_sided_square(&one).unwrap()).unwrap().sqrt();
+    let peak = |m: usize| {
+        let graph = CommunicationGraph::of(Communication::Front, m).unwrap();
+        peak_of_car(&graph, &vec![one.clone(); m], m)
+    };
+    for m in [900, 1000, 1800] {
+        let found = peak(m).unwrap().unwrap();
+        assert!((found.value / gain.powi(m as i32) - 1.0).abs() < 1e-6, "{m}: {}", found.value);
+    }
+    // 1.47^2000 is more than the largest float.
+    assert!(matches!(peak(2000), Err(ArithmeticError::Domain(_))));
 }
 
 /// The response of bands, of dense elimination, and the equations of motion themselves.
