@@ -166,11 +166,6 @@ pub struct PathsVariant {
     patterns: [Group; 2],
 }
 
-fn is_path(graph: &Graph) -> bool {
-    let degrees: Vec<usize> = (0..graph.order()).map(|i| graph.degree(i)).collect();
-    graph.edges().len() + 1 == graph.order() && graph.is_connected() && degrees.iter().all(|&d| d <= 2)
-}
-
 pub fn single_paths() -> Record<PathsVariant> {
     Record::new(
         "chazelle.lower_paths",
@@ -197,7 +192,7 @@ fn check_single_paths(variant: &PathsVariant, run: &mut Run) -> Result<Outcome, 
         }
         for (k, network) in networks(&start, &switches)?.iter().enumerate() {
             let (flocks, most) = (network.components(), variant.longest);
-            if let Some(odd) = flocks.iter().find(|f| f.len() > most || !is_path(&network.induced(f))) {
+            if let Some(odd) = flocks.iter().find(|f| f.len() > most || !network.induced(f).is_path()) {
                 let birds: Vec<usize> = odd.iter().map(|i| i + 1).collect();
                 let what =
                     format!("n = {n}, c = {c}: after switch {k} birds {birds:?} are no path of at most {most} birds");
