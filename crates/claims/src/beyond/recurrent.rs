@@ -244,7 +244,7 @@ impl RecurrentVariant {
             }
         }
         let detail = "random sequences of networks on 3 to 5 birds";
-        Ok(Outcome::Holds(vec![fuzzed("tau_1 against the bound", detail).on([1, 2]).cases(samples)]))
+        holds(fuzzed("tau_1 against the bound", detail).on([1, 2]).cases(samples))
     }
 }
 

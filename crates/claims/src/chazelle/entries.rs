@@ -146,7 +146,7 @@ fn all_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Chec
         }
     }
     let detail = "all products of up to 6, 5, 3 factors (4 with --full) on 2, 3, 4 birds, lazy and vicsek";
-    Ok(Outcome::Holds(vec![exhaustive("the bound", detail).on([1]).cases(cases)]))
+    holds(exhaustive("the bound", detail).on([1]).cases(cases))
 }
 
 /// Products of 64 factors that alternate between two networks on three birds.
@@ -171,7 +171,7 @@ fn long_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Che
         }
     }
     let detail = "products of up to 64 factors that alternate between any two networks on 3 birds";
-    Ok(Outcome::Holds(vec![exact("independence of t", detail).on([1]).cases(cases)]))
+    holds(exact("independence of t", detail).on([1]).cases(cases))
 }
 
 fn attained(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -193,7 +193,7 @@ fn attained(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckErr
     }
     let evidence = exact("the bound is attained", "a product of n - 1 factors for n = 2, ..., 9").on([2]);
     Run::all([
-        Ok(Outcome::Holds(vec![evidence.cases(LARGEST - 1)])).checks("step 5, and the values of step 4"),
+        holds(evidence.cases(LARGEST - 1)).checks("step 5, and the values of step 4"),
         argued(&[1, 2], "the smallest entries, for all n and all products", place),
     ])
 }

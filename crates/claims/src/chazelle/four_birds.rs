@@ -99,7 +99,7 @@ fn examine_eigenvector(birds: &FourBirds) -> Result<Outcome, CheckError> {
         }
     }
     let detail = "the printed matrices are I - CL with c_i = 2/(3 d_i) for two pairs and for the path; both map v(1) to its multiple";
-    Ok(Outcome::Holds(vec![exact("both matrices and the eigenvector", detail).for_all()]))
+    holds(exact("both matrices and the eigenvector", detail).for_all())
 }
 
 /// The network alternates forever: first stepped, then proved for all t by the invariants at the head of this file.

@@ -152,7 +152,7 @@ fn check_lower_bound(variant: &LowerVariant, run: &mut Run) -> Result<Outcome, C
     }
     let part = "every switch and the end, for all n and c with n^c >= 8";
     Run::all([
-        Ok(Outcome::Holds(vec![exact("every switch and the end", detail).on([1, 2]).cases(settled)]))
+        holds(exact("every switch and the end", detail).on([1, 2]).cases(settled))
             .checks("the time of step 1, steps 3 and 4"),
         argued(&[1, 2], part, "notes/settling.md, The lower bound, steps 1-4"),
     ])
@@ -202,7 +202,7 @@ fn check_single_paths(variant: &PathsVariant, run: &mut Run) -> Result<Outcome, 
     }
     let detail = "settled exactly for n = 4, 8, 12, 16, 20, 32, 64 and several c";
     Run::all([
-        Ok(Outcome::Holds(vec![exact("all flocks at all times", detail).cases(all.len())])).checks("steps 3 and 4"),
+        holds(exact("all flocks at all times", detail).cases(all.len())).checks("steps 3 and 4"),
         argued(&[], "all flocks at all times, n^c >= 8", "notes/settling.md, The lower bound, steps 1-4"),
     ])
 }
