@@ -180,7 +180,7 @@ impl PositionsVariant {
                                 "d = {d}, v(1) the unit vector {}, t = {t}: x(t) = ({}), by {equation} it is ({})",
                                 k + 1,
                                 list(&run[t].positions),
-                                list(&claimed(matrix))
+                                list(claimed(matrix))
                             )));
                         }
                     }
