@@ -44,6 +44,7 @@ mod regression;
 mod residue;
 mod series;
 mod surd;
+mod words;
 
 pub use ball::Ball;
 pub use complex::Complex;
@@ -63,6 +64,7 @@ pub use regression::regression_line;
 pub use residue::{Residue, is_prime, random_prime};
 pub use series::Series;
 pub use surd::{sign_of_square_root_difference, sign_of_surd};
+pub use words::words;
 
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};

@@ -45,8 +45,8 @@ pub const LEDGER: [LedgerCertificate; 18] = [
     row("chazelle.hyst", "held_beyond_1", drifting_birds),
     row("chazelle.lem3.3", "one_edge", || limit(Graph::path(2), Weights::Given(vec![rational(1, 5), rational(2, 3)]))),
     row("chazelle.lem3.3", "path_4_lazy", || limit(Graph::path(4), Weights::Lazy)),
-    row("chazelle.lem3.3", "ring_6_uneven", || limit(ring(6), uneven(&ring(6)))),
-    row("chazelle.lem3.3", "star_5_vicsek", || limit(star(5), Weights::Vicsek)),
+    row("chazelle.lem3.3", "ring_6_uneven", || limit(Graph::ring(6), Weights::uneven(&Graph::ring(6)))),
+    row("chazelle.lem3.3", "star_5_vicsek", || limit(Graph::star(5), Weights::Vicsek)),
     row("chazelle.tau1", "four_birds_16_factors", four_birds_product),
     row("paley.thm1.saddle", "four_and_two", || hessian(&[1, 1, 1, 1, -1, -1])),
     row("paley.thm1.saddle", "three_and_one", || hessian(&[1, 1, 1, -1])),
@@ -61,13 +61,7 @@ pub const LEDGER: [LedgerCertificate; 18] = [
 
 /// The flock of section 3, Soundness of Hysteresis Rule.
 fn four_birds(hysteresis: Hysteresis, until: u64) -> Made {
-    let start = Start::on_the_line(
-        [0, 8, 21, 29].map(|x| rational(x, 16)).to_vec(),
-        [1, -1, 1, -1].map(|v| rational(v, 8)).to_vec(),
-        Weights::Lazy,
-        hysteresis,
-    );
-    Ok(Certificate::Switches(Switches::new(&start, until)?))
+    Ok(Certificate::Switches(Switches::new(&Start::four_birds(hysteresis), until)?))
 }
 
 /// Two birds in the plane that start at distance 1 and part by less than the threshold, until their speeds agree.
@@ -101,20 +95,6 @@ fn four_birds_product() -> Made {
 
 fn limit(network: Graph, weights: Weights) -> Made {
     Ok(Certificate::Limit(Limit::new(&network, &weights)?))
-}
-
-fn ring(order: usize) -> Graph {
-    Graph::path(order).with_edges(&[(0, order - 1)])
-}
-
-fn star(order: usize) -> Graph {
-    Graph::from_fn(order, |i, j| i.min(j) == 0)
-}
-
-/// `c_i = i/((i+1) d_i)`, birds from 1.
-fn uneven(graph: &Graph) -> Weights {
-    let c = |i: usize| rational(i as i64 + 1, (i as i64 + 2) * graph.degree(i).max(1) as i64);
-    Weights::Given((0..graph.order()).map(c).collect())
 }
 
 /// The Laplacian of a ring and a path beside it.

@@ -23,6 +23,16 @@ pub(crate) fn fuzzed(part: impl Into<String>, detail: impl Into<String>) -> Evid
     Evidence::new(Grade::Fuzzed, part, detail)
 }
 
+/// What holds, on one piece of evidence.
+pub(crate) fn holds(evidence: Evidence) -> Result<Outcome, CheckError> {
+    Ok(Outcome::Holds(vec![evidence]))
+}
+
+/// Numbers, or other things, as text.
+pub(crate) fn list<T: ToString>(numbers: impl IntoIterator<Item = T>) -> String {
+    numbers.into_iter().map(|x| x.to_string()).collect::<Vec<_>>().join(", ")
+}
+
 /// The evidence, if nothing is wrong.
 pub(crate) fn unless(wrong: Option<String>, evidence: Evidence) -> Result<Outcome, CheckError> {
     Ok(match wrong {

@@ -14,6 +14,7 @@ pub use named::{LARGEST_ORDER, NameError, NamedGraph};
 pub use weighted::WeightedGraph;
 
 use crate::matrix::{Footprint, MatrixError, RationalMatrix};
+use arithmetic::Rational;
 use num_bigint::BigInt;
 
 /// An undirected graph without loops on the vertices `0..order`.
@@ -28,6 +29,11 @@ fn counted_on(mut bits: Vec<bool>) -> Option<Vec<bool>> {
     bits[..zero].fill(false);
     bits[zero] = true;
     Some(bits)
+}
+
+/// All choices among so many things, as binary numbers that count up, lowest bit first.
+fn all_choices(count: usize) -> impl Iterator<Item = Vec<bool>> {
+    std::iter::successors(Some(vec![false; count]), |bits| counted_on(bits.clone()))
 }
 
 /// Why a list of edges is not a simple graph. Vertices are counted from 0.
@@ -78,16 +84,26 @@ impl Graph {
         Graph::from_fn(order, |i, j| j == i + 1)
     }
 
+    /// The graph in which all are joined.
+    pub fn complete(order: usize) -> Self {
+        Graph::from_fn(order, |_, _| true)
+    }
+
+    /// The ring `0 - 1 - ... - (order - 1) - 0`; on two vertices one edge, on one none.
+    pub fn ring(order: usize) -> Self {
+        Graph::from_fn(order, |i, j| j == i + 1 || (i == 0 && j + 1 == order))
+    }
+
+    /// The star: vertex 0 is joined to all others.
+    pub fn star(order: usize) -> Self {
+        Graph::from_fn(order, |i, _| i == 0)
+    }
+
     /// All `2^(order (order - 1)/2)` labelled graphs; nobody lives to see the last of them for `order > 9`.
     pub fn all(order: usize) -> impl Iterator<Item = Graph> {
-        let mut next = Some(vec![false; order * order.saturating_sub(1) / 2]);
-        std::iter::from_fn(move || {
-            let bits = next.take()?;
-            // Pair (i, j), i < j, is bit j (j - 1)/2 + i.
-            let graph = Graph::from_fn(order, |i, j| bits[j * (j - 1) / 2 + i]);
-            next = counted_on(bits);
-            Some(graph)
-        })
+        // Pair (i, j), i < j, is bit j (j - 1)/2 + i.
+        let graph = move |bits: Vec<bool>| Graph::from_fn(order, |i, j| bits[j * (j - 1) / 2 + i]);
+        all_choices(order * order.saturating_sub(1) / 2).map(graph)
     }
 
     /// Joins two different vertices, or parts them where they are joined. What is no pair of vertices stays as it is.
@@ -142,6 +158,40 @@ impl Graph {
     /// Whether there is a path between any two vertices (and at least one vertex).
     pub fn is_connected(&self) -> bool {
         self.components().len() == 1
+    }
+
+    /// Whether it is connected and has no cycle: leaves can be taken away until one vertex is left.
+    pub fn is_tree(&self) -> bool {
+        let mut left: Vec<usize> = (0..self.order()).collect();
+        while let Some(leaf) = left.iter().position(|&i| left.iter().filter(|&&j| self.has_edge(i, j)).count() == 1) {
+            left.remove(leaf);
+        }
+        self.is_connected() && left.len() == 1
+    }
+
+    /// Whether it is a path, in any order of the vertices; a single vertex is one.
+    pub fn is_path(&self) -> bool {
+        self.is_tree() && (0..self.order()).all(|i| self.degree(i) <= 2)
+    }
+
+    /// The largest effective resistance between two vertices where every edge has the resistance 1: the largest `|x_i - x_j|²` with
+    /// `<x, L x> = 1`, 0 for a single vertex. `None` where the graph is not connected.
+    ///
+    /// # Errors
+    /// [`MatrixError::Empty`] for a graph without vertices.
+    pub fn largest_resistance(&self) -> Result<Option<Rational>, MatrixError> {
+        let laplacian = self.laplacian()?;
+        if !self.is_connected() {
+            return Ok(None);
+        }
+        let mut largest = Rational::default();
+        // With one vertex at 0 the diagonal of the inverse holds the resistances to it.
+        for ground in (0..self.order()).filter(|_| self.order() > 1) {
+            let kept: Vec<usize> = (0..self.order()).filter(|&k| k != ground).collect();
+            let inverse = laplacian.block(&kept, &kept)?.inverse()?;
+            largest = (0..inverse.rows()).map(|k| inverse.entry(k, k)).fold(largest, Ord::max);
+        }
+        Ok(Some(largest))
     }
 
     /// The combinatorial Laplacian `D - A`.

@@ -123,6 +123,13 @@ impl CharacteristicPolynomial {
         self.degree() - self.count_above(x) - self.multiplicity(x)
     }
 
+    /// All eigenvalues from the smallest on, each as often as it occurs; `None` where one of them is not rational.
+    pub fn rational_spectrum(&self) -> Option<Vec<Rational>> {
+        let found = self.rational_eigenvalues().into_iter().rev();
+        let all: Vec<Rational> = found.flat_map(|(x, times)| vec![x; times]).collect();
+        (all.len() == self.degree()).then_some(all)
+    }
+
     /// The rational eigenvalues with their multiplicities, largest first, if all eigenvalues are real.
     pub fn rational_eigenvalues(&self) -> Vec<(Rational, usize)> {
         // Rational roots of a monic integer polynomial are integers; no root exceeds the sum of the coefficients.

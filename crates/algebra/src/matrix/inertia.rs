@@ -1,6 +1,7 @@
 //! How many eigenvalues of a symmetric matrix are positive, negative and zero, over any ordered field.
 
-use arithmetic::{ArithmeticError, Field, Sign, Signed};
+use super::SparseMatrix;
+use arithmetic::{ArithmeticError, Field, Rational, Sign, Signed};
 
 /// Numbers of positive, negative and zero eigenvalues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -11,6 +12,19 @@ pub struct Inertia {
     pub negative: usize,
     /// How often zero is an eigenvalue.
     pub zero: usize,
+}
+
+impl SparseMatrix {
+    /// The inertia of the form `<x, A x>` over real vectors, that of `A + A^T`.
+    ///
+    /// # Errors
+    /// None of exact numbers.
+    pub fn form_inertia(&self) -> Result<Inertia, ArithmeticError> {
+        let zero = Rational::default();
+        let entry = |i: usize, j: usize| self.get(i, j).unwrap_or(&zero);
+        let row = |i: usize| (0..self.order()).map(|j| entry(i, j) + entry(j, i)).collect();
+        inertia(&(0..self.order()).map(row).collect::<Vec<Vec<Rational>>>())
+    }
 }
 
 /// The inertia of a symmetric matrix given by its rows; only the part on and below the diagonal is read.

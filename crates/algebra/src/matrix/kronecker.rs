@@ -1,6 +1,13 @@
 //! Kronecker products.
 
 use super::RationalMatrix;
+use arithmetic::Ring;
+
+/// The Kronecker product of matrices over any ring, given by their rows.
+pub fn kronecker_of_rows<T: Ring>(left: &[Vec<T>], right: &[Vec<T>]) -> Vec<Vec<T>> {
+    let row = |a: &Vec<T>, b: &Vec<T>| a.iter().flat_map(|x| b.iter().map(move |y| x.clone() * y)).collect();
+    left.iter().flat_map(|a| right.iter().map(move |b| row(a, b))).collect()
+}
 
 impl RationalMatrix {
     /// The Kronecker product: the block `a_ij right` in place of every entry `a_ij` (Chazelle, footnote 2).

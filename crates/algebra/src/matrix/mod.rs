@@ -4,6 +4,7 @@ mod characteristic;
 mod digit_product;
 mod digits;
 mod ergodicity;
+mod families;
 pub mod floating;
 mod footprint;
 mod inertia;
@@ -24,7 +25,8 @@ pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_2_squared_watched
 pub use footprint::Footprint;
 pub use inertia::{Inertia, inertia};
 pub use integer_rows::{AverageRow, IntegerRows};
-pub use product::{prefix_products, product_sequential, product_tree};
+pub use kronecker::kronecker_of_rows;
+pub use product::{prefix_products, product_of_rows, product_sequential, product_tree};
 pub use rational_matrix::RationalMatrix;
 pub use smallest_entries::{SmallestEntry, smallest_entries};
 pub use solve::{determinant_over_field, solve_over_field};

@@ -1,6 +1,17 @@
 //! Products `P(t, s) = P(t) ... P(s)`: the new factor comes on the left.
 
 use super::{MatrixError, StochasticMatrix};
+use arithmetic::Ring;
+
+/// The product of matrices over any ring, given by their rows: as many columns on the left as rows on the right, at least one; what has no
+/// partner is left out.
+pub fn product_of_rows<T: Ring>(left: &[Vec<T>], right: &[Vec<T>]) -> Vec<Vec<T>> {
+    let cols = right.iter().map(Vec::len).min().unwrap_or(0);
+    let entry = |row: &Vec<T>, j: usize| {
+        row.iter().zip(right).map(|(x, column)| x.clone() * &column[j]).reduce(|sum, term| sum + term)
+    };
+    left.iter().map(|row| (0..cols).filter_map(|j| entry(row, j)).collect()).collect()
+}
 
 /// Every prefix `P(1,1), P(2,1), ...` of a sequence of factors, in order; ends with the first product that is refused.
 pub fn prefix_products<'a>(

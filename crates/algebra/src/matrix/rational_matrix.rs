@@ -121,6 +121,33 @@ impl RationalMatrix {
         (0..self.rows).map(|i| (0..self.cols).map(|j| self.entry(i, j)).collect()).collect()
     }
 
+    /// The smallest entry that is positive; `None` where none is.
+    pub fn least_positive(&self) -> Option<Rational> {
+        let least = self.numerators.iter().filter(|x| x.is_positive()).min()?;
+        Some(Rational::new(least.clone(), self.denominator.clone()))
+    }
+
+    /// The matrix of these rows and columns in the order given, counted from 0; entries outside the matrix are zero.
+    ///
+    /// # Errors
+    /// [`MatrixError::Empty`] for no rows or no columns.
+    pub fn block(&self, rows: &[usize], cols: &[usize]) -> Result<Self, MatrixError> {
+        let entry = |i: usize, j: usize| self.row(i).get(j).cloned().unwrap_or_default();
+        let numerators = rows.iter().flat_map(|&i| cols.iter().map(move |&j| entry(i, j))).collect();
+        RationalMatrix::new(rows.len(), cols.len(), numerators, self.denominator.clone())
+    }
+
+    /// The matrix with `self` and `other` as blocks on the diagonal and zeros beside them.
+    ///
+    /// # Errors
+    /// None of matrices that there are.
+    pub fn direct_sum(&self, other: &Self) -> Result<Self, MatrixError> {
+        let zeros = |count: usize| vec![Rational::zero(); count];
+        let upper = self.to_rows().into_iter().map(|row| [row, zeros(other.cols)].concat());
+        let lower = other.to_rows().into_iter().map(|row| [zeros(self.cols), row].concat());
+        RationalMatrix::from_rows(&upper.chain(lower).collect::<Vec<_>>())
+    }
+
     /// The product `self * right`.
     ///
     /// # Errors

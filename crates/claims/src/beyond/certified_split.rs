@@ -1,8 +1,7 @@
 //! beyond.tanner2.certified_split: an open set of connected starts from which a flock breaks up for ever.
 
-use crate::evidence::argued;
-use arithmetic::{FloatInterval, Interval, Rational, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
+use crate::prelude::*;
+use arithmetic::{FloatInterval, Signed};
 use models::double_integrator::{Coordinates, EnclosedEvent, EnclosedFlock, Potential, State};
 
 /// The speed of the agent that leaves, the time by which it has left, and how far each coordinate of a start may be from the stated one.
@@ -68,8 +67,7 @@ fn examine(variant: &Split, run: &mut Run) -> Result<Outcome, CheckError> {
         Err(error) => return Ok(Outcome::Undecided(error.to_string())),
     };
     let number = |x: f64| format!("~{x:.6}");
-    let evidence = Evidence::new(
-        Grade::Certified,
+    let evidence = certified(
         "all starts of the box",
         "validated integration (Taylor of order 14, parallelepipeds), Filippov's solutions at the threshold",
     )
@@ -93,7 +91,7 @@ fn examine(variant: &Split, run: &mut Run) -> Result<Outcome, CheckError> {
         later.velocities[2] = later.velocities[2].map(|v| -v);
     }
     let detail = format!("enclosures at t = {SETTLED}: the energy of the pair, the offset of agent 3 and its rate");
-    let parts = Evidence::new(Grade::Certified, "the parts after t = 2", detail).on([3]);
+    let parts = certified("the parts after t = 2", detail).on([3]);
     match apart_for_ever(&later, &potential, &square)? {
         Some(true) => {}
         Some(false) => {

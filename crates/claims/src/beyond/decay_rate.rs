@@ -1,10 +1,8 @@
 //! beyond.veerman.decay_rate: the slowest rate of decay of system (2), which no rate serves for all sizes.
 
-use crate::evidence::{are_within, at_most};
+use crate::prelude::*;
 use crate::veerman::{enclosed, gains};
 use algebra::spectrum::Polynomial;
-use arithmetic::{Field, Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
 use models::platoon::modes::mode_eigenvalue;
 use models::platoon::vector_form::motion_matrix;
 use models::platoon::{Communication, CommunicationGraph, Gains, slowest_rate};
@@ -76,7 +74,7 @@ fn small_flocks(variant: &DecayRateVariant, run: &Run) -> Result<Outcome, CheckE
 fn large_flocks(variant: &DecayRateVariant, run: &Run) -> Result<Outcome, CheckError> {
     let detail = "first and last mode, up to 2^-40 of the rate, and the bound, 10, 1000 and 10^6 followers";
     let cases = gains_list().into_iter().flat_map(|gains| [10u64, 1000, 1_000_000].map(|m| (gains.clone(), m)));
-    let evidence = Evidence::new(Grade::Certified, "large flocks", detail).on([1, 2]);
+    let evidence = certified("large flocks", detail).on([1, 2]);
     run.every(evidence, cases, |(exact, m)| {
         let gains = enclosed(&exact, PRECISION);
         let claimed = variant.rate(&gains, m)?;

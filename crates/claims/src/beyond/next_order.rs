@@ -161,13 +161,7 @@ const FREQUENCY: Quantity = Quantity {
     next: next_order::frequency,
     bound: next_order::FREQUENCY_BOUND,
     power: 3,
-    limit: |gains| {
-        // -sqrt|f| (pi³/(16 sqrt2)) (1/12 + b²/8).
-        let b2 = next_order::relative_damping_square(gains)?;
-        let factor = b2.ratio(1, 12) + b2.clone() * b2.ratio(1, 8);
-        let root = (-gains.f.clone()).sqrt()?;
-        (-(b2.pi().power(3) * factor * root)).over(&(b2.integer(16) * b2.integer(2).sqrt()?))
-    },
+    limit: next_order::frequency_limit,
     steps: "notes/veerman_next_order.md, steps 1 to 7",
 };
 
@@ -178,13 +172,7 @@ const AMPLITUDE: Quantity = Quantity {
     next: next_order::amplitude,
     bound: next_order::AMPLITUDE_BOUND,
     power: 1,
-    limit: |gains| {
-        // sqrt2 (b (36 - pi²)/96 - 1/(12 b)).
-        let b2 = next_order::relative_damping_square(gains)?;
-        let b = b2.sqrt()?;
-        let damping = (b.integer(36) - b.pi().square()) * b.ratio(1, 96) * &b;
-        Ok((damping - b.ratio(1, 12).over(&b)?) * b.integer(2).sqrt()?)
-    },
+    limit: next_order::amplitude_limit,
     steps: "notes/veerman_next_order.md, steps 1 to 11",
 };
 

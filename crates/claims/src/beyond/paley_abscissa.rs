@@ -1,11 +1,10 @@
 //! beyond.paley.abscissa: how fast the symmetric circular formations of Theorem 3 are reached, and exactly when they are stable.
 
 use super::paley_modes::{Altered, Law, invariant_modes};
-use crate::paley::without_symmetries;
+use crate::prelude::*;
 use algebra::spectrum::Polynomial;
-use arithmetic::{Interval, Rational, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
-use models::oscillator::{FourierFormation, TransverseSpectrum};
+use arithmetic::{Sign, Signed};
+use models::oscillator::{FourierFormation, TransverseSpectrum, without_symmetries};
 use rand_chacha::rand_core::Rng;
 
 /// Bits to which the abscissa of an exact characteristic polynomial is enclosed.
@@ -139,15 +138,14 @@ impl AbscissaVariant {
             let decays = found.zeros <= 1 && found.abscissa.is_certainly_negative();
             let grows = found.abscissa.is_certainly_positive();
             if decays != (claimed == Some(Sign::Positive)) || claimed == Some(Sign::Negative) && !grows {
-                let gains: Vec<String> = gains.iter().map(ToString::to_string).collect();
                 let what = format!(
                     "({clusters},{particles}), spacing network C_{particles}(1..{reach}), w0 = {omega}, K_0 = \
                      {spacing}, K_m = {}: abscissa {}, 0 removed {} times",
-                    gains.join(", "),
+                    list(&gains),
                     interval_value(&found.abscissa, 6),
                     found.zeros
                 );
-                return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "signs", "enclosed abscissa")));
+                return Ok(Outcome::fails(what, certified("signs", "enclosed abscissa")));
             }
             stable += usize::from(decays);
         }
@@ -158,8 +156,8 @@ impl AbscissaVariant {
         );
         let argued = "notes/paley_particles.md, Spectral abscissa at symmetric formations, step 3";
         Ok(Outcome::Holds(vec![
-            Evidence::new(Grade::Argued, "every connected network and all gains", argued).on([1]).for_all(),
-            Evidence::new(Grade::Certified, "exactly when stable", detail).cases(cases).on([1]),
+            Evidence::argued("every connected network and all gains", argued).on([1]),
+            certified("exactly when stable", detail).cases(cases).on([1]),
         ]))
     }
 
@@ -177,18 +175,18 @@ impl AbscissaVariant {
                     interval_value(&found.abscissa, 12),
                     found.zeros
                 );
-                return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "abscissae", "enclosures")));
+                return Ok(Outcome::fails(what, certified("abscissae", "enclosures")));
             }
             run.value(&format!("abscissa {name}"), interval_value(&found.abscissa, 15));
         }
         let detail = "cubics of beyond.paley.circulant_spectrum, zeros divided out exactly, relative width below 10^-9";
-        let evidence = Evidence::new(Grade::Certified, "synchronised and balanced", detail).on([4]).for_all();
-        Ok(Outcome::Holds(vec![evidence.cases(self.aligned.len())]))
+        let evidence = certified("synchronised and balanced", detail).on([4]).for_all();
+        holds(evidence.cases(self.aligned.len()))
     }
 
     /// The abscissae for gains of the figures and of paley.thm3.stab.
     fn enclosures(&self, run: &mut Run) -> Result<Outcome, CheckError> {
-        let fails = |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "abscissae", "enclosures")));
+        let fails = |what: String| Ok(Outcome::fails(what, certified("abscissae", "enclosures")));
         let mut formations = 0;
         for (index, (omega, below, last)) in
             [((1, 10), (1, 5), (-1, 25)), ((1, 10), (4, 1), (-1, 3)), ((-2, 1), (4, 1), (-1, 3))]
@@ -228,9 +226,7 @@ impl AbscissaVariant {
         }
         let detail = "relative width below 10^-9, all M, N = 12, 5, 8, 18, 24, 30 for Figure 4, N = 12, 5, 8 (full runs: \
          all) for two other sets of gains: Routh's table of the shifted cubics";
-        Ok(Outcome::Holds(vec![
-            Evidence::new(Grade::Certified, "abscissae", detail).cases(formations).on([3]).for_all(),
-        ]))
+        holds(certified("abscissae", detail).cases(formations).on([3]).for_all())
     }
 }
 
@@ -269,16 +265,13 @@ fn whole_matrices(run: &Run) -> Result<Outcome, CheckError> {
             if !agree {
                 let what =
                     format!("({clusters},{particles}): the modes and the whole matrix do not have the same abscissa");
-                return Ok(Outcome::fails(
-                    what,
-                    Evidence::new(Grade::Exact, "whole matrix", "characteristic polynomial"),
-                ));
+                return Ok(Outcome::fails(what, exact("whole matrix", "characteristic polynomial")));
             }
         }
     }
     let detail = "the same abscissae from exact characteristic polynomials of the law's derivative by duals, M = 1, \
      2, 4, N up to 4 (12 in full runs); steps 1 and 2";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Certified, "whole matrices", detail).cases(cases).on([2, 3])]))
+    holds(certified("whole matrices", detail).cases(cases).on([2, 3]))
 }
 
 pub fn pattern_abscissa() -> Record<AbscissaVariant> {
@@ -341,13 +334,13 @@ pub fn pattern_abscissa() -> Record<AbscissaVariant> {
 fn examine_pattern_abscissa(variant: &AbscissaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     // The parts that take long come last: most controls do not reach them.
     let argued = "notes/paley_particles.md, Spectral abscissa at symmetric formations, steps 1 to 4";
-    let argued = Evidence::new(Grade::Argued, "the spectrum, all M and N", argued).on([2]).for_all();
+    let argued = Evidence::argued("the spectrum, all M and N", argued).on([2]);
     Run::all((0..6).map(|part| match part {
         0 => variant.signs(run),
         1 => variant.synchronised_and_balanced(run),
         2 => variant.enclosures(run),
         3 => Ok(invariant_modes(&variant.altered, run)?.on([2])),
         4 => whole_matrices(run),
-        _ => Ok(Outcome::Holds(vec![argued.clone()])),
+        _ => holds(argued.clone()),
     }))
 }

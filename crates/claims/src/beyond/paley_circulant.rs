@@ -1,11 +1,12 @@
 //! beyond.paley.circulant_spectrum, beyond.paley.cyclic_patterns: circular formations on circulant graphs.
 
 use crate::prelude::*;
-use algebra::matrix::{Inertia, determinant_over_field, inertia};
+use algebra::matrix::{Inertia, determinant_over_field};
 use arithmetic::{CosineField, RealCyclotomic, Sign, Signed};
+use models::oscillator::critical::laplacian_hessian;
 use models::oscillator::{
-    CircularGains, Neighbours, circulant_eigenvalue, circular_control, circular_formation, linearisation, misalignment,
-    phase_jacobian, quarter_turn,
+    CircularGains, Neighbours, circulant_eigenvalue, circular_control, circular_formation, fourier_column,
+    linearisation, quarter_turn,
 };
 
 type Number = Complex<RealCyclotomic>;
@@ -35,7 +36,7 @@ impl Pattern {
     /// `det(s - A)` of the linearisation, for some values of `s`.
     fn determinants(&self, points: &[RealCyclotomic]) -> Result<Vec<RealCyclotomic>, ArithmeticError> {
         let (gains, order) = (self.gains(), self.order);
-        let phasors: Vec<Number> = (0..order).map(|k| self.field.phasor((self.m * k) as i64)).collect();
+        let phasors = fourier_column(&self.field, order, self.m);
         let network = Neighbours::from_fn(order, |k, j| self.offsets.contains(&((j + order - k) % order)));
         let constant = gains.constant();
         let rows = linearisation(&circular_formation(&gains.omega, &phasors)?, &gains.omega, |state| {
@@ -125,8 +126,7 @@ impl CyclicVariant {
     fn contradiction(&self, order: usize, m: usize) -> Result<Option<String>, CheckError> {
         let field = CosineField::new(order as u32);
         let network = Neighbours::circulant(order, &[1]);
-        let phasors: Vec<Number> = (0..order).map(|k| field.phasor((m * k) as i64)).collect();
-        let found = inertia(&phase_jacobian(&phasors, |z| Ok(misalignment(&network, z)))?)?;
+        let found = laplacian_hessian(&network, &fourier_column(&field, order, m), 1)?;
         let stable = found == Inertia { positive: 0, negative: order - 1, zero: 1 };
         let cosine = (field.cos(m as i64) * field.number(&rational(self.sign, 1))).sign();
         let claimed = cosine == Some(Sign::Negative) || !self.strict && cosine == Some(Sign::Zero);

@@ -139,5 +139,5 @@ pub fn invariant_modes(altered: &Altered, run: &Run) -> Result<Outcome, CheckErr
         "A F_q = F_q B_q over the field of cosines, A the derivative of the law by duals, C_N and all-to-all, N up to {most}; proof for all N in \
          notes/paley_particles.md; the display before step 1"
     );
-    Ok(Outcome::Holds(vec![exact("modes", detail).cases(patterns)]))
+    holds(exact("modes", detail).cases(patterns))
 }

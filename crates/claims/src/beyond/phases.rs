@@ -1,10 +1,12 @@
 //! beyond.paley.inertia and beyond.paley.cyclic_eigenvectors.
 
-use crate::paley::{CyclicVariant, Kind, arrangements, critical_points, hessian, is_critical, is_on_a_line};
-use crate::paley::{linearisation, two_clusters};
+use crate::paley::CyclicVariant;
 use crate::prelude::*;
 use algebra::matrix::Inertia;
 use arithmetic::Signed;
+use models::oscillator::critical::{
+    Kind, arrangements, critical_points, hessian, is_critical, is_on_a_line, linearisation, two_clusters,
+};
 
 /// The inertia (positive, negative, zero) at critical points on a line, given `N` and the size of the minority, and at balanced ones; and whether
 /// balanced arrangements count as critical points.

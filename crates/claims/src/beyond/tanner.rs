@@ -5,9 +5,8 @@ use crate::tanner2::fixtures::{PLANE, printed as logarithmic, spring};
 use crate::tanner2::switching::{Trees, no_common_configuration};
 use algebra::graph::Graph;
 use models::double_integrator::{
-    AnyPotentials, Coordinates, HeadingDifference, Potential, State, cross, crosses_for_ever, difference, dot,
-    gyroscopic, heading, kinetic_energy, linked_within, potential_gradients, rhombus, scaled, sum, symmetric_modes,
-    tied,
+    AnyPotentials, HeadingDifference, Potential, State, cross, crosses_for_ever, difference, dot, gyroscopic, heading,
+    kinetic_energy, potential_gradients, real_decaying_modes, scaled, sum,
 };
 
 /// `d/dt ½|v_1 + v_2|² = factor d (v_2 x v_1)/s`, where `d` is the heading difference of the law.
@@ -179,22 +178,9 @@ fn out_of_reach(potential: &Potential, square: &Rational) -> Result<Option<Strin
     }))
 }
 
-/// A motion near the rhombus that does not turn: where all modes of the linked side are real, one that tends to the rhombus along the slowest
-/// of them from within R. The bars couple both diagonals, so that the long one takes part in it.
+/// Symmetric motions near the rhombus that do not turn, so that one of them does not pass `R` any more.
 fn settles_without_turning(potential: &Potential, square: &Rational) -> Result<Option<String>, CheckError> {
-    let state = rhombus();
-    if tied(&state.positions, square, Coordinates::Triangular) != [(0, 2)] {
-        return Ok(None);
-    }
-    let flat = [rational(1, 1), square.clone()].map(|s| potential.slope(&s));
-    let [side, diagonal] = flat;
-    let rests = side? == rational(0, 1) && diagonal? == rational(0, 1);
-    let linked = linked_within(&state.positions, square, Coordinates::Triangular).with_edges(&[(0, 2)]);
-    let modes = symmetric_modes(&linked.edges(), potential)?;
-    let bound = Rational::from_integer(modes.coefficients().iter().map(num_traits::Signed::abs).sum());
-    let real = modes.roots_in(&-bound.clone(), &bound).len();
-    let decays = rests && modes.is_hurwitz() && modes.is_square_free();
-    Ok((decays && real == modes.degree()).then(|| {
+    Ok(real_decaying_modes(potential, square)?.map(|real| {
         format!(
             "R² = {square}: with the link 1-3 all {real} modes of symmetric motions near the rhombus decay without turning; one that tends to it along the slowest of them with |r_13| < R does not pass R any more"
         )
@@ -218,7 +204,7 @@ fn examine_endless(setting: &(Potential, Rational), _run: &mut Run) -> Result<Ou
     }
     if fulfilled && crosses_for_ever(potential, square)? {
         return Run::all([
-            Ok(Outcome::Holds(vec![evidence])).checks("step 3"),
+            holds(evidence).checks("step 3"),
             argued(&[1], "the motions near it", "notes/tanner2.md, Endless switching, steps 1 to 4"),
         ]);
     }
@@ -277,7 +263,7 @@ fn examine_ends(variant: &EndsVariant, run: &mut Run) -> Result<Outcome, CheckEr
         let what = "V' = (s-1)(s-3)²(s+3/5)/s², R² = 3: motions near the rhombus tend to it, where one pair is at R, and that pair passes R for ever";
         return Ok(Outcome::fails(what, exact("switching near the rhombus", "exact modes")));
     }
-    let graphs = [Graph::path(2), Graph::path(3), Graph::from_fn(3, |_, _| true), Graph::path(4)];
+    let graphs = [Graph::path(2), Graph::path(3), Graph::complete(3), Graph::path(4)];
     let jumps = graphs.into_iter().map(|graph| {
         let names = AnyPotentials::names(&graph);
         let part = format!("the pull of the link 1-2 on |r_12|², edges {:?}, any potentials", graph.edges());

@@ -1,12 +1,12 @@
 //! chazelle.lem2.2.entries, and beyond.chazelle.entries: how small the nonzero entries of products get.
 
-use super::sequences::{random_graph, seen_from_one_side, share_weights, show_all, words};
+use super::sequences::{seen_from_one_side, show_all};
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{RationalMatrix, StochasticMatrix, prefix_products, product_sequential, smallest_entries};
-use models::averaging::{Weights, transition_matrix};
+use arithmetic::words;
+use models::averaging::{Weights, random_network, transition_matrix};
 use num_bigint::BigInt;
-use num_traits::Zero;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -42,7 +42,7 @@ impl EntriesVariant {
 
     fn matrix(&self, model: Model, graph: &Graph) -> Result<RationalMatrix, CheckError> {
         let weights = match (self.share, model) {
-            (Some(share), _) => share_weights(graph, share),
+            (Some((p, q)), _) => Weights::of_share(graph, &rational(p, q)),
             (None, Model::Lazy) => Weights::Lazy,
             (None, Model::Vicsek) => Weights::Vicsek,
         };
@@ -90,11 +90,6 @@ fn factorial(n: i64) -> Rational {
 /// entry so far, and to all birds that the column has not reached.
 fn extremal_sequence(order: usize) -> Vec<Graph> {
     (1..order).map(|k| Graph::from_fn(order, |i, j| (i, j) == (k - 1, k) || (i == k && j > k))).collect()
-}
-
-fn least_positive(matrix: &RationalMatrix) -> Rational {
-    let entries = matrix.to_rows().into_iter().flatten().filter(|x| !x.is_zero());
-    entries.min().unwrap_or_else(|| rational(0, 1))
 }
 
 /// What is wrong where an entry of the product of these networks is below the bound.
@@ -151,7 +146,7 @@ fn all_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Chec
         }
     }
     let detail = "all products of up to 6, 5, 3 factors (4 with --full) on 2, 3, 4 birds, lazy and vicsek";
-    Ok(Outcome::Holds(vec![exhaustive("the bound", detail).on([1]).cases(cases)]))
+    holds(exhaustive("the bound", detail).on([1]).cases(cases))
 }
 
 /// Products of 64 factors that alternate between two networks on three birds.
@@ -167,7 +162,7 @@ fn long_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Che
             let factors: Vec<StochasticMatrix> = (0..LENGTH).map(|t| matrices[pair[t % 2]].clone()).collect();
             for (t, product) in prefix_products(&factors).enumerate() {
                 cases += 1;
-                let entry = least_positive(&product?.to_rational_matrix());
+                let entry = product?.to_rational_matrix().least_positive().unwrap_or_default();
                 let sequence: Vec<Graph> = (0..=t).map(|t| graphs[pair[t % 2]].clone()).collect();
                 if let Some(what) = below(model, &sequence, &entry, &floor) {
                     return Ok(Outcome::fails(what, exact("the bound", "one exact product")));
@@ -176,7 +171,7 @@ fn long_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Che
         }
     }
     let detail = "products of up to 64 factors that alternate between any two networks on 3 birds";
-    Ok(Outcome::Holds(vec![exact("independence of t", detail).on([1]).cases(cases)]))
+    holds(exact("independence of t", detail).on([1]).cases(cases))
 }
 
 fn attained(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -189,7 +184,7 @@ fn attained(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckErr
     for (order, model) in cases {
         run.checkpoint()?;
         let factors = factors(&extremal_sequence(order), |graph| variant.matrix(model, graph))?;
-        let entry = least_positive(&product_sequential(&factors)?.to_rational_matrix());
+        let entry = product_sequential(&factors)?.to_rational_matrix().least_positive().unwrap_or_default();
         let floor = variant.floor(model, order);
         if entry != floor {
             let what = format!("{}, {order} birds: the smallest entry is {entry}, not {floor}", model.name());
@@ -198,7 +193,7 @@ fn attained(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckErr
     }
     let evidence = exact("the bound is attained", "a product of n - 1 factors for n = 2, ..., 9").on([2]);
     Run::all([
-        Ok(Outcome::Holds(vec![evidence.cases(LARGEST - 1)])).checks("step 5, and the values of step 4"),
+        holds(evidence.cases(LARGEST - 1)).checks("step 5, and the values of step 4"),
         argued(&[1, 2], "the smallest entries, for all n and all products", place),
     ])
 }
@@ -212,11 +207,11 @@ fn given_weights(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Che
     let evidence = fuzzed("any weights of O(log n) bits", "random c_i(t) = p/n^2, up to 5 birds, 10 factors");
     run.every(evidence, 0..run.cases(60, 1000), |_| {
         let order = 2 + random.next_u32() as usize % 4;
-        let graphs: Vec<Graph> = (0..10).map(|_| random_graph(order, 1, &mut random)).collect();
+        let graphs: Vec<Graph> = (0..10).map(|_| random_network(order, 1, &mut random)).collect();
         let factors = factors(&graphs, |g| Ok(transition_matrix(g, &small_weights(g, 2, &mut random))?))?;
         let floor = variant.floor(Model::Lazy, order);
         for product in prefix_products(&factors) {
-            let entry = least_positive(&product?.to_rational_matrix());
+            let entry = product?.to_rational_matrix().least_positive().unwrap_or_default();
             if let Some(what) = below(Model::Lazy, &graphs, &entry, &floor) {
                 return Ok(Some(what));
             }

@@ -6,55 +6,8 @@ use num_bigint::BigInt;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
-/// All rows of `cols` non-negative integers with sum `total`.
-fn compositions(total: i64, cols: usize) -> Vec<Vec<i64>> {
-    if cols == 1 {
-        return vec![vec![total]];
-    }
-    let extend = |first: i64| {
-        compositions(total - first, cols - 1).into_iter().map(move |rest| {
-            let mut row = vec![first];
-            row.extend(rest);
-            row
-        })
-    };
-    (0..=total).flat_map(extend).collect()
-}
-
-/// All ordered choices of `rows` rows.
-fn all_matrices(rows: usize, cols: usize, denominator: i64) -> Result<Vec<RationalMatrix>, CheckError> {
-    let choices = compositions(denominator, cols);
-    let count = choices.len().pow(rows as u32);
-    let matrix = |mut code: usize| {
-        let picked: Vec<&Vec<i64>> = (0..rows)
-            .map(|_| {
-                let row = &choices[code % choices.len()];
-                code /= choices.len();
-                row
-            })
-            .collect();
-        Ok(RationalMatrix::from_integers(&picked, denominator)?)
-    };
-    (0..count).map(matrix).collect()
-}
-
-/// A random row-stochastic matrix; about half of its entries are zero.
-fn random_matrix(rows: usize, cols: usize, random: &mut ChaCha8Rng) -> Result<RationalMatrix, CheckError> {
-    let row = |random: &mut ChaCha8Rng| {
-        let mut weights: Vec<i64> = (0..cols)
-            .map(|_| if random.next_u32().is_multiple_of(2) { i64::from(random.next_u32() % 1000) } else { 0 })
-            .collect();
-        weights[(random.next_u32() as usize) % cols] += 1;
-        let sum: i64 = weights.iter().sum();
-        weights.into_iter().map(|w| rational(w, sum)).collect::<Vec<_>>()
-    };
-    let rows: Vec<Vec<Rational>> = (0..rows).map(|_| row(random)).collect();
-    Ok(RationalMatrix::from_rows(&rows)?)
-}
-
 fn show(matrix: &RationalMatrix) -> String {
-    let row = |row: Vec<Rational>| row.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-    format!("[{}]", matrix.to_rows().into_iter().map(|r| format!("[{}]", row(r))).collect::<Vec<_>>().join(", "))
+    format!("[{}]", list(matrix.to_rows().iter().map(|row| format!("[{}]", list(row)))))
 }
 
 fn size(random: &mut ChaCha8Rng, largest: usize) -> usize {
@@ -128,10 +81,10 @@ fn check_coefficient(variant: &CoefficientVariant, run: &mut Run) -> Result<Outc
             a.to_rows().into_iter().map(|row| row.into_iter().map(|x| x / &divisor).collect()).collect();
         Ok(RationalMatrix::from_rows(&rows)?)
     };
-    let upto = |cols: usize, largest: i64| (1..=largest).map(move |denominator| (2, cols, denominator));
+    let upto = |cols: usize, largest: u32| (1..=largest).map(move |denominator| (2, cols, denominator));
     let families = [(1, 1, 1), (1, 3, 4), (2, 1, 3)].into_iter().chain(upto(2, 12));
     let families = families.chain([(3, 3, 3)]).chain(upto(3, 6)).chain(upto(4, 4));
-    let all = families.map(|(rows, cols, denominator)| all_matrices(rows, cols, denominator));
+    let all = families.map(|(rows, cols, denominator)| RationalMatrix::all_stochastic(rows, cols, denominator));
     let all = all.collect::<Result<Vec<_>, _>>()?.into_iter().flatten();
     let mut random = run.random(0);
     let part = "equality and both bounds, for every row-stochastic matrix";
@@ -140,7 +93,7 @@ fn check_coefficient(variant: &CoefficientVariant, run: &mut Run) -> Result<Outc
         run.every(exhaustive(part, detail), all, |a| Ok(variant.fails_at(&scale(a)?))),
         run.every(fuzzed("the same", "random rectangular matrices up to 9 x 9"), 0..run.cases(300, 5000), |_| {
             let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
-            Ok(variant.fails_at(&scale(random_matrix(rows, cols, &mut random)?)?))
+            Ok(variant.fails_at(&scale(RationalMatrix::random_stochastic(rows, cols, &mut random)?)?))
         }),
     ])
     .on([1, 2])
@@ -209,8 +162,9 @@ fn check_submultiplicative(variant: &SubmultiplicativeVariant, run: &mut Run) ->
     let mut pairs = Vec::new();
     // Both sides are attained at two rows of A, so two rows are enough.
     for (inner, cols, of_a, of_b) in [(1, 2, 2, 3), (2, 2, 6, 4), (2, 3, 4, 3), (3, 2, 3, 2), (3, 3, 3, 2)] {
-        let lefts = all_matrices(2, inner, of_a)?.into_iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
-        let rights = all_matrices(inner, cols, of_b)?;
+        let lefts =
+            RationalMatrix::all_stochastic(2, inner, of_a)?.into_iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
+        let rights = RationalMatrix::all_stochastic(inner, cols, of_b)?;
         pairs.extend(rights.iter().flat_map(|b| lefts.iter().map(move |a| (a.clone(), b.clone()))));
     }
     // Equality, and the reason why tau_1 cannot be replaced: rows spread over many entries.
@@ -227,8 +181,8 @@ fn check_submultiplicative(variant: &SubmultiplicativeVariant, run: &mut Run) ->
         attained,
         run.every(fuzzed("the same", "random rectangular matrices up to 7 x 7"), 0..run.cases(200, 4000), |_| {
             let (rows, inner, cols) = (size(&mut random, 7), size(&mut random, 7), size(&mut random, 7));
-            let a = prepare(random_matrix(rows, inner, &mut random)?)?;
-            variant.fails_at(&a, &random_matrix(inner, cols, &mut random)?)
+            let a = prepare(RationalMatrix::random_stochastic(rows, inner, &mut random)?)?;
+            variant.fails_at(&a, &RationalMatrix::random_stochastic(inner, cols, &mut random)?)
         }),
     ])
 }
@@ -269,7 +223,7 @@ fn check_square_root_of_two(variant: &SquareRootOfTwoVariant, run: &mut Run) -> 
     };
     let fails = |a: RationalMatrix| fails_at(&if variant.stochastic { a } else { spoiled(&a)? });
     let families = [(1, 1, 1), (2, 1, 1), (2, 2, 12), (2, 3, 6), (2, 4, 4), (3, 3, 3)];
-    let all = families.map(|(rows, cols, denominator)| all_matrices(rows, cols, denominator));
+    let all = families.map(|(rows, cols, denominator)| RationalMatrix::all_stochastic(rows, cols, denominator));
     let all = all.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten();
     let part = "both inequalities, for every row-stochastic matrix";
     let mut random = run.random(0);
@@ -277,7 +231,7 @@ fn check_square_root_of_two(variant: &SquareRootOfTwoVariant, run: &mut Run) -> 
         run.every(exhaustive(part, "all pairs of rows over small denominators"), all, fails),
         run.every(fuzzed("the same", "random rectangular matrices up to 9 x 9"), 0..run.cases(300, 5000), |_| {
             let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
-            fails(random_matrix(rows, cols, &mut random)?)
+            fails(RationalMatrix::random_stochastic(rows, cols, &mut random)?)
         }),
     ])
     .on([1, 2])

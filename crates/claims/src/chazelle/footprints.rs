@@ -1,10 +1,10 @@
 //! chazelle.foot.mono: footprints of products never lose a one.
 
-use super::sequences::{seen_from_one_side, share_weights, show};
+use super::sequences::{seen_from_one_side, show};
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Footprint, StochasticMatrix};
-use models::averaging::transition_matrix;
+use models::averaging::{Weights, transition_matrix};
 
 #[derive(Clone, Copy)]
 pub struct MonotoneVariant {
@@ -21,7 +21,7 @@ pub struct MonotoneVariant {
 impl MonotoneVariant {
     /// The matrix of a graph: `c_i = share/d_i`.
     fn matrix(&self, graph: &Graph) -> Result<StochasticMatrix, CheckError> {
-        let matrix = transition_matrix(graph, &share_weights(graph, self.share))?;
+        let matrix = transition_matrix(graph, &Weights::of_share(graph, &rational(self.share.0, self.share.1)))?;
         let matrix = if self.one_sided { seen_from_one_side(&matrix)? } else { matrix };
         Ok(StochasticMatrix::try_from(&matrix)?)
     }

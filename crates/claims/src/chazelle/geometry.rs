@@ -3,7 +3,7 @@
 //! The key is the virtual origin `E_i(t) = x_i(t) - t v_i(t)`: `E(1) = x(0)` and `E(t+1) = P(t) E(t) + (I - P(t))
 //! x(t)`, whose last term is bounded and has stationary mean zero on a fixed network (notes/settling.md).
 
-use super::sequences::{four_birds, random_start, settled, show_start};
+use super::sequences::{settled, show_start};
 use super::switching::SwitchesVariant;
 use crate::prelude::*;
 use arithmetic::Signed;
@@ -69,7 +69,6 @@ impl AngleVariant {
         let above = !at_most(&ratio, &(ratio.one() + &slack))?;
         let below = !at_most(&lower, &(ratio.clone() + slack))?;
         let side = if above { "above 1" } else { "below the lower bound" };
-        let list = |x: &[Rational]| x.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         let what = || format!("w = ({}), v = ({}): the quotient {:.6} is {side}", list(a), list(b), ratio.to_f64());
         Ok((above || below).then(what))
     }
@@ -123,15 +122,6 @@ fn check_quotient(variant: &AngleVariant, run: &mut Run) -> Result<Outcome, Chec
         run.every(evidence, &pairs, |(w, v)| variant.fails_at(w, v)).checks("step 2"),
         argued(&[1, 2], "1/(1 + R²) <= angle/distance <= 1, and R <= n^O(1)", "notes/settling.md, (3.15), steps 1-3"),
     ])
-}
-
-/// The virtual origins `x_i(t) - t v_i(t)` of a flock one step after `before`.
-fn origins(before: &[Vec<Rational>], flock: &Flock) -> Vec<Vec<Rational>> {
-    let t = Rational::from_integer(flock.time().clone());
-    let now = flock.positions();
-    let origin =
-        |(x, old): (&Vec<Rational>, &Vec<Rational>)| x.iter().zip(old).map(|(a, b)| a - (a - b) * &t).collect();
-    now.iter().zip(before).map(origin).collect()
 }
 
 /// What the angle between `x_i(t)` and `v_i(t)` is compared with.
@@ -198,10 +188,10 @@ fn origins_of_flocks(variant: &OriginVariant, run: &Run) -> Result<Outcome, Chec
         velocities: vec![vec![rational(0, 1), rational(1, 100)]],
         ..single.clone()
     };
-    let mut starts = vec![passing, single, four_birds(Hysteresis::None), four_birds(Hysteresis::Paper)];
+    let mut starts = vec![passing, single, Start::four_birds(Hysteresis::None), Start::four_birds(Hysteresis::Paper)];
     starts.extend(
         (0..run.cases(60, 600))
-            .map(|k| random_start(&mut random, if k % 2 == 0 { Hysteresis::Paper } else { Hysteresis::None })),
+            .map(|k| Start::random(if k % 2 == 0 { Hysteresis::Paper } else { Hysteresis::None }, &mut random)),
     );
     let evidence = fuzzed(
         "the recursion of the virtual origins, their bound, and the angle",
@@ -221,12 +211,12 @@ fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, Chec
     let h = rational(n as i64, 1).pow((variant.h)(if *flock.weights() == Weights::Vicsek { 1 } else { 2 }) as i32);
     let mut before = flock.positions();
     let mut switches = i64::from(flock.step()?.is_some());
-    let mut now = origins(&before, &flock);
+    let mut now = flock.virtual_origins(&before);
     for t in 2..=UNTIL {
         before = flock.positions();
         let p = transition_matrix(flock.network(), flock.weights())?;
         let switched = flock.step()?.is_some();
-        let next = origins(&before, &flock);
+        let next = flock.virtual_origins(&before);
         let q = rational(variant.coupling.0, variant.coupling.1);
         for k in 0..flock.dimension() {
             let column = |rows: &[Vec<Rational>]| -> Vec<Rational> { rows.iter().map(|row| row[k].clone()).collect() };
@@ -308,7 +298,7 @@ pub fn about_losses(id: &'static str, derivation: &'static str, printed: LossVar
 /// Decides from when on no edge is lost: the four birds, and the two computations of the proof.
 fn examine_losses(variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
-    let starts: Vec<Start> = (0..run.cases(30, 300)).map(|_| random_start(&mut random, Hysteresis::Paper)).collect();
+    let starts: Vec<Start> = (0..run.cases(30, 300)).map(|_| Start::random(Hysteresis::Paper, &mut random)).collect();
     let step_5 = fuzzed(
         "step 5: differences of velocities from virtual origins",
         "all pairs of birds of exact flocks of 2 to 5 birds in dimension 1 to 3, t = 2, ..., 8",
@@ -332,7 +322,7 @@ fn examine_losses(variant: &LossVariant, run: &mut Run) -> Result<Outcome, Check
 /// The four birds of the paper: when they lose an edge for the last time.
 fn last_loss(variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let hysteresis = if variant.hysteresis { Hysteresis::Paper } else { Hysteresis::None };
-    let (switches, end) = settled(&four_birds(hysteresis), run)?;
+    let (switches, end) = settled(&Start::four_birds(hysteresis), run)?;
     let last = switches.iter().rev().find(|s| !s.lost.is_empty()).map_or(BigInt::ZERO, |s| s.time.clone());
     run.value("four_birds_last_loss", last.to_string());
     let steady = matches!(end.ending, Ending::Steady);
@@ -352,7 +342,7 @@ impl LossVariant {
         for t in 2..=8 {
             let before = flock.positions();
             flock.step()?;
-            let (now, origins) = (flock.positions(), origins(&before, &flock));
+            let (now, origins) = (flock.positions(), flock.virtual_origins(&before));
             for (i, j) in (0..flock.birds()).flat_map(|j| (0..j).map(move |i| (i, j))) {
                 let left = minus(&minus(&now[i], &before[i]), &minus(&now[j], &before[j]));
                 let right = minus(&minus(&before[i], &before[j]), &minus(&origins[i], &origins[j]));

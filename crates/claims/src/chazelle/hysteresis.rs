@@ -2,7 +2,7 @@
 //! soundness.
 
 use super::geometry::{loss_exponent, switch_exponent};
-use super::sequences::{four_birds, random_start, settled, show_start};
+use super::sequences::{settled, show_start};
 use crate::prelude::*;
 use arithmetic::Signed;
 use models::averaging::settle::Ending;
@@ -84,7 +84,7 @@ fn check_rule(variant: &RuleVariant, run: &mut Run) -> Result<Outcome, CheckErro
         }
     }
     // The four birds of Section 3: gaps in closed form, the edge 2-3 by the rule.
-    let mut flock = Flock::new(&four_birds(Hysteresis::Paper))?;
+    let mut flock = Flock::new(&Start::four_birds(Hysteresis::Paper))?;
     let mut before = flock.positions();
     for t in 1..=340 {
         run.checkpoint()?;
@@ -166,8 +166,8 @@ impl SmallerThresholdVariant {
     /// The four birds of the paper end in the same network, at another time.
     fn four_birds(&self, run: &mut Run) -> Result<Outcome, CheckError> {
         let smaller = Hysteresis::Constant(threshold(4, 4) / rational(2, 1).pow(100));
-        let (_, printed) = settled(&four_birds(Hysteresis::Paper), run)?;
-        let (_, found) = settled(&four_birds(if self.without { Hysteresis::None } else { smaller }), run)?;
+        let (_, printed) = settled(&Start::four_birds(Hysteresis::Paper), run)?;
+        let (_, found) = settled(&Start::four_birds(if self.without { Hysteresis::None } else { smaller }), run)?;
         run.value("four_birds_last_switch", found.last_switch.to_string());
         let detail = "the four birds end in the same network, at another time; settled exactly";
         let (steady, last) = (matches!(found.ending, Ending::Steady), &found.last_switch);
@@ -212,7 +212,7 @@ fn check_near_birds_are_joined(variant: &NearVariant, run: &mut Run) -> Result<O
                 1 => Hysteresis::Constant(rational(1, 40)),
                 _ => Hysteresis::Constant(rational(1, 4)),
             };
-            random_start(&mut random, hysteresis)
+            Start::random(hysteresis, &mut random)
         })
         .collect();
     let detail = "exact flocks of 2 to 5 birds in dimension 1 to 3, 12 steps";
@@ -328,7 +328,7 @@ impl FarVariant {
 
     /// The four birds of the paper until long after their last switch.
     fn four_birds(&self, run: &Run) -> Result<Outcome, CheckError> {
-        let mut flock = Flock::new(&four_birds(Hysteresis::Paper))?;
+        let mut flock = Flock::new(&Start::four_birds(Hysteresis::Paper))?;
         let limit = (rational(1, 1) + threshold(4, self.power)).square();
         run.instances("the four birds", "400 steps, exactly", 1..=400, |t: u32| {
             flock.step()?;
@@ -367,7 +367,7 @@ fn check_far_birds_are_not(variant: &FarVariant, run: &mut Run) -> Result<Outcom
     // First two birds at distance 1 that part by 7/8 of the threshold.
     let [x, v] = [rational(1, 1), rational(7, 320)].map(|second| vec![rational(0, 1), second]);
     let parting = Start::on_the_line(x, v, Weights::Lazy, rule.clone());
-    let random = (0..run.cases(60, 600)).map(|_| random_start(&mut random, rule.clone()));
+    let random = (0..run.cases(60, 600)).map(|_| Start::random(rule.clone(), &mut random));
     let starts: Vec<Start> = std::iter::once(parting).chain(random).collect();
     let step_1 = fuzzed(
         "step 1: how fast a kept edge grows",

@@ -1,25 +1,13 @@
 //! chazelle.kron and chazelle.chi: the Kronecker product, and differences of velocities as rows of a product.
 
-use super::sequences::{random_graph, show_all};
+use super::sequences::show_all;
 use crate::prelude::*;
 use algebra::graph::Graph;
-use models::averaging::{Weights, transition_matrix};
+use algebra::matrix::{kronecker_of_rows as blocks, product_of_rows as times};
+use models::averaging::{Weights, random_network, transition_matrix};
 use rand_chacha::rand_core::Rng;
 
 type Dense<T> = Vec<Vec<T>>;
-
-fn times<T: Ring>(a: &Dense<T>, b: &Dense<T>) -> Dense<T> {
-    let dot = |row: &Vec<T>, j: usize| {
-        row.iter().zip(b).map(|(x, column)| x.clone() * &column[j]).reduce(|sum, x| sum + x).expect("no empty shapes")
-    };
-    a.iter().map(|row| (0..b[0].len()).map(|j| dot(row, j)).collect()).collect()
-}
-
-/// Each `a_ij` replaced by the block `a_ij B`.
-fn blocks<T: Ring>(a: &Dense<T>, b: &Dense<T>) -> Dense<T> {
-    let row = |a: &Vec<T>, b: &Vec<T>| a.iter().flat_map(|x| b.iter().map(move |y| x.clone() * y)).collect();
-    a.iter().flat_map(|x| b.iter().map(move |y| row(x, y))).collect()
-}
 
 /// How the index rule is read, and which product the mixed one is compared with.
 #[derive(Clone, Copy)]
@@ -183,20 +171,19 @@ impl DifferenceVariant {
         let unit = |order: usize| -> Dense<Rational> {
             (0..order).map(|i| (0..order).map(|j| rational(i64::from(i == j), 1)).collect()).collect()
         };
-        let list = |x: &[&Rational]| x.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         let mut velocities = start.clone();
         for t in 1..=graphs.len() {
             let last = (t as isize - 1 + self.shift).max(0) as usize;
             let product = matrices[..last].iter().fold(unit(n), |product, p| times(p, &product));
             for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|(i, j)| i != j) {
-                let right = times(&blocks(&times(&vec![self.chi(n, i, j)], &product), &unit(d)), start);
+                let right = times(&blocks(&times(&[self.chi(n, i, j)], &product), &unit(d)), start);
                 let left: Vec<Rational> =
                     (0..d).map(|k| velocities[i * d + k][0].clone() - &velocities[j * d + k][0]).collect();
                 let (left, right): (Vec<_>, Vec<_>) = (left.iter().collect(), right.iter().flatten().collect());
                 if left != right {
                     let names = format!("v_{}({t}) - v_{}({t})", i + 1, j + 1);
                     let (start, networks) = (start.iter().flatten().collect::<Vec<_>>(), show_all(&graphs[..t]));
-                    let (start, left, right) = (list(&start), list(&left), list(&right));
+                    let (start, left, right) = (list(start), list(left), list(right));
                     return Ok(Some(format!(
                         "{n} birds, d = {d}, v(1) = ({start}), {networks}: {names} = ({left}), the right side is ({right})"
                     )));
@@ -240,7 +227,7 @@ fn check_difference(variant: &DifferenceVariant, run: &mut Run) -> Result<Outcom
             let start = [2, 7].map(|v| vec![rational(v, 1)]).to_vec();
             return variant.fails_at(n, d, &vec![Graph::path(2); 5], &start);
         }
-        let graphs: Vec<Graph> = (0..5).map(|_| random_graph(n, 2, &mut random)).collect();
+        let graphs: Vec<Graph> = (0..5).map(|_| random_network(n, 2, &mut random)).collect();
         let start: Dense<Rational> =
             (0..n * d).map(|_| vec![rational(i64::from(random.next_u32() % 17) - 8, 4)]).collect();
         variant.fails_at(n, d, &graphs, &start)
@@ -263,7 +250,7 @@ fn generic(variant: &DifferenceVariant) -> Identity<'_> {
         let velocities = times(&blocks(&second, &unit), &times(&blocks(&first, &unit), &start));
         let left = (0..2).map(|k| velocities[k][0].clone() - &velocities[2 + k][0]).collect();
         let chi = variant.chi(3, 0, 1).iter().map(|x| one.rational(x)).collect();
-        let row = times(&vec![chi], &times(&second, &first));
+        let row = times(&[chi], &times(&second, &first));
         let right = times(&blocks(&row, &unit), &start).into_iter().flatten().collect();
         Ok((left, right))
     })

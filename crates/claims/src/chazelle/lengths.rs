@@ -1,12 +1,11 @@
 //! chazelle.lem2.2.bits and chazelle.lem2.3: how long the numbers get.
 
-use super::sequences::{random_graph, show_all, words};
-use super::velocity_bounds::step_velocities;
+use super::sequences::show_all;
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::common_denominator;
-use models::averaging::{Weights, transition_matrix};
+use arithmetic::{common_denominator, words};
+use models::averaging::{Weights, averaged, random_network, transition_matrix};
 use num_bigint::BigInt;
 use num_traits::Signed;
 use rand_chacha::ChaCha8Rng;
@@ -89,7 +88,7 @@ fn check_product_length(variant: &ProductLengthVariant, run: &mut Run) -> Result
         }),
         run.every(fuzzed("the same", "six random networks on 5 to 7 birds"), 0..run.cases(20, 400), |_| {
             let order = 5 + random.next_u32() as usize % 3;
-            let graphs: Vec<Graph> = (0..6).map(|_| random_graph(order, 3, &mut random)).collect();
+            let graphs: Vec<Graph> = (0..6).map(|_| random_network(order, 3, &mut random)).collect();
             (0..3).find_map(|model| variant.fails_at(&graphs, model).transpose()).transpose()
         }),
     ])
@@ -138,7 +137,7 @@ impl StateLengthVariant {
                     )));
                 }
             }
-            velocities = step_velocities(&transition_matrix(graph, weights)?, &velocities)?;
+            velocities = averaged(&transition_matrix(graph, weights)?, &velocities)?;
         }
         Ok(None)
     }
@@ -151,8 +150,8 @@ impl StateLengthVariant {
             (0..n).map(|_| (0..d).map(|_| coordinate()).collect()).collect()
         };
         let (positions, velocities) = (input(random), input(random));
-        let weights = heavy_weights(n).filter(|w| w.are_admissible(&Graph::from_fn(n, |_, _| true)));
-        let graphs: Vec<Graph> = (0..16).map(|_| random_graph(n, 3, random)).collect();
+        let weights = heavy_weights(n).filter(|w| w.are_admissible(&Graph::complete(n)));
+        let graphs: Vec<Graph> = (0..16).map(|_| random_network(n, 3, random)).collect();
         self.fails_at(positions, velocities, &weights.unwrap_or(Weights::Lazy), &graphs)
     }
 }

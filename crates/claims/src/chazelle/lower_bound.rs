@@ -152,7 +152,7 @@ fn check_lower_bound(variant: &LowerVariant, run: &mut Run) -> Result<Outcome, C
     }
     let part = "every switch and the end, for all n and c with n^c >= 8";
     Run::all([
-        Ok(Outcome::Holds(vec![exact("every switch and the end", detail).on([1, 2]).cases(settled)]))
+        holds(exact("every switch and the end", detail).on([1, 2]).cases(settled))
             .checks("the time of step 1, steps 3 and 4"),
         argued(&[1, 2], part, "notes/settling.md, The lower bound, steps 1-4"),
     ])
@@ -164,11 +164,6 @@ pub struct PathsVariant {
     least: i64,
     longest: usize,
     patterns: [Group; 2],
-}
-
-fn is_path(graph: &Graph) -> bool {
-    let degrees: Vec<usize> = (0..graph.order()).map(|i| graph.degree(i)).collect();
-    graph.edges().len() + 1 == graph.order() && graph.is_connected() && degrees.iter().all(|&d| d <= 2)
 }
 
 pub fn single_paths() -> Record<PathsVariant> {
@@ -197,7 +192,7 @@ fn check_single_paths(variant: &PathsVariant, run: &mut Run) -> Result<Outcome, 
         }
         for (k, network) in networks(&start, &switches)?.iter().enumerate() {
             let (flocks, most) = (network.components(), variant.longest);
-            if let Some(odd) = flocks.iter().find(|f| f.len() > most || !is_path(&network.induced(f))) {
+            if let Some(odd) = flocks.iter().find(|f| f.len() > most || !network.induced(f).is_path()) {
                 let birds: Vec<usize> = odd.iter().map(|i| i + 1).collect();
                 let what =
                     format!("n = {n}, c = {c}: after switch {k} birds {birds:?} are no path of at most {most} birds");
@@ -207,7 +202,7 @@ fn check_single_paths(variant: &PathsVariant, run: &mut Run) -> Result<Outcome, 
     }
     let detail = "settled exactly for n = 4, 8, 12, 16, 20, 32, 64 and several c";
     Run::all([
-        Ok(Outcome::Holds(vec![exact("all flocks at all times", detail).cases(all.len())])).checks("steps 3 and 4"),
+        holds(exact("all flocks at all times", detail).cases(all.len())).checks("steps 3 and 4"),
         argued(&[], "all flocks at all times, n^c >= 8", "notes/settling.md, The lower bound, steps 1-4"),
     ])
 }

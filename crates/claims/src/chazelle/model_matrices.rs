@@ -1,6 +1,6 @@
 //! chazelle.modelD.stoch and chazelle.modelK.matrix: the matrices of the two models.
 
-use super::sequences::{share_weights, show};
+use super::sequences::show;
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::StochasticMatrix;
@@ -40,13 +40,13 @@ fn check_stochastic(shares: &Shares, run: &mut Run) -> Result<Outcome, CheckErro
     let evidence = exhaustive("row-stochastic with a positive diagonal", detail).on([1, 2]);
     let cases = graphs(5).flat_map(|graph| shares.iter().map(move |&share| (graph.clone(), share)));
     run.every(evidence, cases, |(graph, share)| {
-        let matrix = transition_matrix(&graph, &share_weights(&graph, share))?;
+        let (p, q) = share;
+        let matrix = transition_matrix(&graph, &Weights::of_share(&graph, &rational(p, q)))?;
         let problem = match StochasticMatrix::try_from(&matrix) {
             Err(error) => error.to_string(),
-            Ok(p) if !p.footprint().has_full_diagonal() => "a diagonal entry is 0".to_string(),
+            Ok(matrix) if !matrix.footprint().has_full_diagonal() => "a diagonal entry is 0".to_string(),
             Ok(_) => return Ok(None),
         };
-        let (p, q) = share;
         Ok(Some(format!("{} birds, {}, c_i d_i = {p}/{q}: {problem}", graph.order(), show(&graph))))
     })
 }

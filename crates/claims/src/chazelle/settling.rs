@@ -1,7 +1,7 @@
 //! chazelle.eq3.18, chazelle.lem3.9, chazelle.lem3.10 and chazelle.thm1.1.time: when flocks that approach settle.
 
 use super::lower_bound::{MIRRORED, PRINTED, groups};
-use super::sequences::{four_birds, random_start, settled};
+use super::sequences::settled;
 use super::switching;
 use crate::prelude::*;
 use algebra::graph::Graph;
@@ -10,7 +10,7 @@ use models::averaging::settle::Ending;
 use models::averaging::{Flock, Hysteresis, Separation, Start, Transients, Weights};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 use rand_chacha::rand_core::Rng;
 
 /// Two birds whose difference tends to a unit vector, on fixed networks with rational spectra.
@@ -25,17 +25,15 @@ struct TieCase {
 }
 
 fn sides() -> Vec<(&'static str, Graph, Weights)> {
-    let star = |n| Graph::from_fn(n, |i, _| i == 0);
-    let complete = |n| Graph::from_fn(n, |_, _| true);
     let given = |p, q, n| Weights::Given(vec![rational(p, q); n]);
     vec![
         ("lazy pair", Graph::path(2), Weights::Lazy),
         ("pair with c_i = 1/3", Graph::path(2), given(1, 3, 2)),
         ("lazy path of 3", Graph::path(3), Weights::Lazy),
         ("lazy path of 4", Graph::path(4), Weights::Lazy),
-        ("lazy star of 4", star(4), Weights::Lazy),
-        ("vicsek triangle", complete(3), Weights::Vicsek),
-        ("complete 4, c_i = 1/5", complete(4), given(1, 5, 4)),
+        ("lazy star of 4", Graph::star(4), Weights::Lazy),
+        ("vicsek triangle", Graph::complete(3), Weights::Vicsek),
+        ("complete 4, c_i = 1/5", Graph::complete(4), given(1, 5, 4)),
     ]
 }
 
@@ -83,14 +81,6 @@ impl TieCase {
         let excess = separation.excess(i, j, STEPS)?;
         let of = |p: &RationalMatrix| p.reduced().denominator().clone();
         Ok(TieCase { name, birds, denominator: of(&i.0.p).lcm(&of(&j.0.p)), separation, excess })
-    }
-
-    /// `(rho_k, Upsilon_k)` on even (`parity` 0) or odd steps, where `Upsilon_k` is not zero, in increasing order of
-    /// `rho_k`.
-    fn coefficients(&self, parity: usize) -> Vec<(Rational, Rational)> {
-        let sign = rational(if parity == 0 { 1 } else { -1 }, 1);
-        let all = self.separation.expansion().into_iter().map(|(rho, (plus, minus))| (rho, plus + minus * &sign));
-        all.filter(|(_, upsilon)| !upsilon.is_zero()).collect()
     }
 }
 
@@ -198,7 +188,9 @@ pub fn gaps() -> Record<GapsVariant> {
 fn check_gaps(variant: &GapsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let cases = tie_cases(run)?;
     let (mut closest, mut smallest) = (rational(0, 1), rational(1, 1));
-    for (_, upsilons) in cases.iter().flat_map(|case| [0, 1].map(|parity| (case, case.coefficients(parity)))) {
+    for (_, upsilons) in
+        cases.iter().flat_map(|case| [0, 1].map(|parity| (case, case.separation.coefficients(parity == 1))))
+    {
         if let [.., second, first] = upsilons.as_slice() {
             closest = closest.max(&second.0 / &first.0);
         }
@@ -230,7 +222,7 @@ impl GapsVariant {
     /// `g_l f(l + first)` is `Upsilon_k rho_k^(parity + 2 first) sum_l g_l rho_k^(2l)`, `f` the excess on every
     /// second step.
     fn step_5(&self, case: &TieCase, parity: usize) -> Option<String> {
-        let upsilons = case.coefficients(parity);
+        let upsilons = case.separation.coefficients(parity == 1);
         let f: Vec<&Rational> = case.excess.iter().skip(parity).step_by(2).collect();
         upsilons.iter().find_map(|(rho, upsilon)| {
             // The coefficients of the product of the other x - rho_l², from the constant one on.
@@ -255,7 +247,7 @@ impl GapsVariant {
     fn step_7(&self, case: &TieCase) -> Option<String> {
         let sum: Rational = case.separation.terms.iter().flat_map(|(_, psi)| psi).map(Signed::abs).sum();
         let bound = &sum * rational(self.factor, 1) + sum.square();
-        let all = [0, 1].into_iter().flat_map(|parity| case.coefficients(parity));
+        let all = [0, 1].into_iter().flat_map(|parity| case.separation.coefficients(parity == 1));
         let (rho, upsilon) = all.into_iter().find(|(_, upsilon)| upsilon.abs() > bound)?;
         Some(format!("step 7, {}: the coefficient of rho = {rho} is {upsilon}, more than {bound}", case.name))
     }
@@ -302,10 +294,10 @@ fn check_next_contact(variant: &ContactVariant, run: &mut Run) -> Result<Outcome
         groups(&[MIRRORED, PRINTED], &speed, Hysteresis::Paper),
         groups(&[PRINTED, MIRRORED, MIRRORED, PRINTED], &speed, Hysteresis::Paper),
         groups(&[PRINTED], &rational(1, 4), Hysteresis::Paper),
-        four_birds(Hysteresis::Paper),
+        Start::four_birds(Hysteresis::Paper),
     ];
     let mut random = run.random(0);
-    starts.extend((0..run.cases(40, 600)).map(|_| random_start(&mut random, Hysteresis::None)));
+    starts.extend((0..run.cases(40, 600)).map(|_| Start::random(Hysteresis::None, &mut random)));
     let detail = "flocks settled exactly, whatever t_1 is: every merger within n^(16 t_1 n), one of them after 10^84 \
                   steps, every other contact within t_1 2^(n^4)";
     let times = run
@@ -382,7 +374,7 @@ pub fn steady_state() -> Record<TimeVariant> {
 
 fn check_steady_state(variant: &TimeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let starts = [
-        ("the four birds", four_birds(Hysteresis::Paper)),
+        ("the four birds", Start::four_birds(Hysteresis::Paper)),
         ("eight birds, one group mirrored", groups(&[MIRRORED, PRINTED], &rational(1, 512), Hysteresis::Paper)),
     ];
     let flocks = "four birds steady from t = 322 on, eight from 10^84 on, settled exactly";

@@ -1,10 +1,10 @@
 //! chazelle.stab, chazelle.eq3.5 and chazelle.eq3.6: the stabilisers and the product of their blocks.
 
 use super::entries::small_weights;
-use super::sequences::{NetworkHistory, histories, random_graph};
+use super::sequences::{histories, show_history};
 use crate::prelude::*;
 use algebra::matrix::{RationalMatrix, Stabiliser, tau_1, tau_2_squared};
-use models::averaging::{Weights, transition_matrix};
+use models::averaging::{NetworkHistory, Weights, transition_matrix};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -27,7 +27,7 @@ fn over_histories(
         run.every(all, histories((1..).zip(lengths)), |history| fails(&history, &mut random)),
         run.every(sampled, 0..run.cases(60, 2000), |_| {
             let order = 3 + random.next_u32() as usize % 4;
-            let history = NetworkHistory::new((0..8).map(|_| random_graph(order, 1, &mut random)).collect());
+            let history = NetworkHistory::random(order, 8, 1, &mut random);
             fails(&history, &mut random)
         }),
     ])
@@ -62,7 +62,7 @@ pub struct NestedVariant {
 impl NestedVariant {
     fn fails_at(&self, history: &NetworkHistory) -> Option<String> {
         let levels = Levels::of(history);
-        let place = |what: String| Some(format!("{}: {what}", history.show()));
+        let place = |what: String| Some(format!("{}: {what}", show_history(history)));
         for k in 1..levels.members.len() {
             let (outer, inner) = (&levels.members[k - 1], &levels.members[k]);
             if !inner.iter().all(|i| outer.contains(i)) || (self.strictly && inner.len() == outer.len()) {
@@ -166,11 +166,6 @@ impl<'a> Factors<'a> {
     }
 }
 
-fn block(matrix: &RationalMatrix, rows: &[usize], cols: &[usize]) -> Result<RationalMatrix, CheckError> {
-    let picked: Vec<Vec<Rational>> = rows.iter().map(|&i| cols.iter().map(|&j| matrix.entry(i, j)).collect()).collect();
-    Ok(RationalMatrix::from_rows(&picked)?)
-}
-
 /// The index sets of two factors, and where the products start.
 #[derive(Clone, Copy)]
 pub struct BlocksVariant {
@@ -189,20 +184,17 @@ impl BlocksVariant {
         for k in 1..levels.members.len() {
             let (sets, times) = (&levels.members, &levels.times);
             for t in times[k] + 1..=times[k] + 2 {
-                let left = block(&factors.product(t, 1)?, &sets[k], &sets[0])?;
-                let mut right = block(&factors.product(t, times[k] + self.gap)?, &sets[k], &sets[k])?;
+                let left = factors.product(t, 1)?.block(&sets[k], &sets[0])?;
+                let mut right = factors.product(t, times[k] + self.gap)?.block(&sets[k], &sets[k])?;
                 for i in (1..=k).rev() {
                     let rows = if i == 1 && !self.first_has_v1 { &sets[k] } else { &sets[i] };
                     let cols = if i == 2 && !self.second_has_v1 { &sets[k] } else { &sets[i - 1] };
-                    let factor = block(
-                        &factors.product(times[i], times[i - 1] + if i == 1 { 1 } else { self.gap })?,
-                        rows,
-                        cols,
-                    )?;
+                    let gap = if i == 1 { 1 } else { self.gap };
+                    let factor = factors.product(times[i], times[i - 1] + gap)?.block(rows, cols)?;
                     if right.cols() != factor.rows() {
                         return Ok(Some(format!(
                             "{}, k = {k}: {} columns meet {} rows at the factor of T_{i}",
-                            history.show(),
+                            show_history(history),
                             right.cols(),
                             factor.rows()
                         )));
@@ -220,7 +212,7 @@ impl BlocksVariant {
                     return Ok(Some(format!(
                         "{}, lazy weights, s = 1, k = {k}, T = {:?}, V_{k} = {}, t = {t}: the block is [{}], the \
                          product is [{}]",
-                        history.show(),
+                        show_history(history),
                         &times[1..=k],
                         birds(&sets[k]),
                         entry(&left),
@@ -289,15 +281,15 @@ impl ContractionVariant {
         let mut contraction = rational(1, 1);
         for k in 1..sets.len() {
             let factor = factors.product(times[k], times[k - 1] + 1)?;
-            contraction *= tau_1(&block(&factor, &sets[k], &sets[k - 1])?);
+            contraction *= tau_1(&factor.block(&sets[k], &sets[k - 1])?);
             let exponent = Interval::from_rational(&-(beta.clone() * rational(k as i64, 1)), PRECISION);
             let (bound, _) = exponent.exp()?.to_rationals();
             for t in times[k] + 1..=times[k] + 2 {
-                let last = tau_1(&block(&factors.product(t, times[k] + 1)?, &sets[k], &sets[k])?);
+                let last = tau_1(&factors.product(t, times[k] + 1)?.block(&sets[k], &sets[k])?);
                 let product = if self.last_block { contraction.clone() * last } else { contraction.clone() };
-                let left = tau_2_squared(&block(&factors.product(t, 1)?, &sets[k], &sets[0])?);
+                let left = tau_2_squared(&factors.product(t, 1)?.block(&sets[k], &sets[0])?);
                 let (p, q) = self.squared_constant;
-                let place = |what: String| Ok(Some(format!("{}, k = {k}, t = {t}: {what}", history.show())));
+                let place = |what: String| Ok(Some(format!("{}, k = {k}, t = {t}: {what}", show_history(history))));
                 let right = product.power(self.power).square() * rational(p, q);
                 if left > right {
                     return place(format!("tau_2 squared is {left}, more than {right}"));

@@ -1,8 +1,8 @@
 //! chazelle.Nts and chazelle.eq3.4: counting network switches while the columns of `P(t, s)` fill.
 
-use super::sequences::{NetworkHistory, histories, line_networks, random_line_flock};
+use super::sequences::{histories, show_history};
 use crate::prelude::*;
-use models::averaging::{Filling, GroupRule, Weights};
+use models::averaging::{Filling, GroupRule, Hysteresis, NetworkHistory, Start, Weights};
 
 /// Which `u` are counted, and what is claimed of one step.
 #[derive(Clone, Copy)]
@@ -25,7 +25,7 @@ impl CountVariant {
     /// What fails for a column and `s`, if anything: one step, the sum.
     fn failures(&self, history: &NetworkHistory, column: usize, s: usize) -> [Option<String>; 2] {
         let mut times = vec![s];
-        times.extend(weight_times(history, column, s));
+        times.extend(history.growth_times(column, s));
         let one_step = times.windows(2).skip(1).filter(|pair| pair[1] == pair[0] + 1).find_map(|pair| {
             let count = self.count(history, pair[0], pair[1]);
             let wrong = if self.exactly_one { count != 1 } else { count > 1 };
@@ -36,33 +36,19 @@ impl CountVariant {
         let (whole, sum) =
             (self.count(history, s, last), summands.map(|p| self.count(history, p[0], p[1])).sum::<usize>());
         let additivity = (whole != sum).then(|| format!("N({last}, {s}) = {whole}, but the sum is {sum}"));
-        let place = |what: String| format!("{}, s = {s}, column {}: {what}", history.show(), column + 1);
+        let place = |what: String| format!("{}, s = {s}, column {}: {what}", show_history(history), column + 1);
         [one_step.map(place), additivity.map(place)]
     }
-}
-
-/// `t_1 = s, t_2, ...`: the times at which the column of `P(t, s)` acquires its successive weights.
-fn weight_times(history: &NetworkHistory, column: usize, s: usize) -> Vec<usize> {
-    let mut product = history.footprint(s).clone();
-    let mut times = vec![s];
-    for t in s + 1..=history.constant_from() + history.order() {
-        let next = history.footprint(t).times(&product);
-        if next.column(column).len() > product.column(column).len() {
-            times.push(t);
-        }
-        product = next;
-    }
-    times
 }
 
 /// Exact flocks, counterexamples within the model: three birds at rest in a row, and birds that meet one after the other.
 fn small_flocks() -> Result<Vec<NetworkHistory>, CheckError> {
     let eighths = |x: &[i64]| x.iter().map(|&x| rational(x, 8)).collect::<Vec<_>>();
-    let hysteresis = Some(rational(1, 3).pow(81));
     [([0, 8, 16], [0, 0, 0]), ([0, 12, 40], [0, -3, -10]), ([0, 12, 24], [1, 0, -2])]
         .iter()
         .map(|(x, v)| {
-            Ok(NetworkHistory::new(line_networks(eighths(x), eighths(v), &Weights::Lazy, hysteresis.clone(), 12)?))
+            let start = Start::on_the_line(eighths(x), eighths(v), Weights::Lazy, Hysteresis::Paper);
+            Ok(NetworkHistory::of_flock(&start, 12)?)
         })
         .collect()
 }
@@ -186,17 +172,18 @@ fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Out
     )?;
     found.into_iter().for_each(|(name, count)| run.value(&name, count.to_string()));
     let mut random = run.random(0);
-    let flocks = (0..run.cases(60, 1500)).map(|_| random_line_flock(&mut random, 14));
+    let flocks =
+        (0..run.cases(60, 1500)).map(|_| NetworkHistory::of_flock(&Start::random_on_the_line(&mut random), 14));
     let detail = "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)";
     Run::all([
         Ok(classes).checks("the conclusion"),
         run.every(fuzzed("flocks", detail), flocks, |history| {
             let history = history?;
             let n = history.order();
-            let stable = (0..n).filter_map(|j| weight_times(&history, j, 1).last().copied()).max().unwrap_or(1);
+            let stable = (0..n).filter_map(|j| history.growth_times(j, 1).last().copied()).max().unwrap_or(1);
             let end = if variant.until_stable { stable } else { history.constant_from() };
             let (count, bound) = (history.changes(2, end) as u64, (variant.bound)(n as u64, (n as u64 - 1) / 2));
-            Ok((count > bound).then(|| format!("{}: {count} switches, more than {bound}", history.show())))
+            Ok((count > bound).then(|| format!("{}: {count} switches, more than {bound}", show_history(&history))))
         })
         .checks("the conclusion"),
         argued(

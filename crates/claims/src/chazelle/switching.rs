@@ -1,12 +1,10 @@
 //! chazelle.epsineq, chazelle.lem3.1.count, chazelle.lem3.1 and chazelle.thm1.1.switches: the number of network
 //! switches.
 
-use super::sequences::{
-    NetworkHistory, four_birds, histories, line_networks, paper_threshold, random_graph, random_line_flock, settled,
-};
+use super::sequences::{histories, settled, show_history};
 use crate::prelude::*;
 use arithmetic::Signed;
-use models::averaging::{Flock, Hysteresis, Start, Weights};
+use models::averaging::{Hysteresis, NetworkHistory, Start, Weights};
 use num_bigint::BigInt;
 use rand_chacha::rand_core::Rng;
 
@@ -67,7 +65,7 @@ pub struct FinalCountVariant {
 impl FinalCountVariant {
     /// The failure for `s = 1` and `k`, if any; `None` as well where the hypothesis fails.
     fn fails_at(&self, history: &NetworkHistory, k: usize) -> Option<String> {
-        self.miscount(history, k).map(|counts| format!("{}: {counts}", history.show()))
+        self.miscount(history, k).map(|counts| format!("{}: {counts}", show_history(history)))
     }
 
     /// What is claimed and what is counted, where that is more.
@@ -106,8 +104,8 @@ fn leaving_pair(last: usize) -> Result<NetworkHistory, CheckError> {
     let weights = Weights::Given(vec![rational(1, 4); 3]);
     let positions = vec![rational(0, 1), rational(11, 1), rational(10, 1)];
     let velocities = vec![rational(0, 1), rational(3, 1), rational(3, 1) + w];
-    let networks = line_networks(positions, velocities, &weights, Some(paper_threshold(3)), last + 2)?;
-    Ok(NetworkHistory::new(networks))
+    let start = Start::on_the_line(positions, velocities, weights, Hysteresis::Paper);
+    Ok(NetworkHistory::of_flock(&start, last + 2)?)
 }
 
 /// Bird 1 alone for ever; of four birds in the plane (lazy weights, the hysteresis of the paper) two are left joined at `t = 3`, a third comes to them
@@ -129,14 +127,8 @@ fn late_meeting() -> Result<NetworkHistory, CheckError> {
         vec![zero(), w(-135)],
         vec![zero(), w(-108)],
     ];
-    let hysteresis = Hysteresis::Constant(paper_threshold(5));
-    let mut flock = Flock::new(&Start { positions, velocities, weights: Weights::Lazy, hysteresis })?;
-    let mut networks = Vec::with_capacity(140);
-    for _ in 0..140 {
-        flock.step()?;
-        networks.push(flock.network().clone());
-    }
-    Ok(NetworkHistory::new(networks))
+    let start = Start { positions, velocities, weights: Weights::Lazy, hysteresis: Hysteresis::Paper };
+    Ok(NetworkHistory::of_flock(&start, 140)?)
 }
 
 pub fn final_count() -> Record<FinalCountVariant> {
@@ -190,7 +182,7 @@ fn check_final_count(variant: &FinalCountVariant, run: &mut Run) -> Result<Outco
     let mut random = run.random(0);
     let sampled = (0..run.cases(300, 6000)).map(|_| {
         let order = 3 + random.next_u32() as usize % 3;
-        NetworkHistory::new((0..6).map(|_| random_graph(order, 1, &mut random)).collect())
+        NetworkHistory::random(order, 6, 1, &mut random)
     });
     let all = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3";
     let random_detail = "random sequences of six networks on 3 to 5 birds, k = 1, 2, 3";
@@ -336,27 +328,23 @@ fn recursion(variant: &SwitchesVariant, run: &mut Run) -> Result<Outcome, CheckE
 
 fn flocks(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckError> {
     // Two lazy birds meet at time 2 and bounce off each other: two switches.
-    let bounce = line_networks(
-        vec![rational(0, 1), rational(2, 1)],
-        vec![rational(0, 1), rational(-1, 2)],
-        &Weights::Lazy,
-        Some(paper_threshold(2)),
-        6,
-    )?;
+    let [x, v] = [rational(2, 1), rational(-1, 2)].map(|second| vec![rational(0, 1), second]);
+    let bounce = NetworkHistory::of_flock(&Start::on_the_line(x, v, Weights::Lazy, Hysteresis::Paper), 6);
     let mut random = run.random(0);
-    let sampled = (0..run.cases(80, 2000)).map(|_| random_line_flock(&mut random, 16));
+    let sampled =
+        (0..run.cases(80, 2000)).map(|_| NetworkHistory::of_flock(&Start::random_on_the_line(&mut random), 16));
     let evidence = fuzzed("flocks", "exact flocks of 2 to 5 birds on the line, 16 steps");
-    run.every(evidence, std::iter::once(Ok(NetworkHistory::new(bounce))).chain(sampled), |history| {
+    run.every(evidence, std::iter::once(bounce).chain(sampled), |history| {
         let history = history?;
         let n = history.order() as u64;
         let switches = history.changes(2, history.constant_from()) as u64;
-        Ok(variant.is_exceeded(n, switches).then(|| format!("{}: {switches} switches", history.show())))
+        Ok(variant.is_exceeded(n, switches).then(|| format!("{}: {switches} switches", show_history(&history))))
     })
 }
 
 /// The four birds of the paper with its hysteresis, of which two meet and part for long.
 fn bouncing_birds(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckError> {
-    let (switches, _) = settled(&four_birds(Hysteresis::Paper), run)?;
+    let (switches, _) = settled(&Start::four_birds(Hysteresis::Paper), run)?;
     let count = switches.len() as u64;
     let what = || format!("the four birds of the paper switch {count} times");
     unless(

@@ -1,11 +1,9 @@
 //! chazelle.lem2.1 and chazelle.eq2.3: changes of distances, and lengths of velocities.
 
-use super::sequences::{random_graph, words};
 use crate::prelude::*;
 use algebra::graph::Graph;
-use algebra::matrix::RationalMatrix;
-use arithmetic::{Sign, sign_of_surd};
-use models::averaging::{Weights, transition_matrix};
+use arithmetic::{Sign, sign_of_surd, words};
+use models::averaging::{Weights, averaged, random_network, transition_matrix};
 use rand_chacha::rand_core::Rng;
 
 #[derive(Clone, Copy)]
@@ -64,7 +62,7 @@ fn from_zero_outward(k: &usize) -> i64 {
 
 fn check_distance_change(variant: &DistanceChangeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let cases = [(1usize, 6i64), (2, 3), (3, 1)].into_iter().flat_map(|(d, size)| {
-        words((2 * size + 1) as usize, 2 * d as u32)
+        words((2 * size + 1) as usize, 2 * d)
             .map(move |word| (d, word.iter().map(from_zero_outward).collect::<Vec<_>>()))
     });
     let detail =
@@ -104,13 +102,13 @@ pub fn velocity_norm() -> Record<VelocityNormVariant> {
 fn check_velocity_norm(variant: &VelocityNormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let start = |word: Vec<usize>| word.iter().map(|&k| vec![rational(k as i64 - 1, 1)]).collect();
     let all = (1..=4usize).flat_map(Graph::all);
-    let steps = all.flat_map(|graph| words(3, graph.order() as u32).map(move |word| (graph.clone(), word)));
+    let steps = all.flat_map(|graph| words(3, graph.order()).map(move |word| (graph.clone(), word)));
     let mut random = run.random(0);
     let flocks = (0..run.cases(80, 2000)).map(|case| {
         let (n, d) = (1 + case % 5, 1 + case / 5 % 3);
         let mut number = || rational(i64::from(random.next_u32() % 17) - 8, 4);
         let velocities = (0..n).map(|_| (0..d).map(|_| number()).collect()).collect();
-        (velocities, (0..5).map(|_| random_graph(n, 2, &mut random)).collect::<Vec<Graph>>())
+        (velocities, (0..5).map(|_| random_network(n, 2, &mut random)).collect::<Vec<Graph>>())
     });
     let part = "||v(t)||_2 <= sqrt(n) max |v_j(1)|, for all sequences of networks";
     let detail = "one step of all networks on up to 4 birds, velocities -1, 0, 1 (equal ones attain it)";
@@ -149,19 +147,8 @@ impl VelocityNormVariant {
                 )));
             }
             let Some(graph) = graphs.get(t - 1) else { break };
-            velocities = step_velocities(&transition_matrix(graph, weights)?, &velocities)?;
+            velocities = averaged(&transition_matrix(graph, weights)?, &velocities)?;
         }
         Ok(None)
     }
-}
-
-/// `(P kron I_d) v`, bird by bird.
-pub(super) fn step_velocities(
-    matrix: &RationalMatrix,
-    velocities: &[Vec<Rational>],
-) -> Result<Vec<Vec<Rational>>, CheckError> {
-    let coordinate = |k: usize| velocities.iter().map(|v| v[k].clone()).collect::<Vec<_>>();
-    let columns: Vec<Vec<Rational>> =
-        (0..velocities[0].len()).map(|k| Ok(matrix.apply(&coordinate(k))?)).collect::<Result<_, CheckError>>()?;
-    Ok((0..velocities.len()).map(|i| columns.iter().map(|c| c[i].clone()).collect()).collect())
 }

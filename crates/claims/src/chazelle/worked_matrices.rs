@@ -94,7 +94,7 @@ fn check_stretching(variant: &StretchingVariant, run: &mut Run) -> Result<Outcom
     run.value("stretched_length_squared", squared.to_string());
     let part = "matrix of model D, both eigenvalues, the stretched length, the eigenvector and 1^perp";
     let detail = format!("eigenvalues 1 and {second}; |P(1,0)|² = {squared}; P(1,-1) sums to {image_sum}");
-    Ok(Outcome::Holds(vec![exact(part, detail).on([1, 2, 3, 4, 5]).for_all()]))
+    holds(exact(part, detail).on([1, 2, 3, 4, 5]).for_all())
 }
 
 /// The two matrices and the closed form: entries affine in `u = 2^(-t/2)`, given as `(constant, slope)`.

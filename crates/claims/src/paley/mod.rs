@@ -3,11 +3,7 @@
 mod phase;
 mod space;
 
-pub use phase::{CyclicVariant, Kind};
-pub(crate) use phase::{
-    arrangements, critical_points, hessian, is_critical, is_on_a_line, linearisation, two_clusters,
-};
-pub use space::without_symmetries;
+pub use phase::CyclicVariant;
 
 use ledger::Claim;
 

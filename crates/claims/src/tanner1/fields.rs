@@ -36,7 +36,6 @@ fn examine_ones(meant: &OnesVariant, run: &mut Run) -> Result<Outcome, CheckErro
     let kernels = run.every(evidence, small_graphs().into_iter().filter(meant), |graph: Graph| {
         let kernel = graph.laplacian()?.kernel();
         let other = kernel.iter().find(|x| x.iter().any(|value| *value != x[0]));
-        let list = |x: &Vec<Rational>| x.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         Ok(other.map(|x| format!("{}: ({}) is an eigenvector for 0", shown(&graph), list(x))))
     });
     Run::all([kernels.checks("step 3"), argued(&[1], "the kernel of L", "notes/tanner2.md, Laplacians, steps 1 to 3")])
@@ -109,7 +108,7 @@ fn examine_shape(potential: &Potential, _run: &mut Run) -> Result<Outcome, Check
     let evidence = exact("one minimum, growing on both sides", "signs of the slope between its exact roots");
     let problem = match (potential.check_definition3(), potential.critical()) {
         (Err(problem), _) => problem.to_string(),
-        (Ok(()), Some(list)) if list == [rational(1, 1)] => return Ok(Outcome::Holds(vec![evidence.for_all()])),
+        (Ok(()), Some(list)) if list == [rational(1, 1)] => return holds(evidence.for_all()),
         (Ok(()), _) => "the slope vanishes elsewhere than at distance 1".to_string(),
     };
     Ok(Outcome::fails(problem, evidence))
@@ -159,7 +158,7 @@ fn examine_monotone(variant: &MonotoneVariant, _run: &mut Run) -> Result<Outcome
             return Ok(Outcome::fails(what, evidence));
         }
     }
-    Ok(Outcome::Holds(vec![evidence.for_all()]))
+    holds(evidence.for_all())
 }
 
 pub fn monotone() -> Record<MonotoneVariant> {

@@ -6,7 +6,6 @@
 //! passes too; a tight formation has all agents within 10 m of their mean (far apart, gradients are small too).
 
 use crate::shares::{Seen, report};
-use crate::tanner2::figures::other;
 use crate::tanner2::fixtures::sloped;
 use ledger::{CheckError, Outcome, Record, Run};
 use models::double_integrator::{HeadingReading, Setup};
@@ -55,8 +54,8 @@ fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError
         let (mut formations, mut headings, mut narrowest) = (Share::default(), Share::default(), f64::INFINITY);
         for seed in 0..run.cases(12, 100) as u64 {
             run.checkpoint()?;
-            let flock = setup.draw(&mut run.random(seed)).map_err(other)?;
-            let end = flock.trial(UNTIL, None, &Setup::OPTIONS).map_err(other)?.end;
+            let flock = setup.draw(&mut run.random(seed))?;
+            let end = flock.trial(UNTIL, None, &Setup::OPTIONS)?.end;
             formations = formations.with(end.is_formation(FORMATION.0, FORMATION.1, FORMATION.2));
             headings = headings.with(end.heading_spread < FORMATION.0);
             narrowest = narrowest.min(end.radius);

@@ -115,7 +115,7 @@ fn examine_distances(variant: &DistanceVariant, run: &mut Run) -> Result<Outcome
     };
     Run::all([
         energy_is_constant(run).on([1]),
-        Ok(Outcome::Holds(vec![swing.on([2])])),
+        holds(swing.on([2])),
         argued(&[2], "the swing for ever", "notes/tanner1.md, A pair on a line, steps 1 to 3"),
     ])
 }
@@ -206,7 +206,7 @@ fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckE
     Run::all([
         forces.checks("step 5").on([1]),
         argued(&[1], "forces at equal constant headings", "notes/tanner1.md, Heading dynamics, steps 5 and 6"),
-        Ok(Outcome::Holds(vec![swing.on([2])])),
+        holds(swing.on([2])),
         argued(&[2], "the swing for ever", "notes/tanner1.md, A pair on a line, steps 1 to 4"),
     ])
 }

@@ -73,10 +73,9 @@ fn can_meet(graph: Option<&Graph>, count: usize, pair: Pair, potential: &Potenti
 
 impl CollisionVariant {
     fn graphs(&self) -> Vec<Graph> {
-        let complete = |count: usize| Graph::from_fn(count, |_, _| true);
         match self.networks {
             Networks::Connected => connected(5),
-            Networks::Complete | Networks::ByDistance => (1..=6).map(complete).collect(),
+            Networks::Complete | Networks::ByDistance => (1..=6).map(Graph::complete).collect(),
             Networks::AllButOne => (3..=6).map(|count| Graph::from_fn(count, |i, j| (i, j) != (0, 1))).collect(),
         }
     }

@@ -1,7 +1,6 @@
 //! tanner2.eq6, eq8, eq9, cor2_decomp, S_config, eq14, vdotB: the energy and its rate of change on a fixed graph.
 
 use super::fixtures::{PLANE, energy_decreases, on_connected, quadratic, spring, total};
-use super::motions::{motions, pair};
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
@@ -337,8 +336,8 @@ fn examine_steady(variant: &SteadyVariant, run: &mut Run) -> Result<Outcome, Che
 /// The accelerations of states with equal velocities: of those that have equal velocities just after too, or of all.
 fn equal_velocities(variant: &SteadyVariant, run: &Run) -> Result<Outcome, CheckError> {
     let name = "two linked agents at distance 3/2 with a common velocity, V = s + 1/s - 2";
-    let drifting = SteadyMotion { state: drifting_pair(), name, ..pair() };
-    let meant = motions().into_iter().chain([drifting]).filter(SteadyMotion::agrees);
+    let drifting = SteadyMotion { state: drifting_pair(), name, ..SteadyMotion::pair() };
+    let meant = SteadyMotion::all_known().into_iter().chain([drifting]).filter(SteadyMotion::agrees);
     let mut cases = Vec::new();
     for motion in meant {
         let slope = |_: usize, _: usize, s: &Rational| motion.potential.slope(s);
@@ -370,10 +369,7 @@ fn only_zero(variant: &SteadyVariant, run: &Run) -> Result<Outcome, CheckError> 
             }));
         }
         let kernel = RationalMatrix::from_rows(&rows)?.kernel();
-        Ok(kernel.first().map(|x| {
-            let list: Vec<String> = x.iter().map(ToString::to_string).collect();
-            format!("{count} agents: ({}) is normal to 1 and not zero", list.join(", "))
-        }))
+        Ok(kernel.first().map(|x| format!("{count} agents: ({}) is normal to 1 and not zero", list(x))))
     })
 }
 

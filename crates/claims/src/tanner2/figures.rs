@@ -61,10 +61,6 @@ pub struct FigureVariant {
 /// No links, whatever the distances.
 const NONE: Reading = within(1e-6, ", without links");
 
-pub(crate) fn other(error: impl std::fmt::Display) -> CheckError {
-    CheckError::Other(error.to_string())
-}
-
 /// Seconds.
 const UNTIL: f64 = 100.0;
 
@@ -95,8 +91,8 @@ fn trials(reading: &Reading, repulsive: bool, run: &Run) -> Result<Vec<Trial>, C
     (0..run.cases(40, 200) as u64)
         .map(|seed| {
             run.checkpoint()?;
-            let flock = setup.draw(&mut run.random(seed)).map_err(other)?;
-            flock.trial(UNTIL, None, &Setup::OPTIONS).map_err(other)
+            let flock = setup.draw(&mut run.random(seed))?;
+            Ok(flock.trial(UNTIL, None, &Setup::OPTIONS)?)
         })
         .collect()
 }

@@ -1,39 +1,9 @@
 //! tanner2.eq10_exist, appA.def4, appA_uniq, appA.thm4: solutions of equations with discontinuous right-hand sides.
 
-use super::figures::other;
 use super::fixtures::{PLANE, spring};
 use crate::prelude::*;
 use arithmetic::Signed;
-use models::double_integrator::{Branch, Kink, Pair, Span, State, Way, fork, linked_within, tied};
-
-/// A right-hand side on the line with one jump: `left` for `x < 0`, `right` for `x >= 0`.
-#[derive(Debug, Clone, Copy)]
-struct Step {
-    left: i64,
-    right: i64,
-}
-
-impl Step {
-    /// Every such field with values -1, 0, 1.
-    fn all() -> impl Iterator<Item = Step> {
-        (-1..=1).flat_map(|left| (-1..=1).map(move |right| Step { left, right }))
-    }
-
-    /// `K[f]` on the side that the solution `x = c t` is on for `t > 0`.
-    fn inclusion(self, c: i64) -> Span<Rational> {
-        let (left, right) = (rational(self.left, 1), rational(self.right, 1));
-        match c.signum() {
-            1 => Span { lo: right.clone(), hi: right },
-            -1 => Span { lo: left.clone(), hi: left },
-            _ => Span { lo: left.clone().min(right.clone()), hi: left.max(right) },
-        }
-    }
-
-    /// The `c` for which `x = c t` is a Filippov solution from 0.
-    fn rays(self) -> Vec<i64> {
-        (-1..=1).filter(|&c| self.inclusion(c).contains(&rational(c, 1))).collect()
-    }
-}
+use models::double_integrator::{Branch, Kink, Pair, Span, State, StepField, Way, fork, linked_within, tied};
 
 /// The class of fields for which solutions are said to be unique.
 #[derive(Clone, Copy)]
@@ -84,15 +54,15 @@ fn root_branches(class: Class) -> Option<String> {
 
 fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     // Where a step jumps its value does not matter for almost all x, y: the sides are compared.
-    let member = |step: &Step| {
+    let member = |step: &StepField| {
         let (left, right) = (step.left, step.right);
         variant.class.holds(&move |sign, _| rational(if sign < 0 { left } else { right }, 1))
     };
-    let fields = Step::all().filter(member);
+    let fields = StepField::all().filter(member);
     let detail = "the inclusion checked for x = ct, step fields with values -1, 0, 1";
     let rays = run.instances("solutions from the jump", detail, fields, |field| {
-        let Step { left, right } = field;
-        let into: Vec<i64> = Step { left: -left, right: -right }.rays();
+        let StepField { left, right } = field;
+        let into: Vec<i64> = StepField { left: -left, right: -right }.rays();
         Ok(if field.rays().len() != 1 {
             Some(format!(
                 "f(x) = {left} for x < 0 and {right} for x >= 0 is measurable and bounded; from x(0) = 0 there are the solutions x = ct with c = {:?}",
@@ -145,7 +115,7 @@ pub enum SolutionVariant {
 
 fn examine_solution(variant: &SolutionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let detail = "every ray and the point 0, step fields with values -1, 0, 1";
-    let starts = run.instances("solutions from the jump", detail, Step::all(), |field| {
+    let starts = run.instances("solutions from the jump", detail, StepField::all(), |field| {
         let solves = |c: i64| {
             let (span, rate) = (field.inclusion(c), rational(c, 1));
             match variant {
@@ -154,7 +124,7 @@ fn examine_solution(variant: &SolutionVariant, run: &mut Run) -> Result<Outcome,
                 SolutionVariant::Limit => span.lo == rate || span.hi == rate,
             }
         };
-        let (at, Step { left, right }) = (field.inclusion(0), field);
+        let (at, StepField { left, right }) = (field.inclusion(0), field);
         if !(-1..=1).any(solves) {
             return Ok(Some(format!(
                 "f(x) = {left} for x < 0 and {right} for x >= 0: no solution starts from 0, not even x = 0, where K[f](0) = [{}, {}]",
@@ -199,7 +169,7 @@ pub struct ChainRuleVariant {
 }
 
 /// A ray of a step field along which `V = |x| + 3t` has a rate that is not in the set (A.2).
-fn outside_chain_rule(field: Step, c: i64, time: bool) -> Option<String> {
+fn outside_chain_rule(field: StepField, c: i64, time: bool) -> Option<String> {
     let one = rational(1, 1);
     let absolute = Kink { left: -one.clone(), right: one.clone() };
     let own = rational(if time { 3 } else { 0 }, 1);
@@ -225,7 +195,7 @@ fn examine_chain_rule(variant: &ChainRuleVariant, run: &mut Run) -> Result<Outco
         Ok((has != needed).then(|| format!("x in R^{dimension}: V has {has} arguments, but (x(t), t) has {needed}")))
     })?;
     // V = |x| + 3t is Lipschitz and regular; x = ct solves a step field. At x = 0 the generalised gradient is [-1, 1] x {3}.
-    let rays = Step::all().flat_map(|field| field.rays().into_iter().map(move |c| (field, c)));
+    let rays = StepField::all().flat_map(|field| field.rays().into_iter().map(move |c| (field, c)));
     let detail = "exact sets, V = |x| + 3t along rays of step fields";
     let chain =
         run.instances("the chain rule", detail, rays, |(field, c)| Ok(outside_chain_rule(field, c, variant.time)))?;
@@ -316,9 +286,9 @@ fn starts() -> Vec<Start> {
 
 /// In words, the ways in which the pairs at the threshold can go on.
 fn ways_on(start: &Start) -> Result<Vec<String>, CheckError> {
-    let fork = fork(&start.state, &start.square, PLANE, &spring()).map_err(other)?;
+    let fork = fork(&start.state, &start.square, PLANE, &spring())?;
     if fork.branches.iter().any(|branch| !branch.decided) {
-        return Err(other(format!("{}: the ways on are not decided", start.name)));
+        return Err(CheckError::Other(format!("{}: the ways on are not decided", start.name)));
     }
     let word = |(_, way): &(Pair, Way<Rational>)| match way {
         Way::Leaves => "not linked, with growing distance",
@@ -370,7 +340,7 @@ fn some_way(hull: bool, run: &Run) -> Result<Outcome, CheckError> {
     let detail =
         "starts with tied pairs that pass, leave, enter or are held there; exact weights and second derivatives";
     run.instances("a way on from ties", detail, list, |start| {
-        let fork = fork(&start.state, &start.square, PLANE, &spring()).map_err(other)?;
+        let fork = fork(&start.state, &start.square, PLANE, &spring())?;
         let held = |branch: &Branch<Rational>| branch.ways.iter().any(|(_, way)| matches!(way, Way::Stays(_)));
         let on = fork.branches.iter().any(|branch| branch.decided && (hull || !held(branch)));
         Ok((!on).then(|| format!("V = s + 1/s - 2, {}: no solution goes on", start.name)))

@@ -4,8 +4,6 @@ use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use models::double_integrator::{AnyPotentials, Coordinates, Pair, Potential, disagreements, dot, scaled, sum};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::Rng;
 
 pub(crate) const PLANE: Coordinates = Coordinates::Cartesian;
 
@@ -40,15 +38,6 @@ pub(crate) fn connected(most: usize) -> Vec<Graph> {
 /// All pairs of so many agents.
 pub(crate) fn pairs(count: usize) -> impl Iterator<Item = Pair> {
     (0..count).flat_map(|j| (0..j).map(move |i| (i, j)))
-}
-
-/// Vectors with coordinates of absolute value at most 5 and denominators 1 to 4.
-pub(crate) fn random_vectors(count: usize, random: &mut ChaCha8Rng) -> Vec<[Rational; 2]> {
-    let mut coordinate = || {
-        let denominator = i64::from(random.next_u32() % 4) + 1;
-        rational(i64::from(random.next_u32() % (10 * denominator as u32 + 1)) - 5 * denominator, denominator)
-    };
-    (0..count).map(|_| [coordinate(), coordinate()]).collect()
 }
 
 pub(crate) fn total<T: Ring>(like: &T, list: impl IntoIterator<Item = T>) -> T {

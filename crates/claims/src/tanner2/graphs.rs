@@ -125,15 +125,6 @@ pub struct RangeVariant {
     fewer: usize,
 }
 
-/// Connected and without a cycle: leaves can be taken away until one vertex is left.
-fn is_tree(graph: &Graph) -> bool {
-    let mut left: Vec<usize> = (0..graph.order()).collect();
-    while let Some(leaf) = left.iter().position(|&i| left.iter().filter(|&&j| graph.has_edge(i, j)).count() == 1) {
-        left.remove(leaf);
-    }
-    graph.is_connected() && left.len() == 1
-}
-
 fn examine_range(variant: &RangeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let detail = "every labelled graph of up to 4 vertices and every connected one of 5 up to isomorphism";
     let evidence = exhaustive("range and rank of B", detail).on([1, 2, 3]);
@@ -144,7 +135,7 @@ fn examine_range(variant: &RangeVariant, run: &mut Run) -> Result<Outcome, Check
         // Every column sums to zero, so the range lies in the complement of 1, which has N - 1 dimensions.
         Ok(if (variant.range)(&graph) && rank + 1 != graph.order() {
             Some(format!("{}: the rank of B is {rank}", shown(&graph)))
-        } else if is_tree(&graph) && edges + variant.fewer != graph.order() {
+        } else if graph.is_tree() && edges + variant.fewer != graph.order() {
             Some(format!("{}: a tree with {edges} edges", shown(&graph)))
         } else if (variant.independent)(&graph) && rank != edges {
             Some(format!("{}: {edges} columns of rank {rank}", shown(&graph)))
@@ -163,7 +154,7 @@ pub fn range() -> Record<RangeVariant> {
         "tanner2.rangeB",
         "Every column sums to zero. y^T B = 0 says that y is equal at both ends of every edge, so for a connected graph the range is the whole \
          complement of 1, of dimension N - 1. A tree has N - 1 edges: its columns are independent. (Full rank means full column rank.)",
-        RangeVariant { range: Graph::is_connected, independent: is_tree, fewer: 1 },
+        RangeVariant { range: Graph::is_connected, independent: Graph::is_tree, fewer: 1 },
         examine_range,
     )
     .clauses(&[
@@ -192,10 +183,7 @@ pub enum Growth {
 
 /// The eigenvalues of the Laplacian from the smallest on, if all are rational.
 pub(crate) fn rational_spectrum(graph: &Graph) -> Result<Option<Vec<Rational>>, CheckError> {
-    let values = graph.laplacian()?.characteristic_polynomial()?.rational_eigenvalues();
-    let mut list: Vec<Rational> = values.into_iter().flat_map(|(x, times)| vec![x; times]).collect();
-    list.reverse();
-    Ok((list.len() == graph.order()).then_some(list))
+    Ok(graph.laplacian()?.characteristic_polynomial()?.rational_spectrum())
 }
 
 /// By how much the sum of the eigenvalues grows: that of the diagonal, which is minus the second coefficient of the characteristic polynomial.

@@ -1,12 +1,11 @@
 //! tanner2.thm1a, thm1c, sec4.flocking, def3, cor1, thm2_vel, thm2_pot: where the motions go.
 
-use super::agentwise::swing;
 use super::fixtures::{DESCENT, PLANE, SMOOTH, connected, energy_decreases, printed as logarithmic, sloped, spring};
-use super::motions::{inflected_pair, motions, pair, paths, row_of_three, triangle};
 use super::nonsmooth::{HullVariant, hulls};
 use crate::prelude::*;
 use algebra::graph::Graph;
-use models::double_integrator::{Potential, State, SteadyMotion, linked_within, velocity_alignment};
+use arithmetic::Signed;
+use models::double_integrator::{Potential, State, SteadyMotion, linked_within, swing_weights, velocity_alignment};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Conclusion {
@@ -78,7 +77,7 @@ fn examine_fixed(variant: &LimitVariant, run: &mut Run) -> Result<Outcome, Check
         _ => "notes/tanner2.md, Theorem 1, steps 1 to 5",
     };
     Run::all([
-        uncontradicted(run, motions(), variant.connected, variant.conclusion).checks("the conclusion"),
+        uncontradicted(run, SteadyMotion::all_known(), variant.connected, variant.conclusion).checks("the conclusion"),
         energy_decreases(run, variant.damping).checks(DESCENT),
         positive_connectivity(run).checks("Laplacians, step 4, which step 4 uses"),
         argued(&[1], "the limits", steps),
@@ -154,9 +153,9 @@ fn equilibria_near_one(variant: &ManifoldVariant, run: &Run) -> Result<Outcome, 
 }
 
 fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let is_complete = |graph: &Graph| graph.edges().len() == graph.order() * (graph.order() - 1) / 2;
-    let mut list: Vec<SteadyMotion> = paths().into_iter().rev().collect();
-    list.extend([row_of_three(), triangle(), pair()]);
+    let is_complete = |graph: &Graph| *graph == Graph::complete(graph.order());
+    let mut list: Vec<SteadyMotion> = SteadyMotion::paths().into_iter().rev().collect();
+    list.extend([SteadyMotion::row_of_three(), SteadyMotion::triangle(), SteadyMotion::pair()]);
     let detail = "exact forces; characteristic polynomials of the pair and the triangle: 0 five times, the rest stable";
     let equilibria = run.instances("equilibria", detail, list, |motion| {
         if variant.complete && !is_complete(&motion.graph) || variant.minima && motion.not_minimised()?.is_some() {
@@ -231,7 +230,7 @@ pub fn definition3() -> Record<Vec<Potential>> {
             logarithmic(),
             spring(),
             Potential::inverse_square_spring(&rational(4, 1), &rational(1, 2)),
-            inflected_pair().potential,
+            SteadyMotion::inflected_pair().potential,
         ],
         examine_definition,
     )
@@ -253,26 +252,29 @@ pub struct SetpointVariant {
 
 /// The desired squared distance, and whether a variant means this equilibrium.
 fn setpoint(variant: &SetpointVariant, motion: &SteadyMotion) -> (Rational, bool) {
-    let is_tree = motion.graph.edges().len() + 1 == motion.graph.order();
     let critical = motion.potential.critical().unwrap_or_default();
-    let meant = (is_tree || !variant.trees) && (critical.len() == 1 || !variant.single);
+    let meant = (motion.graph.is_tree() || !variant.trees) && (critical.len() == 1 || !variant.single);
     (critical.into_iter().min().unwrap_or(rational(1, 1)), meant)
 }
 
 fn examine_setpoints(variant: &SetpointVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     // Equilibria of two and three agents.
-    let list = [vec![inflected_pair(), triangle(), row_of_three()], paths().to_vec()].concat();
+    let list = [
+        vec![SteadyMotion::inflected_pair(), SteadyMotion::triangle(), SteadyMotion::row_of_three()],
+        SteadyMotion::paths().to_vec(),
+    ]
+    .concat();
     let equilibria = run.instances("distances in equilibrium", "exact forces", list, |motion| {
         let (desired, meant) = setpoint(variant, &motion);
         motion.potential.check_definition3()?;
-        let all = Graph::from_fn(motion.graph.order(), |_, _| true);
+        let all = Graph::complete(motion.graph.order());
         let graph = if variant.all_pairs { all } else { motion.graph.clone() };
         let squares = SteadyMotion { graph, ..motion.clone() }.squares();
         let off = squares.iter().find(|square| meant && **square != desired);
         let name = motion.name;
         Ok(off.map(|square| format!("{name}: an equilibrium with a squared distance {square}, not {desired}")))
     })?;
-    let trees = connected(6).into_iter().filter(|graph| graph.order() > 1 && graph.edges().len() + 1 == graph.order());
+    let trees = connected(6).into_iter().filter(|graph| graph.order() > 1 && graph.is_tree());
     let kernels = run.instances("kernels of B", "all trees of 2 to 6 agents", trees, |tree: Graph| {
         let dependent = !tree.incidence()?.kernel().is_empty();
         Ok(dependent.then(|| format!("edges {:?}: dependent columns", tree.edges())))
@@ -345,6 +347,21 @@ fn two_agents_part() -> Option<String> {
     parts.then(|| "two agents at distance R = 2 with relative velocity (1, 0) outward: followed back they come from a linked start, followed on they keep different velocities for ever".to_string())
 }
 
+/// Whether the swing of [`swing_weights`] is a solution: with any weights in `[0, 1]`, or with the same one for both agents.
+fn swing(agentwise: bool) -> Result<Option<String>, CheckError> {
+    if !agentwise {
+        let same = swing_weights(&rational(1, 1), &rational(0, 1))?.is_some_and(|[a, b]| a == b);
+        return Ok(same.then(|| "the weights agree at t = pi/2".to_string()));
+    }
+    // The whole period at once.
+    let all = Interval::hull_of_rationals(&rational(-1, 1), &rational(1, 1), 80);
+    let Some(found) = swing_weights(&all, &all)? else { return Ok(None) };
+    let between = |m: &Interval| m.is_certainly_positive() && (m.one() - m).is_certainly_positive();
+    Ok(found.iter().all(between).then(|| {
+        "V = s + 1/s - 2, R = 9/5, agents 1 and 2 at distance R and agent 3 between them, at (1/50) sin t from the middle: a solution for all time if agents 1 and 2 weigh their link differently; velocities never agree".to_string()
+    }))
+}
+
 /// Motions that hold up, and what else is computed beside the proof of Theorem 2.
 fn beside_section_5(steady: Outcome, run: &Run) -> Result<Outcome, CheckError> {
     Run::all([
@@ -358,7 +375,7 @@ fn beside_section_5(steady: Outcome, run: &Run) -> Result<Outcome, CheckError> {
 pub(super) fn switching_checks(variant: &SwitchingVariant, run: &Run) -> Result<Outcome, CheckError> {
     let far = rational(9, 1);
     let mut list = Vec::new();
-    for motion in motions() {
+    for motion in SteadyMotion::all_known() {
         // The motions whose graph is that of R = 3 (in units of the desired distance), for potentials increasing at R.
         let by_distance = linked_within(&motion.state.positions, &far, motion.coordinates) == motion.graph;
         if by_distance && motion.potential.slope(&far)? > rational(0, 1) {

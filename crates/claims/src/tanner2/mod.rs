@@ -3,16 +3,14 @@
 //! Reading of the text: the potentials are those of Definition 3 with a continuous gradient ("the control laws are smooth",
 //! Section 4); pairs are pairs of different agents; no linked agents coincide at the start.
 
-mod agentwise;
 mod bounds;
 mod collisions;
 mod energy;
-pub(super) mod figures;
+mod figures;
 mod filippov;
 pub(super) mod fixtures;
 pub(super) mod graphs;
 mod limits;
-mod motions;
 mod nonsmooth;
 mod rates;
 pub(super) mod switching;

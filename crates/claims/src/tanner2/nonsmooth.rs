@@ -1,13 +1,10 @@
 //! tanner2.lem1, lem2, Q, Qjump, Qdot, eq13, eq13.interval: the saturated potential and the energy Q.
 
-use super::figures::other;
-use super::fixtures::{PLANE, energy_decreases, printed as logarithmic, random_vectors, spring};
+use super::fixtures::{PLANE, energy_decreases, printed as logarithmic, spring};
 use crate::prelude::*;
 use algebra::graph::Graph;
-use arithmetic::Dual;
 use models::double_integrator::{
-    Kink, Pair, Potential, Span, State, TiedRate, Way, dot, fork, kinetic_energy, linked_within, saturated_potential,
-    saturated_rate, scaled, sum, tied, velocity_alignment,
+    Kink, Potential, Span, State, TiedRate, dot, fork, random_vectors, rate_along, saturated_rate, tied,
 };
 
 /// The saturated potential as a function of the distance `r`, at `r = R`.
@@ -411,44 +408,13 @@ pub(super) fn hulls(variant: &HullVariant, run: &Run) -> Result<Outcome, CheckEr
     })
 }
 
-/// The rate of `Q` along one way on from a state with ties at `R`, whose square this is, and `-v^T (L kron I_2) v` with the
-/// links and weights in force there.
-fn rate_along(
-    state: &State<Rational>,
-    square: &Rational,
-    ways: &[(Pair, Way<Rational>)],
-    cut: bool,
-) -> Result<(Rational, Rational), ArithmeticError> {
-    let potential = spring();
-    let slope = |_: usize, _: usize, s: &Rational| potential.slope(s);
-    let speed = |&(i, j): &Pair| PLANE.square(&state.relative_velocity(i, j));
-    let mut links = linked_within(&state.positions, square, PLANE).edges();
-    links.extend(ways.iter().filter(|(_, way)| *way == Way::Enters).map(|(pair, _)| *pair));
-    let mut accelerations = velocity_alignment(state, &links, PLANE, slope)?;
-    let mut form: Rational = links.iter().map(speed).sum();
-    for (pair, way) in ways {
-        if let Way::Stays(weight) = way {
-            let more = velocity_alignment(state, &[*pair], PLANE, slope)?;
-            accelerations = accelerations.iter().zip(&more).map(|(a, b)| sum(a, &scaled(weight, b))).collect();
-            form += weight * speed(pair);
-        }
-    }
-    let moving = state.moving(&accelerations);
-    let value = |_: usize, _: usize, s: &Dual<Rational>| potential.rational_value(s);
-    let beyond = Dual::constant(potential.rational_value(square)?);
-    let inside = if cut { links } else { Graph::from_fn(state.positions.len(), |_, _| true).edges() };
-    let energy = saturated_potential(&moving.positions, &inside, PLANE, value, &beyond)?
-        + kinetic_energy(&moving.velocities, PLANE)?;
-    Ok((energy.derivative, -form))
-}
-
 /// Q along all ways on from the tied states: its rate is the damping of the links and weights in force.
 pub(super) fn along_solutions(variant: &HullVariant, run: &Run) -> Result<Outcome, CheckError> {
     let detail = "every way on from no, one and two tied pairs, with weights that keep a pair at R: rates by exact accelerations";
     let square = rational(4, 1);
     run.instances("Q along solutions of (10) through ties", detail, tied_states(run), |(name, state)| {
-        for branch in fork(&state, &square, PLANE, &spring()).map_err(other)?.branches {
-            let (rate, damping) = rate_along(&state, &square, &branch.ways, *variant != HullVariant::Uncut)?;
+        for branch in fork(&state, &square, PLANE, &spring())?.branches {
+            let (rate, damping) = rate_along(&state, &square, &spring(), &branch.ways, *variant != HullVariant::Uncut)?;
             if rate != damping || rate > rational(0, 1) {
                 return Ok(Some(format!("{name}: Q has the rate {rate}, where the damping is {damping}")));
             }

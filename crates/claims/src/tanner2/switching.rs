@@ -36,12 +36,10 @@ pub(crate) fn no_common_configuration(variant: &Trees) -> Result<Outcome, CheckE
     let empty = Graph::empty(variant.agents);
     let graphs = variant.trees.each_ref().map(|edges| empty.with_edges(edges));
     let union = empty.with_edges(&variant.trees.concat());
-    let trees = graphs.iter().all(|graph| graph.is_connected() && graph.edges().len() + 1 == variant.agents);
-    let complete = union.edges().len() == variant.agents * (variant.agents - 1) / 2;
     let needed = dimension_of_regular_simplex(variant.agents)?;
     let evidence = exact("common critical configurations", "the Gram matrix of the regular simplex");
-    if trees && complete && needed > variant.dimension {
-        return Ok(Outcome::Holds(vec![evidence]));
+    if graphs.iter().all(Graph::is_tree) && union == Graph::complete(variant.agents) && needed > variant.dimension {
+        return holds(evidence);
     }
     let what = if union == graphs[0] {
         "the links do not change: velocities agree in the limit (tanner2.thm1a)".to_string()

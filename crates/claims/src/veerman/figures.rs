@@ -83,7 +83,7 @@ fn examine_figure4(variant: &Figure4Variant, run: &mut Run) -> Result<Outcome, C
 fn printed_cells(run: &Run) -> Result<Outcome, CheckError> {
     let columns: [[Column; 2]; 2] = [[|r| r.nfreq, |r| r.tfreq], [|r| r.namp, |r| r.tamp]];
     let cases = ROWS.iter().flat_map(|row| columns.map(|pair| (row, pair)));
-    let evidence = Evidence::new(Grade::Exact, "printed numbers", "cells of Table 1 in pairs, N = 4 to 128").for_all();
+    let evidence = exact("printed numbers", "cells of Table 1 in pairs, N = 4 to 128").for_all();
     run.every(evidence, cases, |(row, [first, second])| {
         let (first, second) = (printed_decimal(first(row))?.0, printed_decimal(second(row))?.0);
         let relative = (&first - &second) / &second;

@@ -46,7 +46,7 @@ fn examine_neighbour(variant: &NeighbourVariant, run: &mut Run) -> Result<Outcom
     let cases = (variant.smallest..=MOST_N).flat_map(|n| (1..=MOST).map(move |followers| (n, followers)));
     let graphs = run.instances("communication graphs", &detail, cases, |(n, followers)| {
         let graph = CommunicationGraph::nth_neighbours(n, followers)?;
-        let behind = staying_behind(&graph);
+        let behind = graph.staying_at_rest(&gains(((-2, 1), (-1, 3))));
         let class = |k: &usize| variant.all_stay || !k.is_multiple_of(n);
         let claimed: Vec<usize> = (1..=followers).filter(class).collect();
         let as_claimed = behind == claimed && behind.contains(&1);
@@ -66,24 +66,6 @@ fn examine_neighbour(variant: &NeighbourVariant, run: &mut Run) -> Result<Outcom
     })?;
     let proof = argued(&[1, 2], "all n >= 2 and N", "notes/veerman_platoons.md, other graphs, steps 1 to 3");
     Run::all([Ok(graphs.on([1, 2])).checks("steps 2 and 3"), proof])
-}
-
-/// The followers that the law leaves at rest in their places, whatever those move that it does not leave at rest: all are at rest at first, and
-/// whoever is pushed moves from then on.
-fn staying_behind(graph: &CommunicationGraph) -> Vec<usize> {
-    let leader = rational(7, 1);
-    let mut moves = vec![false; graph.followers()];
-    loop {
-        // Positive, so that they do not cancel where a follower is at rest.
-        let place = |k: usize| if moves[k] { rational(1, 3 * (k as i64 + 1)) } else { rational(0, 1) };
-        let state: Vec<Rational> = (0..moves.len()).map(place).collect();
-        let forces = graph.accelerations(&gains(((-2, 1), (-1, 3))), (&leader, &leader), &state, &state);
-        let pushed: Vec<bool> = moves.iter().zip(&forces).map(|(moves, f)| *moves || *f != rational(0, 1)).collect();
-        if pushed == moves {
-            return (1..=moves.len()).filter(|k| !moves[k - 1]).collect();
-        }
-        moves = pushed;
-    }
 }
 
 /// The degrees `p` of the families of graphs that are looked at; that of degree p is claimed to have the degree `p + shift`.

@@ -190,30 +190,6 @@ const CARS: u64 = 20;
 const UNTIL: i64 = 10;
 const PASSAGES: usize = 6;
 
-/// Passages of the last car by its place after the start, in floats.
-fn passages_in_floats(half_period: f64, run: &Run) -> Result<Vec<f64>, CheckError> {
-    let until = UNTIL as f64;
-    let start =
-        Modes::new(&Gains { f: -1.0, g: -1.0 }, CARS)?.behind_accelerating_leader(&[(0.0, 1.0), (until, -1.0)])?;
-    let at = |t: f64| start.last(&t);
-    let step = half_period / 64.0;
-    let mut passages: Vec<f64> = Vec::new();
-    let mut t = until + step;
-    while passages.len() < PASSAGES && t < 20.0 * half_period {
-        run.checkpoint()?;
-        let (mut low, mut high) = (t, t + step);
-        if at(low)? * at(high)? < 0.0 {
-            for _ in 0..40 {
-                let middle = 0.5 * (low + high);
-                if at(low)? * at(middle)? < 0.0 { high = middle } else { low = middle }
-            }
-            passages.push(low);
-        }
-        t += step;
-    }
-    Ok(passages)
-}
-
 fn exact(t: f64) -> Result<Interval, CheckError> {
     Rational::from_float(t).map(|q| interval(&q)).ok_or(CheckError::Other("a time".to_string()))
 }
@@ -233,7 +209,9 @@ fn passages(variant: &Figure3Variant, run: &mut Run) -> Result<Outcome, CheckErr
     let omega = resonance(&unit(), CARS + variant.more, 12)?.omega;
     let half_period = std::f64::consts::PI / omega.to_f64();
     // Floats find the passages, intervals certify them.
-    let passages = passages_in_floats(half_period, run)?;
+    let abrupt = [(0.0, 1.0), (UNTIL as f64, -1.0)];
+    let passages = Modes::new(&Gains { f: -1.0, g: -1.0 }, CARS)?.behind_accelerating_leader(&abrupt)?;
+    let passages = passages.passages(UNTIL as f64, half_period / 64.0, (PASSAGES, 20 * 64))?;
     let changes = [(0, 1), (UNTIL, -1)].map(|(time, change)| (share((time, 1)), share((change, 1))));
     let start = Modes::new(&enclosed(&unit(), PRECISION), CARS)?.behind_accelerating_leader(&changes)?;
     let slack = 1e-6 * half_period;
@@ -266,5 +244,5 @@ fn passages(variant: &Figure3Variant, run: &mut Run) -> Result<Outcome, CheckErr
     }
     run.value("largest_relative_difference_of_a_half_period", format!("~{:.6}", largest.to_f64()));
     run.value("first_passage_over_half_period", format!("~{:.4}", passages[0] / half_period));
-    Ok(Outcome::Holds(vec![evidence]))
+    holds(evidence)
 }

@@ -79,7 +79,7 @@ fn examine_columns(variant: &ColumnsVariant, numbers: [Quantity; 2], detail: &st
         let followers = if offset == 0 { "N".to_string() } else { format!("N{offset:+}") };
         if agreeing == 2 * ROWS.len() {
             let part = format!("{first} and {second}, every cell, {followers} followers");
-            return Ok(Outcome::Holds(vec![certified(part, detail).cases(agreeing).on([1, 2]).for_all()]));
+            return holds(certified(part, detail).cases(agreeing).on([1, 2]).for_all());
         }
         mismatches.extend(frequencies.1);
         mismatches.extend(amplitudes.1);
@@ -321,7 +321,7 @@ pub fn which_system() -> Record<SystemVariant> {
         |variant, run| {
             let reference =
                 Evidence::new(Grade::Text, "the reference", "Section 3 treats system (1), Section 4 system (2)");
-            Run::all([all_cells(variant, run), Ok(Outcome::Holds(vec![reference]))])
+            Run::all([all_cells(variant, run), holds(reference)])
         },
     )
     .reading("The experiments concern the system whose resonance Table 1 shows.")

@@ -303,6 +303,15 @@ impl Flock {
         self.rows(&self.velocities, &(self.denominator() * &self.pending))
     }
 
+    /// The virtual origins `x_i(t) - t v_i(t)`, one row per bird, from the positions one step before (`notes/settling.md`).
+    pub fn virtual_origins(&self, before: &[Vec<Rational>]) -> Vec<Vec<Rational>> {
+        let t = Rational::from_integer(self.time.clone());
+        let origin = |(x, old): (&Vec<Rational>, &Vec<Rational>)| {
+            x.iter().zip(old).map(|(now, old)| now - (now - old) * &t).collect()
+        };
+        self.positions().iter().zip(before).map(origin).collect()
+    }
+
     /// `x_i(t) - x_j(t)` over [`Flock::denominator`].
     pub(super) fn position_difference(&self, i: usize, j: usize) -> Vec<BigInt> {
         self.differences(&self.positions, i, j)

@@ -9,6 +9,7 @@ mod filling;
 mod filtered;
 mod flock;
 mod headings;
+mod history;
 mod hysteresis;
 mod kinematic;
 mod kinematic_start;
@@ -19,6 +20,7 @@ mod observe;
 pub mod read;
 mod rule;
 pub mod settle;
+mod starts;
 mod stationary;
 mod transients;
 
@@ -28,11 +30,12 @@ pub use declaration::{declaration, kinematic_declaration};
 pub use filling::{Filling, GroupRule};
 pub use filtered::FilteredFlock;
 pub use flock::{Flock, Start, Switch, check_control};
+pub use history::{NetworkHistory, random_network};
 pub use hysteresis::Hysteresis;
 pub use kinematic::{KinematicFlock, MOST_BITS, check_kappa};
 pub use kinematic_start::KinematicStart;
 pub use modes::{Mode, rational_modes};
-pub use motion::{State, motion};
+pub use motion::{State, averaged, motion};
 pub use noisy::{NoisyError, NoisyFlock};
 pub use observe::{Decay, Observer};
 pub use stationary::{deviation_matrix, deviation_matrix_watched, equal_rows, stationary_distribution};
@@ -54,6 +57,18 @@ pub enum Weights {
 }
 
 impl Weights {
+    /// Those with `c_i d_i` equal to this share for every bird with neighbours.
+    pub fn of_share(graph: &Graph, share: &Rational) -> Self {
+        let degree = |i: usize| rational(graph.degree(i).max(1) as i64, 1);
+        Weights::Given((0..graph.order()).map(|i| share / degree(i)).collect())
+    }
+
+    /// Those with another share for every bird, `c_i d_i = i/(i+1)` with birds counted from 1.
+    pub fn uneven(graph: &Graph) -> Self {
+        let degree = |i: usize| graph.degree(i).max(1) as i64;
+        Weights::Given((0..graph.order()).map(|i| rational(i as i64 + 1, (i as i64 + 2) * degree(i))).collect())
+    }
+
     /// `c_i` for bird `i` (from 0) with this many neighbours; `None` where no weight was given, and for more neighbours than any graph has.
     pub fn of(&self, degree: usize, i: usize) -> Option<Rational> {
         let degree = i64::try_from(degree).ok()?;

@@ -31,3 +31,14 @@ pub fn motion(start: State, dimension: usize, matrices: &[RationalMatrix]) -> Re
     }
     Ok(states)
 }
+
+/// `(P (x) I_d) v` for the velocities of the birds, one row for each: every coordinate is averaged by itself, those that all birds have.
+///
+/// # Errors
+/// [`MatrixError::Shapes`] where there are not as many birds as columns.
+pub fn averaged(matrix: &RationalMatrix, velocities: &[Vec<Rational>]) -> Result<Vec<Vec<Rational>>, MatrixError> {
+    let dimension = velocities.iter().map(Vec::len).min().unwrap_or(0);
+    let coordinate = |k: usize| velocities.iter().map(|v| v[k].clone()).collect::<Vec<_>>();
+    let columns = (0..dimension).map(|k| matrix.apply(&coordinate(k))).collect::<Result<Vec<_>, _>>()?;
+    Ok((0..matrix.rows()).map(|i| columns.iter().map(|column| column[i].clone()).collect()).collect())
+}

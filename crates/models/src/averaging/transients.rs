@@ -99,6 +99,13 @@ impl Separation {
         all
     }
 
+    /// `(rho_k, Upsilon_k)` of equation (3.18) on even or on odd `s`, where `Upsilon_k` is not zero, in increasing order of `rho_k`.
+    pub fn coefficients(&self, odd: bool) -> Vec<(Rational, Rational)> {
+        let sum = |(plus, minus): (Rational, Rational)| if odd { plus - minus } else { plus + minus };
+        let all = self.expansion().into_iter().map(|(rho, parts)| (rho, sum(parts)));
+        all.filter(|(_, upsilon)| *upsilon != Rational::default()).collect()
+    }
+
     /// `|x_i - x_j|² - 1` at `s = 0, .., steps`, by powers of the transition matrices.
     ///
     /// # Errors

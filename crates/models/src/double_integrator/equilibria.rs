@@ -305,7 +305,7 @@ mod tests {
 
     fn complete(count: usize) -> Framework {
         let potential = Potential::inverse_square_log(&rational(1, 1));
-        Framework { edges: Graph::from_fn(count, |_, _| true).edges(), potential }
+        Framework { edges: Graph::complete(count).edges(), potential }
     }
 
     fn at(positions: Vec<Vector<f64>>) -> Equilibrium {

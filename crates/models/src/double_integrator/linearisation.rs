@@ -3,7 +3,8 @@
 use super::law::check_links;
 use super::{Coordinates, Pair, Potential, State, Vector, difference, potential_gradients, velocity_alignment};
 use algebra::matrix::{MatrixError, RationalMatrix};
-use arithmetic::{ArithmeticError, Dual, Field, rational};
+use algebra::spectrum::Polynomial;
+use arithmetic::{ArithmeticError, Dual, Field, Rational, rational};
 
 /// Numbers of negative, zero and positive eigenvalues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -117,4 +118,20 @@ pub fn linearisation<T: Field>(
 fn transposed<T: Clone>(columns: &[Vec<T>]) -> Vec<Vec<T>> {
     let rows = columns.first().map_or(0, Vec::len);
     (0..rows).map(|i| columns.iter().map(|column| column[i].clone()).collect()).collect()
+}
+
+/// The characteristic polynomial of [`linearisation`] without the zeros, which are counted.
+///
+/// # Errors
+/// As there, and [`ArithmeticError::Domain`] for no agents.
+pub fn loop_modes(
+    state: &State<Rational>,
+    edges: &[Pair],
+    coordinates: Coordinates,
+    potential: &Potential,
+) -> Result<(usize, Polynomial), ArithmeticError> {
+    let matrix = RationalMatrix::from_rows(&linearisation(state, edges, coordinates, potential)?);
+    let polynomial = matrix.and_then(|matrix| matrix.characteristic_polynomial());
+    let polynomial = polynomial.map_err(|_| ArithmeticError::Domain("at least one agent"))?;
+    Ok(Polynomial::from_rationals(&polynomial.coefficients()).without_root(0))
 }

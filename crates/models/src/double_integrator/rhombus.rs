@@ -49,12 +49,33 @@ fn restricted(rows: &[Vec<Rational>]) -> Result<Vec<Vec<Rational>>, MatrixError>
     Ok(rows)
 }
 
+/// An integer that no root exceeds in size: the leading coefficient is an integer other than 0, so that none is larger than the sum of all.
+fn bound(modes: &Polynomial) -> Rational {
+    Rational::from_integer(modes.coefficients().iter().map(num_traits::Signed::abs).sum())
+}
+
+/// How many modes the motions near the rhombus have that keep both diagonals and the long one within R, whose square this is, if all of them
+/// decay without turning: one that tends to it along the slowest of them does not pass R any more. The bars couple both diagonals, so that the
+/// long one takes part in it. `None` where the rhombus is no equilibrium with its long diagonal at R and slope zero there, or a mode turns.
+///
+/// # Errors
+/// [`ArithmeticError`], which does not happen for a potential with a slope at 1 and at 3.
+pub fn real_decaying_modes(potential: &Potential, square: &Rational) -> Result<Option<usize>, ArithmeticError> {
+    let state = rhombus();
+    let flat = |s: &Rational| potential.slope(s).map(|slope| slope == slope.zero());
+    if tied(&state.positions, square, LATTICE) != [(0, 2)] || !flat(&rational(1, 1))? || !flat(square)? {
+        return Ok(None);
+    }
+    let linked = linked_within(&state.positions, square, LATTICE).with_edges(&[(0, 2)]);
+    let modes = symmetric_modes(&linked.edges(), potential)?;
+    let real = modes.roots_in(&-bound(&modes), &bound(&modes)).len();
+    Ok((modes.is_hurwitz() && modes.is_square_free() && real == modes.degree()).then_some(real))
+}
+
 /// Whether all modes decay and turn: stable, with simple roots, none of them real. Then none leaves a diagonal at rest: in equilibrium the
 /// bars of length 1 have slope 0 and couple the diagonals by their stiffness, without which the short one has none.
 fn only_decaying_oscillations(modes: &Polynomial) -> bool {
-    // Integers, the leading one not 0: no root is larger than the sum of the others, or than 1.
-    let bound = Rational::from_integer(modes.coefficients().iter().map(num_traits::Signed::abs).sum());
-    modes.is_hurwitz() && modes.is_square_free() && modes.roots_in(&-bound.clone(), &bound).is_empty()
+    modes.is_hurwitz() && modes.is_square_free() && modes.roots_in(&-bound(modes), &bound(modes)).is_empty()
 }
 
 /// Whether the rhombus with its long diagonal at R, whose square this is, is an equilibrium with and without that link, which symmetric motions nearby approach in decaying oscillations on both sides, of both diagonals: they pass R for ever.

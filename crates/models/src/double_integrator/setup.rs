@@ -138,7 +138,7 @@ impl Setup {
     /// [`InputError`], where linked agents are in one place or so, which does not happen but by a very small chance.
     pub fn draw(&self, random: &mut ChaCha8Rng) -> Result<Flock, InputError> {
         let network = match self.links {
-            LinkRule::Complete => Network::Fixed(Graph::from_fn(self.agents, |_, _| true)),
+            LinkRule::Complete => Network::Fixed(Graph::complete(self.agents)),
             LinkRule::Random(probability) => Network::Fixed(random_connected(self.agents, probability, random)),
             LinkRule::Within { radius, .. } => Network::Within(radius),
         };

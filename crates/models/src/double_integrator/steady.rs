@@ -1,11 +1,9 @@
 //! Motions that are known exactly for all time: agents that keep their velocities.
 
 use super::{
-    Coordinates, Pair, Potential, State, Vector, hessian, linearisation, potential_gradients, velocity_alignment,
+    Coordinates, Pair, Potential, State, Vector, hessian, loop_modes, potential_gradients, velocity_alignment,
 };
 use algebra::graph::Graph;
-use algebra::matrix::RationalMatrix;
-use algebra::spectrum::Polynomial;
 use arithmetic::{ArithmeticError, Rational, rational};
 
 /// A vector with integer coordinates.
@@ -102,9 +100,7 @@ impl SteadyMotion {
     /// Whether the linearised loop is stable up to translations, rotations and a common velocity: the eigenvalue 0 five times, the
     /// others with negative real parts. `None` where a matrix cannot be formed.
     pub fn is_stable_up_to_motions(&self) -> Option<bool> {
-        let rows = linearisation(&self.state, &self.graph.edges(), self.coordinates, &self.potential).ok()?;
-        let polynomial = RationalMatrix::from_rows(&rows).ok()?.characteristic_polynomial().ok()?;
-        let (zero, rest) = Polynomial::from_rationals(&polynomial.coefficients()).without_root(0);
+        let (zero, rest) = loop_modes(&self.state, &self.graph.edges(), self.coordinates, &self.potential).ok()?;
         Some(zero == 5 && rest.is_hurwitz())
     }
 }

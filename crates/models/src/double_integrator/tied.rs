@@ -1,9 +1,10 @@
 //! The rate of `Q`, equation (11) of the second paper, away from the threshold and where pairs are at distance `R` exactly.
 
 use super::{
-    Coordinates, Pair, Potential, Span, State, dot, kinetic_energy, linked_within, saturated_potential, tied,
-    velocity_alignment,
+    Coordinates, Pair, Potential, Span, State, Way, dot, kinetic_energy, linked_within, saturated_potential, scaled,
+    sum, tied, velocity_alignment,
 };
+use algebra::graph::Graph;
 use arithmetic::{ArithmeticError, Dual, Rational, Sign, Signed, rational};
 
 const PLANE: Coordinates = Coordinates::Cartesian;
@@ -41,6 +42,40 @@ pub fn saturated_rate(
     let energy = saturated_potential(&moving.positions, &inside, PLANE, value, &beyond)?
         + kinetic_energy(&moving.velocities, PLANE)?;
     Ok((energy.derivative, -squared_speeds(state, &edges)))
+}
+
+/// The rate of `Q` along one way on from a state with ties at `R`, whose square this is, and `-v^T (L kron I_2) v` with the links and
+/// weights in force there, for a potential without logarithm. Without `cut` the potentials are not cut off at `R`.
+///
+/// # Errors
+/// As for [`saturated_rate`], and [`ArithmeticError::Domain`] for a pair of agents that are not there.
+pub fn rate_along(
+    state: &State<Rational>,
+    square: &Rational,
+    potential: &Potential,
+    ways: &[(Pair, Way<Rational>)],
+    cut: bool,
+) -> Result<(Rational, Rational), ArithmeticError> {
+    state.check()?;
+    let slope = |_: usize, _: usize, s: &Rational| potential.slope(s);
+    let mut links = linked_within(&state.positions, square, PLANE).edges();
+    links.extend(ways.iter().filter(|(_, way)| *way == Way::Enters).map(|(pair, _)| *pair));
+    let mut accelerations = velocity_alignment(state, &links, PLANE, slope)?;
+    let mut form = squared_speeds(state, &links);
+    for (pair, way) in ways {
+        if let Way::Stays(weight) = way {
+            let more = velocity_alignment(state, &[*pair], PLANE, slope)?;
+            accelerations = accelerations.iter().zip(&more).map(|(a, b)| sum(a, &scaled(weight, b))).collect();
+            form += weight * squared_speeds(state, &[*pair]);
+        }
+    }
+    let moving = state.moving(&accelerations);
+    let value = |_: usize, _: usize, s: &Dual<Rational>| potential.rational_value(s);
+    let beyond = Dual::constant(potential.rational_value(square)?);
+    let inside = if cut { links } else { Graph::complete(state.count()).edges() };
+    let energy = saturated_potential(&moving.positions, &inside, PLANE, value, &beyond)?
+        + kinetic_energy(&moving.velocities, PLANE)?;
+    Ok((energy.derivative, -form))
 }
 
 /// What equation (13) needs of a state with tied pairs.

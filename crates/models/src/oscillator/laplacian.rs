@@ -53,6 +53,12 @@ pub fn misalignment<T: Field>(network: &impl Interaction, phasors: &[Complex<T>]
     phasors.iter().zip(network.laplacian_of(phasors)).map(|(z, lz)| quarter_turn(z).dot(&lz)).collect()
 }
 
+/// Whether `L z` is a multiple of `z`, whose entries have modulus one: then `L_k z` conj(z_k) is the same for all `k`.
+pub fn is_eigenvector<T: Field + PartialEq>(network: &impl Interaction, phasors: &[Complex<T>]) -> bool {
+    let factors: Vec<_> = network.laplacian_of(phasors).into_iter().zip(phasors).map(|(lz, z)| lz * z.conj()).collect();
+    factors.windows(2).all(|pair| pair[0] == pair[1])
+}
+
 /// `dW_1/dtheta_k = (1/(2N)) <i e^{i theta_k}, (L + L^T)_k e^{i theta}>`, on any graph (display before (14)).
 ///
 /// # Errors

@@ -6,7 +6,9 @@
 
 mod abscissa;
 mod all_to_all;
+mod arrangement;
 mod circles;
+pub mod critical;
 mod fish;
 mod flight;
 mod individual;
@@ -23,6 +25,9 @@ mod variation;
 
 pub use abscissa::{FourierFormation, Mode, TransverseSpectrum};
 pub use all_to_all::AllToAll;
+pub use arrangement::{
+    ExactPhasors, exact_phasors, fourier_column, in_turns, on_the_line, phasors, squared_lengths, up_to_rotation,
+};
 pub use circles::{
     CircularGains, beacon_control, beacon_potential, centre_spread, circle_centres, circular_control,
     circular_formation, composite_potential, heading_components, reference_control, relative_position_control,
@@ -35,8 +40,10 @@ pub use fish::{
 pub use flight::Flight;
 pub use flight::write_rate;
 pub use individual::ParticleLaw;
-pub use laplacian::{circulant_eigenvalue, misalignment, phase_potential, phase_potential_gradient, quadratic_form};
-pub use linearisation::linearisation;
+pub use laplacian::{
+    circulant_eigenvalue, is_eigenvector, misalignment, phase_potential, phase_potential_gradient, quadratic_form,
+};
+pub use linearisation::{Stability, linearisation, shape_dimension, stability, without_symmetries};
 pub use moments::{
     mean, moment, moment_gradient, moment_potential, pattern_gradient, pattern_potential, powers, quarter_turn,
 };

@@ -106,6 +106,11 @@ impl Neighbours {
         Neighbours::from_fn(particles, |_, _| true)
     }
 
+    /// The one-way ring: everyone senses the next.
+    pub fn one_way_ring(particles: usize) -> Self {
+        Neighbours::from_fn(particles, |k, j| j == (k + 1) % particles)
+    }
+
     /// The circulant graph: `k` and `j` are neighbours where `k - j` modulo `N` is one of the offsets or its negative; `[1]`
     /// gives the cyclic graph `C_N`. Offsets count modulo `N`; nobody is its own neighbour.
     pub fn circulant(particles: usize, offsets: &[usize]) -> Self {
@@ -142,6 +147,18 @@ impl Neighbours {
             nearest
         };
         Neighbours::from_lists((0..positions.len()).map(list))
+    }
+
+    /// As [`Neighbours::nearest`]; `None` where it is not certain who they are, as where two are at the same distance.
+    pub fn nearest_without_ties<T: Field + Signed>(positions: &[Complex<T>], count: usize) -> Option<Self> {
+        let network = Neighbours::nearest(positions, count);
+        let squared = |k: usize, j: usize| (positions[j].clone() - &positions[k]).norm_squared();
+        let apart = |k: usize| {
+            let near = network.of_particle(k);
+            let farther = |far: usize| near.iter().all(|&j| (squared(k, far) - squared(k, j)).is_certainly_positive());
+            (0..positions.len()).filter(|j| *j != k && !near.contains(j)).all(farther)
+        };
+        (0..positions.len()).all(apart).then_some(network)
     }
 
     /// Number of particles.

@@ -228,6 +228,24 @@ impl CommunicationGraph {
         accelerations_by(cars, mean, gains, leader, (positions, velocities))
     }
 
+    /// The followers, counted from 1, that the law leaves at rest in their places, whatever those move that it does not leave at rest and the
+    /// leader: all are at rest at first, and whoever is pushed moves from then on.
+    pub fn staying_at_rest(&self, gains: &Gains<Rational>) -> Vec<usize> {
+        let leader = rational(7, 1);
+        let mut moves = vec![false; self.followers()];
+        loop {
+            // Positive, so that they do not cancel where a follower is at rest.
+            let place = |k: usize| if moves[k] { rational(1, 3 * (k as i64 + 1)) } else { rational(0, 1) };
+            let state: Vec<Rational> = (0..moves.len()).map(place).collect();
+            let forces = self.accelerations(gains, (&leader, &leader), &state, &state);
+            let pushed: Vec<bool> = moves.iter().zip(&forces).map(|(moves, f)| *moves || *f != f.zero()).collect();
+            if pushed == moves {
+                return (1..=moves.len()).filter(|k| !moves[k - 1]).collect();
+            }
+            moves = pushed;
+        }
+    }
+
     /// The amplitudes `a_1..a_M` of the harmonic response to `y_0 = e^{iwt}`: the solution of
     /// `(P + (gamma - 1) I) a = -L_l` with `gamma - 1 = w²/(f + iwg)`. Followers that the leader does not reach are at rest.
     /// Cost: `M³` products.

@@ -57,3 +57,24 @@ pub fn amplitude<T: Real>(gains: &Gains<T>, followers: u64) -> Result<T, Arithme
     let correction = square_of_leading(&b2, followers)? * coefficient;
     Ok(theorem1::amplitude(gains, followers)? * (b2.one() - correction))
 }
+
+/// The limit of `M³ (w - w_0)`, `-sqrt|f| (pi³/(16 sqrt2)) (1/12 + b²/8)`.
+///
+/// # Errors
+/// [`ArithmeticError`] where `f` may be positive.
+pub fn frequency_limit<T: Real>(gains: &Gains<T>) -> Result<T, ArithmeticError> {
+    let b2 = relative_damping_square(gains)?;
+    let factor = b2.ratio(1, 12) + b2.clone() * b2.ratio(1, 8);
+    let root = (-gains.f.clone()).sqrt()?;
+    (-(b2.pi().power(3) * factor * root)).over(&(b2.integer(16) * b2.integer(2).sqrt()?))
+}
+
+/// The limit of `M (A - A_0)`, `sqrt2 (b (36 - pi²)/96 - 1/(12 b))`.
+///
+/// # Errors
+/// [`ArithmeticError`] where `f` may be positive or `g` may be zero.
+pub fn amplitude_limit<T: Real>(gains: &Gains<T>) -> Result<T, ArithmeticError> {
+    let b = relative_damping_square(gains)?.sqrt()?;
+    let damping = (b.integer(36) - b.pi().square()) * b.ratio(1, 96) * &b;
+    Ok((damping - b.ratio(1, 12).over(&b)?) * b.integer(2).sqrt()?)
+}

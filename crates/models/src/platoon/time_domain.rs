@@ -322,3 +322,30 @@ impl<T: Real + Signed> StopAndGo<T> {
         self.modes.followers(modes)
     }
 }
+
+impl StopAndGo<f64> {
+    /// The first passages of the last car by its place after this time, at most so many and within so many steps, bisected; of two within one
+    /// step none is seen.
+    ///
+    /// # Errors
+    /// As for [`StopAndGo::last`].
+    pub fn passages(&self, from: f64, step: f64, (most, steps): (usize, usize)) -> Result<Vec<f64>, ArithmeticError> {
+        let mut passages = Vec::new();
+        let mut t = from + step;
+        for _ in 0..steps {
+            if passages.len() == most {
+                break;
+            }
+            let (mut low, mut high) = (t, t + step);
+            if self.last(&low)? * self.last(&high)? < 0.0 {
+                for _ in 0..40 {
+                    let middle = 0.5 * (low + high);
+                    if self.last(&low)? * self.last(&middle)? < 0.0 { high = middle } else { low = middle }
+                }
+                passages.push(low);
+            }
+            t += step;
+        }
+        Ok(passages)
+    }
+}

@@ -5,6 +5,8 @@ use algebra::graph::{Graph, LaplacianError, LaplacianKind, NameError, NamedGraph
 use algebra::matrix::{Footprint, SparseMatrix};
 use arithmetic::{Ring, rational};
 
+mod families;
+
 fn named(text: &str) -> NamedGraph {
     text.parse().unwrap_or_else(|error| panic!("{text}: {error}"))
 }

@@ -16,6 +16,7 @@ use proptest::prelude::*;
 mod axes;
 mod characteristic;
 mod elimination;
+mod families;
 mod inertia;
 mod integer_rows;
 mod smallest_entries;

@@ -1,7 +1,7 @@
 //! chazelle.xi.closed, chazelle.eq3.16, chazelle.eq3.17: where a bird is while the network does not change.
 
+use super::FAMILY;
 use super::flight::{Flight, Flock, Vector, add, combine, flights};
-use super::{FAMILY, list};
 use crate::prelude::*;
 use num_traits::{Signed, Zero};
 

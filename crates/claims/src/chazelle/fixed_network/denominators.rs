@@ -1,10 +1,11 @@
 //! chazelle.lem3.5: how long the numbers of the limit configuration are.
 
 use super::limits::limit_of_lemma_3_3;
-use super::{FAMILY, Family, Kind, Network, every_row, exhaustively, power_of_order};
+use super::{FAMILY, Family, Kind, Network, exhaustively, power_of_order};
 use crate::prelude::*;
 use algebra::matrix::RationalMatrix;
 use arithmetic::common_denominator;
+use models::averaging::equal_rows;
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use rand_chacha::ChaCha8Rng;
@@ -62,7 +63,7 @@ impl ShortLimitVariant {
             || rational(i64::from(random.next_u32() % (n as u32 + 1)), 1 + i64::from(random.next_u32() % n as u32));
         let (x, v): (Vec<Rational>, Vec<Rational>) = (0..n).map(|_| (coordinate(), coordinate())).unzip();
         let of_input = Rational::from_integer(common_denominator(x.iter().chain(&v)));
-        let relative = network.identity()?.minus(&every_row(&network.pi())?)?.apply(&x)?;
+        let relative = network.identity()?.minus(&equal_rows(&network.pi())?)?.apply(&x)?;
         let limit = relative.iter().zip(gamma.apply(&v)?).map(|(a, b)| a + b);
         let (denominator, longest) = (denominator * of_input, longest * power_of_order(n, 2 * n as i32 + 3));
         Ok(limit.into_iter().find(|x| !short(x, &denominator, &longest)).map(|x| format!("a coordinate of x^r is {x}")))

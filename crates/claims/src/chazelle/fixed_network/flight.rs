@@ -94,7 +94,8 @@ impl<'a> Flight<'a> {
         let mut number = || rational(i64::from(random.next_u32() % 31) - 15, 1 + i64::from(random.next_u32() % 6));
         let mut numbers = || (0..dimension * order).map(|_| number()).collect();
         let start = State { positions: numbers(), velocities: numbers() };
-        let (other, fixed) = (Network::new(Graph::path(order), Kind::Lazy)?.p, block_diagonal(&flocks[0], &flocks[1])?);
+        let (other, fixed) =
+            (Network::new(Graph::path(order), Kind::Lazy)?.p, flocks[0].network.p.direct_sum(&flocks[1].network.p)?);
         let run = |t: usize| {
             let matrix = |s: usize| if s < first || (s < t && s + broken >= t) { &other } else { &fixed };
             let matrices: Vec<RationalMatrix> = (1..=t).map(|s| matrix(s).clone()).collect();
@@ -136,11 +137,4 @@ impl<'a> Flight<'a> {
             self.first
         )
     }
-}
-
-fn block_diagonal(f: &Flock, g: &Flock) -> Result<RationalMatrix, CheckError> {
-    let zeros = |count: usize| vec![rational(0, 1); count];
-    let upper = f.network.p.to_rows().into_iter().map(|row| [row, zeros(g.order())].concat());
-    let lower = g.network.p.to_rows().into_iter().map(|row| [zeros(f.order()), row].concat());
-    Ok(RationalMatrix::from_rows(&upper.chain(lower).collect::<Vec<_>>())?)
 }

@@ -1,9 +1,9 @@
 //! chazelle.lem3.3, chazelle.eq3.12-13, chazelle.lem3.4: where a flock with a fixed network goes.
 
-use super::{FAMILY, Family, Network, every_row, exhaustively, list};
+use super::{FAMILY, Family, Network, exhaustively};
 use crate::prelude::*;
 use algebra::matrix::{MatrixError, RationalMatrix};
-use models::averaging::{State, contraction, deviation_matrix, motion};
+use models::averaging::{State, contraction, deviation_matrix, equal_rows, motion};
 use num_traits::Zero;
 
 const STEPS: usize = 6;
@@ -41,7 +41,7 @@ fn bracket(
 /// `Gamma` by the formula of Lemma 3.3.
 pub(super) fn limit_of_lemma_3_3(network: &Network) -> Result<Option<RationalMatrix>, CheckError> {
     let n = network.order();
-    let projection = network.identity()?.minus(&every_row(&network.pi())?)?;
+    let projection = network.identity()?.minus(&equal_rows(&network.pi())?)?;
     bracket(network, &projection, Some(&vec![rational(0, 1); n]), &vec![rational(1, 1); n])
 }
 
@@ -62,7 +62,7 @@ impl LimitOfGammaVariant {
     fn fails_at(&self, network: &Network) -> Result<Option<String>, CheckError> {
         let (n, pi) = (network.order(), network.pi());
         let (zeros, ones) = (vec![rational(0, 1); n], vec![rational(1, 1); n]);
-        let (identity, drift) = (network.identity()?, every_row(&pi)?);
+        let (identity, drift) = (network.identity()?, equal_rows(&pi)?);
         let projection = if self.projected { identity.minus(&drift)? } else { identity.clone() };
         let left = self.zero_column.then_some(zeros.as_slice());
         let Some(limit) = bracket(network, &projection, left, if self.column_of_ones { &ones } else { &pi })? else {
@@ -154,7 +154,7 @@ impl PositionsVariant {
     }
 
     fn fails_at(&self, network: &Network) -> Result<Option<String>, CheckError> {
-        let drift = every_row(&network.pi())?;
+        let drift = equal_rows(&network.pi())?;
         for d in 1..=2 {
             let size = d * network.order();
             let start: Vec<Rational> = (0..size).map(|k| rational(k as i64 * k as i64 + 1, k as i64 + 2)).collect();
@@ -180,7 +180,7 @@ impl PositionsVariant {
                                 "d = {d}, v(1) the unit vector {}, t = {t}: x(t) = ({}), by {equation} it is ({})",
                                 k + 1,
                                 list(&run[t].positions),
-                                list(&claimed(matrix))
+                                list(claimed(matrix))
                             )));
                         }
                     }
@@ -235,7 +235,7 @@ impl RelativeLimitVariant {
     fn fails_at(&self, network: &Network) -> Result<Option<String>, CheckError> {
         let (n, center) = (network.order(), network.normalised_power(self.weights));
         let (zeros, ones) = (vec![rational(0, 1); n], vec![rational(1, 1); n]);
-        let projection = network.identity()?.minus(&every_row(&center)?)?;
+        let projection = network.identity()?.minus(&equal_rows(&center)?)?;
         let Some(gamma) = bracket(network, &projection, Some(&zeros), &ones)? else {
             return Ok(Some("the matrix on the right is singular".into()));
         };

@@ -1,6 +1,6 @@
 //! chazelle.lem3.2, chazelle.eq3.9, chazelle.eq3.10: how fast the powers of the transition matrix converge.
 
-use super::{FAMILY, Family, Kind, Network, exhaustively, list, power_of_order, too_slow_for};
+use super::{FAMILY, Family, Kind, Network, exhaustively, power_of_order, too_slow_for};
 use crate::prelude::*;
 use algebra::matrix::{RationalMatrix, tau_1};
 use models::averaging::contraction;

@@ -51,15 +51,14 @@ impl Kind {
     const ADMISSIBLE: [Kind; 3] = [Kind::Lazy, Kind::Vicsek, Kind::Uneven];
 
     fn weights(self, graph: &Graph) -> Weights {
-        let degree = |i: usize| graph.degree(i).max(1) as i64;
-        let given = |c: &dyn Fn(usize) -> Rational| Weights::Given((0..graph.order()).map(c).collect());
+        let equal = |c: Rational| Weights::Given(vec![c; graph.order()]);
         match self {
             Kind::Lazy => Weights::Lazy,
             Kind::Vicsek => Weights::Vicsek,
-            Kind::Uneven => given(&|i| rational(i as i64 + 1, (i as i64 + 2) * degree(i))),
-            Kind::Uniform => given(&|_| rational(1, graph.order() as i64)),
-            Kind::Whole => given(&|i| rational(1, degree(i))),
-            Kind::Tiny => given(&|_| rational(1, 4).pow(graph.order() as i32)),
+            Kind::Uneven => Weights::uneven(graph),
+            Kind::Uniform => equal(rational(1, graph.order() as i64)),
+            Kind::Whole => Weights::of_share(graph, &rational(1, 1)),
+            Kind::Tiny => equal(rational(1, 4).pow(graph.order() as i32)),
         }
     }
 }
@@ -163,10 +162,6 @@ fn power_of_order(n: usize, k: i32) -> Rational {
     rational(n as i64, 1).pow(k)
 }
 
-fn list(numbers: &[Rational]) -> String {
-    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
-}
-
 #[derive(Clone, Copy)]
 struct Family<'a> {
     kinds: &'a [Kind],
@@ -194,9 +189,7 @@ impl Family<'_> {
         });
         graphs.flat_map(|graph| self.kinds.iter().map(move |&kind| Network::new(graph.clone(), kind))).collect()
     }
-}
 
-impl Family<'_> {
     /// All labelled graphs of the family on up to `every` birds, one of each isomorphism class beyond.
     fn labelled(self, every: usize, largest: usize) -> Result<Vec<Network>, CheckError> {
         if !self.connected {
@@ -222,9 +215,4 @@ fn exhaustively(
     run.every(exhaustive(part, detail), networks, |network| {
         Ok(check(network)?.map(|what| format!("{}: {what}", network.show())))
     })
-}
-
-/// The matrix `1 pi^T` for any list `pi`.
-fn every_row(pi: &[Rational]) -> Result<RationalMatrix, CheckError> {
-    Ok(models::averaging::equal_rows(pi)?)
 }

@@ -1,9 +1,9 @@
 //! chazelle.eq3.8: the powers of the transition matrix.
 
-use super::{FAMILY, Family, Network, every_row, list};
+use super::{FAMILY, Family, Network};
 use crate::prelude::*;
 use algebra::matrix::RationalMatrix;
-use models::averaging::{Mode, rational_modes};
+use models::averaging::{Mode, equal_rows, rational_modes};
 use num_traits::Signed;
 
 /// `P^s = 1 pi^T + sum_{k > first} lambda_k^(multiple s) C^(a/2) u_k u_k^T C^(b/2)`.
@@ -22,7 +22,7 @@ const LARGEST_POWER: u64 = 6;
 
 impl PowersVariant {
     fn fails_at(&self, network: &Network, modes: &[Mode]) -> Result<Option<String>, CheckError> {
-        let limit = every_row(&network.pi())?;
+        let limit = equal_rows(&network.pi())?;
         let dyad = |mode: &Mode| -> Result<_, CheckError> {
             Ok(RationalMatrix::from_rows(&mode.dyad(&network.c, self.halves.0, self.halves.1)?)?)
         };

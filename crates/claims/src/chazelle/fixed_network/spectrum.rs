@@ -1,6 +1,6 @@
 //! chazelle.pi and chazelle.eq3.7: eigenvalues and first eigenvectors of the transition matrix.
 
-use super::{FAMILY, Family, Kind, Network, exhaustively, list};
+use super::{FAMILY, Family, Kind, Network, exhaustively};
 use crate::prelude::*;
 use algebra::matrix::RationalMatrix;
 use arithmetic::RadicalSum;

@@ -1,17 +1,15 @@
 //! paley.eig.sym, paley.fig2.caption: which eigenvectors with entries of modulus one a circulant Laplacian has.
 
-use super::common::{Exact, all_zero, at, circulants, digraph, laplacian, turns, up_to_rotation};
-use super::stationary::is_eigenvector;
+use super::common::{all_zero, laplacian};
 use crate::prelude::*;
+use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::{SparseMatrix, inertia};
 use arithmetic::{CosineField, RealCyclotomic, Sign, Signed};
-use models::oscillator::{clusters_of_pattern, laplacian_rows, misalignment, phasor};
+use models::oscillator::{
+    clusters_of_pattern, exact_phasors, fourier_column, in_turns, is_eigenvector, laplacian_rows, misalignment, phasor,
+    up_to_rotation,
+};
 use num_integer::Integer;
-
-/// The column `m` of the Fourier matrix, counted from 0, without its factor.
-pub fn column(field: &CosineField, nodes: usize, m: usize) -> Exact {
-    at(field, &(0..nodes).map(|k| m * k % nodes).collect::<Vec<_>>())
-}
 
 /// How many clusters the column `m`, counted from 0, has.
 pub fn clusters_of_column(nodes: usize, m: usize) -> usize {
@@ -55,12 +53,12 @@ fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome,
     }
     let most = run.cases(6, 8);
     let cases = (2..=most)
-        .flat_map(|order| circulants(order, true))
+        .flat_map(|order| WeightedGraph::circulants(order, true))
         .flat_map(|(offsets, graph)| (1..graph.order()).map(move |m| (offsets.clone(), graph.clone(), m)));
     let detail = format!("all columns on all undirected circulants of 2 to {most} nodes");
     let evidence = exhaustive("columns of F are symmetric patterns", detail).on([1]);
     let columns = run.every(evidence, cases, |(offsets, graph, m)| {
-        let z = column(&CosineField::new(graph.order() as u32), graph.order(), m);
+        let z = fourier_column(&CosineField::new(graph.order() as u32), graph.order(), m);
         let (found, expected) = (clusters_of_pattern(&z), Some((variant.clusters)(graph.order(), m) as u32));
         let wrong = !is_eigenvector(&laplacian(&graph)?, &z) || found != expected;
         let place = || format!("N = {}, offsets {offsets:?}, column {}", graph.order(), m + 1);
@@ -70,7 +68,7 @@ fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome,
         return Ok(Outcome::Undecided("no asymmetric eigenvector was found".to_string()));
     };
     let asymmetric = exact("an eigenvector that is not symmetric", place).on([2]).for_all();
-    Run::all([columns, Ok(Outcome::Holds(vec![asymmetric]))])
+    Run::all([columns, holds(asymmetric)])
 }
 
 /// An eigenvector of a connected circulant Laplacian with entries of modulus one that is no symmetric pattern, among phases at multiples of 1/12
@@ -79,13 +77,13 @@ fn asymmetric_eigenvector(run: &Run) -> Result<Option<String>, CheckError> {
     const PARTS: usize = 12;
     let field = CosineField::new(PARTS as u32);
     for order in 2..=4 {
-        for (offsets, graph) in circulants(order, true).into_iter().filter(|(_, g)| g.is_strongly_connected()) {
+        for (offsets, graph) in WeightedGraph::circulants(order, true).filter(|(_, g)| g.is_strongly_connected()) {
             let laplacian = laplacian(&graph)?;
             for exponents in up_to_rotation(order, PARTS) {
                 run.checkpoint()?;
-                let z = at(&field, &exponents);
+                let z = exact_phasors(&field, &exponents);
                 if is_eigenvector(&laplacian, &z) && clusters_of_pattern(&z).is_none() {
-                    let place = turns(&exponents, PARTS);
+                    let place = in_turns(&exponents, PARTS);
                     return Ok(Some(format!("circulant with N = {order} and offsets {offsets:?}, {place}")));
                 }
             }
@@ -136,10 +134,10 @@ impl CyclicVariant {
     /// Where the classification fails on `C_N`, if it does.
     pub fn fails_on(&self, nodes: usize) -> Result<Option<String>, CheckError> {
         let field = CosineField::new(nodes as u32);
-        let graph = digraph(nodes, |k, j| (k + 1) % nodes == j || (j + 1) % nodes == k);
+        let graph = WeightedGraph::from(&Graph::ring(nodes));
         let laplacian = laplacian(&graph)?;
         for m in 0..nodes {
-            let z = column(&field, nodes, m);
+            let z = fourier_column(&field, nodes, m);
             if !is_eigenvector(&laplacian, &z) || !all_zero(&misalignment(&laplacian, &z)) {
                 return Ok(Some(format!("column {} is no stationary eigenvector", m + 1)));
             }
@@ -218,7 +216,7 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
             let part = "all eigenvectors of C_12 with entries of modulus one";
             let found = exact(part, detail).on([1, 2, 3, 4]).cases(12);
             Run::all([
-                Ok(Outcome::Holds(vec![found])).checks("steps E1 and E3 to E5"),
+                holds(found).checks("steps E1 and E3 to E5"),
                 argued(&[2, 3, 4], part, "notes/paley_phases.md, steps E1-E5"),
             ])
         },

@@ -1,10 +1,10 @@
 //! paley.length, paley.eq11.kernel, paley.incid: the Laplacian as a sum over edges.
 
-use super::common::{arcs, digraph, digraphs, laplacian, named, squared_lengths, supports};
+use super::common::{arcs, laplacian, named, supports};
 use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
-use algebra::matrix::{Inertia, SparseMatrix, inertia};
-use models::oscillator::quadratic_form;
+use algebra::matrix::{Inertia, SparseMatrix};
+use models::oscillator::{quadratic_form, squared_lengths};
 
 /// `Q_L = (factor/N) sum |x_j - x_k|^2` over directed edges, on undirected graphs or any.
 #[derive(Clone, Copy)]
@@ -32,7 +32,7 @@ pub fn edge_length() -> Record<LengthVariant> {
         |variant, run| {
             let mut graphs: Vec<_> = ["path:2", "path:3", "ring:4", "star:5", "complete:4"].map(named).into();
             if variant.directed {
-                graphs.insert(0, Ok(digraph(2, |k, _| k == 0)));
+                graphs.insert(0, Ok(WeightedGraph::from_fn(2, |k, _| k == 0)));
             }
             let names: Vec<String> = (1..=5).flat_map(|k| [format!("Re x{k}"), format!("Im x{k}")]).collect();
             let tests = graphs.into_iter().map(|graph| {
@@ -52,17 +52,6 @@ pub fn edge_length() -> Record<LengthVariant> {
     .altered("1/(4N) on directed graphs too", |v| v.directed = true)
 }
 
-/// The inertia of the form `<x, L x>` over real vectors.
-pub fn form_inertia(laplacian: &SparseMatrix) -> Result<Inertia, CheckError> {
-    let transpose = laplacian.transpose();
-    let zero = rational(0, 1);
-    let entry = |matrix: &SparseMatrix, i: usize, j: usize| matrix.get(i, j).unwrap_or(&zero).clone();
-    let order = laplacian.order();
-    let rows: Vec<Vec<Rational>> =
-        (0..order).map(|i| (0..order).map(|j| entry(laplacian, i, j) + entry(&transpose, i, j)).collect()).collect();
-    Ok(inertia(&rows)?)
-}
-
 /// The graphs for which `Q_L` is claimed to vanish on `span{1}` only and to be positive elsewhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum KernelVariant {
@@ -78,7 +67,9 @@ impl KernelVariant {
     fn graphs(self, order: usize) -> Vec<WeightedGraph> {
         let undirected = Graph::all(order).filter(|graph| self == KernelVariant::Undirected || graph.is_connected());
         match self {
-            KernelVariant::StronglyConnected => digraphs(order).filter(WeightedGraph::is_strongly_connected).collect(),
+            KernelVariant::StronglyConnected => {
+                WeightedGraph::all(order).filter(WeightedGraph::is_strongly_connected).collect()
+            }
             _ => undirected.map(|graph| WeightedGraph::from(&graph)).collect(),
         }
     }
@@ -95,7 +86,7 @@ pub fn kernel() -> Record<KernelVariant> {
             let detail = format!("exact inertia (N - 1, 0, 1) for all labelled graphs of up to {most} nodes");
             let evidence = exhaustive("positive but on span{1}", detail).on([1, 2]);
             run.every(evidence, (1..=most).flat_map(|order| variant.graphs(order)), |graph| {
-                let (order, found) = (graph.order(), form_inertia(&laplacian(&graph)?)?);
+                let (order, found) = (graph.order(), laplacian(&graph)?.form_inertia()?);
                 let right = found == Inertia { positive: order - 1, negative: 0, zero: 1 };
                 Ok((!right).then(|| format!("N = {order}, {}: the form has {found:?}", arcs(&graph))))
             })

@@ -1,12 +1,12 @@
 //! paley.eq13, paley.gradW, paley.eq14_15: the Laplacian phase potential, its gradient and its control.
 
-use super::common::{arcs, complete, digraph, identities, laplacian, named, phasors};
+use super::common::{arcs, identities, laplacian, named};
 use crate::prelude::*;
 use algebra::graph::WeightedGraph;
 use algebra::matrix::SparseMatrix;
 use models::oscillator::{
     laplacian_control, misalignment, moment_gradient, moment_potential, pairwise_control, phase_gradient,
-    phase_potential, phase_potential_gradient, rate_of_change,
+    phase_potential, phase_potential_gradient, phasors, rate_of_change,
 };
 
 /// `W_1 = constant + sign U_1` on a graph.
@@ -33,7 +33,7 @@ pub fn complete_potential() -> Record<CompleteVariant> {
     Record::new(
         "paley.eq13",
         "L = N I - 1 1^T: <z, L z> = N * N - |sum z|^2 = N^2 (1 - |p|^2), divided by 2N. The gradients are opposite, so the stationary points are the same.",
-        CompleteVariant { constant: |n| rational(n, 2), sign: -1, graph: complete },
+        CompleteVariant { constant: |n| rational(n, 2), sign: -1, graph: WeightedGraph::complete },
         |variant, run| {
             let parts = (1..=3usize).map(|n| {
                 let laplacian = laplacian(&(variant.graph)(n))?;
@@ -46,15 +46,17 @@ pub fn complete_potential() -> Record<CompleteVariant> {
     .clauses(&["If G is complete, then W_1(theta) = N/2 - U_1(theta).", "W_1 has the same stationary points as U_1."])
     .altered("N instead of N/2", |v| v.constant = |n| rational(n, 1))
     .altered("+ U_1", |v| v.sign = 1)
-    .altered("the path", |v| v.graph = |n| digraph(n, |k, j| k.abs_diff(j) == 1))
+    .altered("the path", |v| v.graph = |n| WeightedGraph::from_fn(n, |k, j| k.abs_diff(j) == 1))
 }
 
 /// Graphs of the identities; a directed one first where the statement is to be tried on it.
 fn graphs(directed: bool) -> impl Iterator<Item = Result<WeightedGraph, CheckError>> {
-    let one_way = directed.then(|| Ok(digraph(2, |k, _| k == 0)));
+    let one_way = directed.then(|| Ok(WeightedGraph::from_fn(2, |k, _| k == 0)));
     // The last has two nodes that are joined, and one on its own.
-    let undirected =
-        ["path:2", "path:3", "complete:3"].map(named).into_iter().chain([Ok(digraph(3, |k, j| k + j == 1))]);
+    let undirected = ["path:2", "path:3", "complete:3"]
+        .map(named)
+        .into_iter()
+        .chain([Ok(WeightedGraph::from_fn(3, |k, j| k + j == 1))]);
     one_way.into_iter().chain(undirected)
 }
 

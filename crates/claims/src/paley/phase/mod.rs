@@ -1,7 +1,6 @@
 //! Claims about phases: the phase model, its potentials and the graphs (equations (7)-(16), (23)-(25)).
 
 mod common;
-mod critical;
 mod eigenvectors;
 mod figure2;
 mod graphs;
@@ -17,9 +16,6 @@ mod theorem1;
 mod tutorial;
 mod zero_set;
 
-pub use critical::{
-    Kind, arrangements, critical_points, hessian, is_critical, is_on_a_line, linearisation, two_clusters,
-};
 pub use eigenvectors::CyclicVariant;
 
 use ledger::Claim;

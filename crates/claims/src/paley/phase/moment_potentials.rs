@@ -1,12 +1,15 @@
 //! paley.Wm, paley.Um: the potentials of the moments.
 
-use super::common::{Exact, all_equal, all_zero, at, complete, identities, laplacian, phasors};
-use super::common::{squared_lengths, turns, up_to_rotation};
+use super::common::{all_equal, all_zero, identities, laplacian};
 use crate::prelude::*;
+use algebra::graph::WeightedGraph;
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
 use arithmetic::{CosineField, Sign, Signed};
 use ledger::exact_value;
-use models::oscillator::{moment, moment_gradient, moment_potential, phase_jacobian, phase_potential, powers};
+use models::oscillator::{
+    ExactPhasors, exact_phasors, in_turns, moment, moment_gradient, moment_potential, phase_jacobian, phase_potential,
+    phasors, powers, squared_lengths, up_to_rotation,
+};
 
 /// The constant in `W_m = constant - U_m`, given `N` and `m`.
 type ConstantOf = fn(particles: i64, m: i64) -> Rational;
@@ -29,7 +32,7 @@ pub fn laplacian_moments() -> Record<ConstantOf> {
         |variant, run| {
             let sizes = (2..=3usize).flat_map(|particles| (1..=3).map(move |m| (particles, m)));
             let parts = sizes.map(|(particles, m)| {
-                let laplacian = laplacian(&complete(particles))?;
+                let laplacian = laplacian(&WeightedGraph::complete(particles))?;
                 Ok((moment_of_laplacian(laplacian, *variant, m), format!("W_{m} on the complete graph, N = {particles}")))
             });
             identities(run, &[1], &[], parts)
@@ -60,7 +63,7 @@ fn deficit(particles: usize, m: u32) -> Identity<'static> {
     Identity::new(particles, move |t| {
         let z = phasors(t)?;
         let (n, square) = (particles as i64, i64::from(m * m));
-        let squares = squared_lengths(&complete(particles), &powers(&z, m), &t[0]);
+        let squares = squared_lengths(&WeightedGraph::complete(particles), &powers(&z, m), &t[0]);
         let largest = t[0].ratio(n, 2 * square);
         Ok((vec![largest - moment_potential(&z, m)?], vec![squares * t[0].ratio(1, 4 * n * square)]))
     })
@@ -108,8 +111,8 @@ fn few_phases(variant: &MomentVariant, run: &Run) -> Result<Outcome, CheckError>
     let cases = sizes.flat_map(|(particles, m)| up_to_rotation(particles, PARTS).map(move |exponents| (m, exponents)));
     let evidence = exhaustive("extremes and saddles", detail).on([1, 2, 3]);
     run.every(evidence, cases, |(m, exponents)| {
-        let found = stationary_contradiction(variant, m, &at(&field, &exponents))?;
-        Ok(found.map(|what| format!("m = {m}, {}: {what}", turns(&exponents, PARTS))))
+        let found = stationary_contradiction(variant, m, &exact_phasors(&field, &exponents))?;
+        Ok(found.map(|what| format!("m = {m}, {}: {what}", in_turns(&exponents, PARTS))))
     })
 }
 
@@ -121,13 +124,13 @@ fn two_clusters(variant: &MomentVariant, run: &Run) -> Result<Outcome, CheckErro
     let evidence = exact("saddles of larger groups", "two clusters modulo 2 pi/m for N up to 7").on([3]);
     run.every(evidence, cases, |(particles, m, minority)| {
         let exponents: Vec<usize> = (0..particles).map(|k| 2 * (k % m as usize) + usize::from(k < minority)).collect();
-        let found = stationary_contradiction(variant, m, &at(&CosineField::new(2 * m), &exponents))?;
-        Ok(found.map(|what| format!("m = {m}, {}: {what}", turns(&exponents, 2 * m as usize))))
+        let found = stationary_contradiction(variant, m, &exact_phasors(&CosineField::new(2 * m), &exponents))?;
+        Ok(found.map(|what| format!("m = {m}, {}: {what}", in_turns(&exponents, 2 * m as usize))))
     })
 }
 
 /// What contradicts the claim at an arrangement.
-fn stationary_contradiction(variant: &MomentVariant, m: u32, z: &Exact) -> Result<Option<String>, CheckError> {
+fn stationary_contradiction(variant: &MomentVariant, m: u32, z: &ExactPhasors) -> Result<Option<String>, CheckError> {
     let value = moment_potential(z, m)?;
     let largest = value.ratio(z.len() as i64, 2 * i64::from(m * m));
     let balanced = moment(z, m)?.norm_squared().sign() == Some(Sign::Zero);

@@ -1,9 +1,10 @@
 //! paley.scale, paley.scale.complete, paley.fishpeak: the potential of the fish on the graph of nearest neighbours.
 
-use super::common::{complete, digraphs, identities, laplacian, on_the_line, phasors, supports, up_to_rotation};
+use super::common::{identities, laplacian, supports};
 use crate::prelude::*;
+use algebra::graph::WeightedGraph;
 use algebra::matrix::SparseMatrix;
-use models::oscillator::{Interaction, Neighbours, mean, phase_potential};
+use models::oscillator::{Interaction, Neighbours, mean, on_the_line, phase_potential, phasors, up_to_rotation};
 use rand_chacha::rand_core::Rng;
 
 type Point = (i64, i64);
@@ -11,14 +12,7 @@ type Point = (i64, i64);
 /// The network in which everyone has the nearest `n` as neighbours, or `None` where a tie leaves open who they are.
 fn nearest_network(points: &[Point], n: usize) -> Option<Neighbours> {
     let place = |&(x, y): &Point| Complex::new(rational(x, 1), rational(y, 1));
-    let network = Neighbours::nearest(&points.iter().map(place).collect::<Vec<_>>(), n);
-    let squared = |k: usize, j: usize| (points[k].0 - points[j].0).pow(2) + (points[k].1 - points[j].1).pow(2);
-    let apart = |k: usize| {
-        let near = network.of_particle(k);
-        let far = (0..points.len()).filter(|j| *j != k && !near.contains(j)).map(|j| squared(k, j)).min();
-        far.is_none_or(|far| near.iter().all(|&j| squared(k, j) < far))
-    };
-    (0..points.len()).all(apart).then_some(network)
+    Neighbours::nearest_without_ties(&points.iter().map(place).collect::<Vec<_>>(), n)
 }
 
 /// Whether a scale is claimed to do for `n` neighbours of `N` fish.
@@ -120,7 +114,7 @@ fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, Check
         return Ok(Outcome::fails(counterexample, exact("scaled potential", "exact values")));
     }
     let detail = "all digraphs of up to 4 fish with the same number of neighbours, where the bounds are reached";
-    let graphs = (2..=4).flat_map(digraphs).filter_map(|graph| {
+    let graphs = (2..=4).flat_map(WeightedGraph::all).filter_map(|graph| {
         let degrees = graph.out_degrees();
         let n = (1..graph.order()).find(|&n| degrees.iter().all(|d| *d == rational(n as i64, 1)))?;
         Some((graph, n))
@@ -168,7 +162,7 @@ pub fn complete_scale() -> Record<ScaleOf> {
         |variant, run| {
             let parts = (2..=4usize).map(|fish| {
                 let scale = variant(fish as i64 - 1, fish as i64);
-                let identity = complete_sides(laplacian(&complete(fish))?, scale);
+                let identity = complete_sides(laplacian(&WeightedGraph::complete(fish))?, scale);
                 Ok((identity, format!("N = {fish}, n = {}", fish - 1)))
             });
             identities(run, &[1], &[], parts)
@@ -197,7 +191,7 @@ pub fn three_and_one() -> Record<PeakVariant> {
         PeakVariant { scale: figure_scale, equal_clusters: false },
         |variant, run| {
             const FISH: usize = 4;
-            let laplacian = laplacian(&complete(FISH))?;
+            let laplacian = laplacian(&WeightedGraph::complete(FISH))?;
             let sizes = (1..FISH).filter(|&m| variant.equal_clusters || 2 * m != FISH);
             let detail = "M = 1 and 3 of N = 4, all unbalanced (2, 4)-patterns";
             let found = run.exhaustive("value and uniqueness", detail, sizes, |m| {

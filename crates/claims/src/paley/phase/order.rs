@@ -1,13 +1,14 @@
 //! paley.sync.par, paley.eq7, paley.eq8.ext, paley.eq8_10: synchrony, the order parameter and the potential U_1.
 
-use super::common::{N_AT_LEAST_2, at, supports, turns, up_to_rotation};
-use super::common::{all_equal, all_zero, complete, identities, laplacian, named, phasors, squared_lengths};
+use super::common::{N_AT_LEAST_2, all_equal, all_zero, identities, laplacian, named, supports};
 use crate::prelude::*;
+use algebra::graph::WeightedGraph;
 use arithmetic::{CosineField, Sign, Signed};
 use ledger::exact_value;
 use models::oscillator::{
-    State, gradient_control, laplacian_control, mean, moment, moment_gradient, moment_potential, pairwise_control,
-    phase_gradient, rate_of_change, symmetric_pattern,
+    State, exact_phasors, gradient_control, in_turns, laplacian_control, mean, moment, moment_gradient,
+    moment_potential, pairwise_control, phase_gradient, phasors, rate_of_change, squared_lengths, symmetric_pattern,
+    up_to_rotation,
 };
 
 /// The common rate given `omega_0`, and whether one phase is apart from the others.
@@ -85,7 +86,7 @@ fn velocity_of_centre(particles: usize, variant: &OrderVariant) -> Identity<'_> 
         let still = State { positions: vec![Complex::real(like.zero()); z.len()], phasors: z.clone() };
         let velocity = mean(&still.moving(&vec![like.zero(); z.len()], &[]).positions)?;
         let share = like.ratio(v.squares, 2 * (z.len() * z.len()) as i64);
-        let spread = squared_lengths(&complete(z.len()), &z, &like) * share;
+        let spread = squared_lengths(&WeightedGraph::complete(z.len()), &z, &like) * share;
         let deficit = like - p.norm_squared();
         Ok((vec![velocity.re.derivative, velocity.im.derivative, deficit], vec![p.re, p.im, spread]))
     })
@@ -175,7 +176,7 @@ fn extreme_values(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, Check
     let detail = "all arrangements of 2 to 4 phases at multiples of 1/6 turn";
     let arrangements = (2..=4usize).flat_map(|particles| up_to_rotation(particles, PARTS));
     run.every(exhaustive("extremes", detail).on([2, 3]), arrangements, |exponents| {
-        let z = at(&field, &exponents);
+        let z = exact_phasors(&field, &exponents);
         let (value, p) = (moment_potential(&z, 1)?, moment(&z, 1)?);
         let above = (value.clone() - value.ratio(z.len() as i64, 2)).sign();
         let (balanced, together) = (p == p.zero(), all_equal(&z));
@@ -184,7 +185,7 @@ fn extreme_values(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, Check
         let extremes = (value.sign() == Some(Sign::Zero), above == Some(Sign::Zero));
         let wrong = !in_range || extremes != (low, high);
         let value = exact_value(&value)?;
-        Ok(wrong.then(|| format!("N = {}, {}: U_1 = {value}", z.len(), turns(&exponents, PARTS))))
+        Ok(wrong.then(|| format!("N = {}, {}: U_1 = {value}", z.len(), in_turns(&exponents, PARTS))))
     })
 }
 
@@ -208,7 +209,7 @@ fn gradient_sides(particles: usize, variant: &GradientVariant) -> Identity<'_> {
 
         let v = &variant;
         let printed = moment_gradient(&z, 1)?;
-        let pairs = pairwise_control(gain, &complete(z.len()), &z)?;
+        let pairs = pairwise_control(gain, &WeightedGraph::complete(z.len()), &z)?;
         let squares = printed.iter().fold(gain.zero(), |sum, slope| sum + slope.square());
         let left = slopes.into_iter().chain([sum]).chain(rates).chain([decrease]);
         let right = printed

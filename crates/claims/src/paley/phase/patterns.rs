@@ -1,13 +1,16 @@
 //! paley.patterns.two, paley.eq23, paley.thm3.min: symmetric patterns, their moments, and the potential they minimise.
 
-use super::common::{Exact, N_AT_LEAST_2, at, turns, up_to_rotation};
+use super::common::N_AT_LEAST_2;
 use crate::prelude::*;
 use arithmetic::{CosineField, RealCyclotomic, Sign, Signed};
 use ledger::exact_value;
-use models::oscillator::{clusters_of_pattern, moment, pattern_potential, symmetric_pattern};
+use models::oscillator::{
+    ExactPhasors, clusters_of_pattern, exact_phasors, in_turns, moment, pattern_potential, symmetric_pattern,
+    up_to_rotation,
+};
 use std::collections::BTreeSet;
 
-fn pattern(clusters: u32, particles: u32) -> Result<Exact, CheckError> {
+fn pattern(clusters: u32, particles: u32) -> Result<ExactPhasors, CheckError> {
     symmetric_pattern(clusters, particles)
         .ok_or_else(|| CheckError::Other(format!("{clusters} does not divide {particles}")))
 }
@@ -57,7 +60,7 @@ pub struct MomentsVariant {
 }
 
 impl MomentsVariant {
-    fn contradiction(&self, clusters: u32, z: &Exact) -> Result<Option<String>, CheckError> {
+    fn contradiction(&self, clusters: u32, z: &ExactPhasors) -> Result<Option<String>, CheckError> {
         let vanishes = |m| Ok::<_, CheckError>(moment(z, m)?.norm_squared().sign() == Some(Sign::Zero));
         for m in 1..clusters + self.beyond {
             if !vanishes(m)? {
@@ -146,13 +149,13 @@ fn examine_minimisers(variant: &Gains, run: &mut Run) -> Result<Outcome, CheckEr
     });
     let detail = "all arrangements at multiples of 1/12 turn (N = 1, 2), 1/6 (N = 3, 6) and 1/4 (N = 4), all divisors M (M = 6 with --full), one choice of gains";
     run.every(exhaustive("minimum exactly at patterns", detail), cases, |(size, exponents)| {
-        let z = at(&size.field, &exponents);
+        let z = exact_phasors(&size.field, &exponents);
         let room = (pattern_potential(&size.gains, &z)? - &size.bound).sign();
         let is_pattern = clusters_of_pattern(&z) == Some(size.clusters);
         // The bound is reached at patterns, so it is the global minimum.
         let wrong = room == Some(Sign::Negative) || is_pattern != (room == Some(Sign::Zero));
         let which = if is_pattern { "the pattern is above" } else { "no pattern, but not above" };
-        let place = || format!("M = {}, {}", size.clusters, turns(&exponents, size.parts));
+        let place = || format!("M = {}, {}", size.clusters, in_turns(&exponents, size.parts));
         Ok(wrong.then(|| format!("{}: {which} K_M N/(2M^2)", place())))
     })
 }

@@ -1,12 +1,11 @@
 //! paley.ref: the potential with a reference phase.
 
-use super::common::up_to_rotation;
-use super::common::{all_equal, arcs, at, identities, laplacian, named, phasors, squared_lengths, turns};
+use super::common::{all_equal, arcs, identities, laplacian, named};
 use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
 use arithmetic::{CosineField, Sign, Signed};
-use models::oscillator::phase_potential;
+use models::oscillator::{exact_phasors, in_turns, phase_potential, phasors, squared_lengths, up_to_rotation};
 
 /// The sign before the cosine, and the graphs for which there is no other minimiser.
 #[derive(Clone, Copy)]
@@ -51,11 +50,11 @@ pub fn reference_phase() -> Record<ReferenceVariant> {
             let minimisers = run.every(exhaustive("global minimisers", detail), cases, |case| {
                 let (graph, exponents) = case;
                 let weighted = WeightedGraph::from(&graph);
-                let sign = potential(&laplacian(&weighted)?, &at(&field, &exponents), variant.sign)?.sign();
+                let sign = potential(&laplacian(&weighted)?, &exact_phasors(&field, &exponents), variant.sign)?.sign();
                 let (together, zero) = (all_equal(&exponents), sign == Some(Sign::Zero));
                 let unique = zero && !together && (variant.unique_on)(&graph);
                 let wrong = sign == Some(Sign::Negative) || together && !zero || unique;
-                let place = || format!("{}, the reference and the particles at {}", arcs(&weighted), turns(&exponents, PARTS));
+                let place = || format!("{}, the reference and the particles at {}", arcs(&weighted), in_turns(&exponents, PARTS));
                 Ok(wrong.then(|| format!("{}: the potential is {}zero", place(), if zero { "" } else { "not " })))
             });
             let squares = ["path:2", "path:3", "ring:3"].map(|name| {

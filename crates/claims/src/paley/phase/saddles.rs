@@ -1,11 +1,11 @@
 //! paley.thm1.saddle, paley.unbal: the other critical points of U_1.
 
-use super::common::{all_equal, all_zero, on_the_line};
-use super::critical::{Kind, arrangements, hessian, is_critical, linearisation, rates, two_clusters};
+use super::common::{all_equal, all_zero};
 use crate::prelude::*;
 use algebra::matrix::Inertia;
 use arithmetic::Signed;
-use models::oscillator::sine_of_difference;
+use models::oscillator::critical::{Kind, arrangements, hessian, is_critical, linearisation, rates, two_clusters};
+use models::oscillator::{on_the_line, sine_of_difference};
 
 /// Which critical points are claimed to be what.
 #[derive(Clone, Copy)]

@@ -1,29 +1,24 @@
 //! paley.eq16, paley.eq16.eigvec, paley.balexist: stationary points of the Laplacian phase potential.
 
-use super::common::{
-    Exact, N_AT_LEAST_2, all_equal, all_zero, arcs, at, circulants, digraphs, laplacian, named, turns, up_to_rotation,
-};
+use super::common::{N_AT_LEAST_2, all_equal, all_zero, arcs, laplacian, named};
 use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
 use arithmetic::{CosineField, RealCyclotomic};
-use models::oscillator::{laplacian_control, laplacian_rows, mean, misalignment, phase_gradient, phase_potential};
+use models::oscillator::{
+    ExactPhasors, exact_phasors, in_turns, is_eigenvector, laplacian_control, laplacian_rows, mean, misalignment,
+    phase_gradient, phase_potential, up_to_rotation,
+};
 
 /// Graphs of up to so many nodes, all undirected ones or all digraphs.
 fn graphs(most: usize, directed: bool) -> Vec<WeightedGraph> {
     let undirected = (1..=most).flat_map(Graph::all).map(|graph| WeightedGraph::from(&graph));
-    if directed { (1..=most).flat_map(digraphs).collect() } else { undirected.collect() }
+    if directed { (1..=most).flat_map(WeightedGraph::all).collect() } else { undirected.collect() }
 }
 
 /// The gradient of `W_1` by duals.
-fn slopes(laplacian: &SparseMatrix, z: &Exact) -> Result<Vec<RealCyclotomic>, CheckError> {
+fn slopes(laplacian: &SparseMatrix, z: &ExactPhasors) -> Result<Vec<RealCyclotomic>, CheckError> {
     Ok(phase_gradient(z, |z| phase_potential(laplacian, z, 1))?)
-}
-
-/// Whether `L z` is a multiple of `z`: then `L_k z` conj(z_k) is the same for all `k`.
-pub fn is_eigenvector(laplacian: &SparseMatrix, z: &[Complex<RealCyclotomic>]) -> bool {
-    let factors: Vec<_> = laplacian_rows(laplacian, z).into_iter().zip(z).map(|(lz, z)| lz * z.conj()).collect();
-    all_equal(&factors)
 }
 
 /// Whether directed graphs count, and which product with `L_k e^{i theta}` is to vanish.
@@ -49,14 +44,14 @@ pub fn stationary_points() -> Record<StationaryVariant> {
                 up_to_rotation(graph.order(), PARTS).map(move |exponents| (graph.clone(), exponents))
             });
             run.every(evidence, cases, |(graph, exponents)| {
-                let (laplacian, z) = (laplacian(&graph)?, at(&field, &exponents));
+                let (laplacian, z) = (laplacian(&graph)?, exact_phasors(&field, &exponents));
                 let products: Vec<RealCyclotomic> = if variant.unturned {
                     z.iter().zip(laplacian_rows(&laplacian, &z)).map(|(z, lz)| z.dot(&lz)).collect()
                 } else {
                     misalignment(&laplacian, &z)
                 };
                 let wrong = all_zero(&products) != all_zero(&slopes(&laplacian, &z)?);
-                let place = || format!("{}, {}", arcs(&graph), turns(&exponents, PARTS));
+                let place = || format!("{}, {}", arcs(&graph), in_turns(&exponents, PARTS));
                 Ok(wrong.then(|| format!("{}: only one of the two vanishes", place())))
             })
         },
@@ -109,7 +104,7 @@ fn examine_eigenvectors(variant: &EigenvectorVariant, run: &mut Run) -> Result<O
         "all undirected graphs of up to 3 nodes with phases at multiples of 1/6 turn, columns of F for C_6 and K_6";
     let evidence = exhaustive("eigenvectors of modulus one", detail).on([1, 2]);
     run.every(evidence, cases, |(graph, exponents)| {
-        let (laplacian, z) = (laplacian(&graph)?, at(&field, &exponents));
+        let (laplacian, z) = (laplacian(&graph)?, exact_phasors(&field, &exponents));
         let eigenvector = is_eigenvector(&laplacian, &z);
         if !eigenvector && !variant.converse {
             return Ok(None);
@@ -120,7 +115,7 @@ fn examine_eigenvectors(variant: &EigenvectorVariant, run: &mut Run) -> Result<O
         let found =
             format!("eigenvector {eigenvector}, stationary {stationary}, equilibrium {equilibrium} for omega_0 = 1");
         let wrong = eigenvector != (stationary && equilibrium);
-        Ok(wrong.then(|| format!("{}, {}: {found}", arcs(&graph), turns(&exponents, PARTS))))
+        Ok(wrong.then(|| format!("{}, {}: {found}", arcs(&graph), in_turns(&exponents, PARTS))))
     })
 }
 
@@ -136,20 +131,20 @@ pub enum BalancedVariant {
 impl BalancedVariant {
     fn graphs(self, run: &Run) -> Vec<WeightedGraph> {
         let BalancedVariant::Circulants(least) = self else { return vec![WeightedGraph::from(&Graph::path(3))] };
-        let undirected = (least..=run.cases(6, 9)).flat_map(|order| circulants(order, true));
-        let directed = (least..=5).flat_map(|order| circulants(order, false));
+        let undirected = (least..=run.cases(6, 9)).flat_map(|order| WeightedGraph::circulants(order, true));
+        let directed = (least..=5).flat_map(|order| WeightedGraph::circulants(order, false));
         undirected.chain(directed).map(|(_, graph)| graph).collect()
     }
 }
 
 /// A balanced stationary point among the columns of the Fourier matrix and the arrangements on a line.
-fn balanced_point(laplacian: &SparseMatrix) -> Result<Option<Exact>, CheckError> {
+fn balanced_point(laplacian: &SparseMatrix) -> Result<Option<ExactPhasors>, CheckError> {
     let order = laplacian.order();
     let field = CosineField::new(2 * order as u32);
     let columns = (1..order).map(|m| (0..order).map(|k| 2 * m * k % (2 * order)).collect::<Vec<_>>());
     let line = up_to_rotation(order.min(4), 2).filter(|signs| signs.len() == order);
     for exponents in columns.chain(line.map(|signs| signs.iter().map(|sign| sign * order).collect())) {
-        let z = at(&field, &exponents);
+        let z = exact_phasors(&field, &exponents);
         let centre = mean(&z)?;
         if centre == centre.zero() && all_zero(&slopes(laplacian, &z)?) {
             return Ok(Some(z));

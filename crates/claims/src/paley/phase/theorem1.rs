@@ -1,10 +1,10 @@
 //! paley.thm1.conv, paley.thm1.sync, paley.thm1.bal: convergence and stability.
 
-use super::common::{all_equal, all_zero, identities, phasors};
-use super::critical::{Critical, Kind, critical_points, is_critical, linearisation, rates};
+use super::common::{all_equal, all_zero, identities};
 use crate::prelude::*;
 use arithmetic::{Sign, Signed};
-use models::oscillator::{gradient_control, moment_gradient, moment_potential, rate_of_change};
+use models::oscillator::critical::{Critical, Kind, critical_points, is_critical, linearisation, rates};
+use models::oscillator::{gradient_control, moment_gradient, moment_potential, phasors, rate_of_change};
 
 /// Most particles of the arrangements at multiples of 1/12 turn.
 const MOST: usize = 6;

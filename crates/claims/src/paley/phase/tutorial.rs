@@ -1,9 +1,8 @@
 //! paley.graph, paley.CN: the facts of the tutorial on graphs.
 
-use super::common::{arcs, circulants, complete, digraph, digraphs, laplacian, named};
-use super::graphs::form_inertia;
+use super::common::{arcs, laplacian, named};
 use crate::prelude::*;
-use algebra::graph::{LaplacianKind, WeightedGraph};
+use algebra::graph::{Graph, LaplacianKind, WeightedGraph};
 use algebra::spectrum::Polynomial;
 use arithmetic::CosineField;
 use models::oscillator::{circulant_eigenvalue, laplacian_rows};
@@ -20,7 +19,7 @@ pub struct LaplacianVariant {
 
 impl LaplacianVariant {
     fn fails_at(&self, graph: &WeightedGraph) -> Result<Option<&'static str>, CheckError> {
-        let matrix = graph.matrix(self.kind).map_err(|error| CheckError::Other(error.to_string()))?;
+        let matrix = graph.matrix(self.kind)?;
         if matrix.row_sums().iter().any(|sum| *sum != rational(0, 1)) {
             return Ok(Some("L 1 is not zero"));
         }
@@ -35,7 +34,7 @@ impl LaplacianVariant {
         if multiplicity != 1 && (self.simple_for_all || graph.is_strongly_connected()) {
             return Ok(Some("zero is a multiple eigenvalue"));
         }
-        if graph.is_undirected() && (!matrix.is_symmetric() || form_inertia(&matrix)?.negative > 0) {
+        if graph.is_undirected() && (!matrix.is_symmetric() || matrix.form_inertia()?.negative > 0) {
             return Ok(Some("not symmetric positive semidefinite"));
         }
         Ok(None)
@@ -88,18 +87,22 @@ fn examine_laplacians(variant: &LaplacianVariant, run: &mut Run) -> Result<Outco
     let named: Vec<_> = ["path:5", "star:5", "ring:6", "complete:5", "cycle:5"].map(named).into();
     let detail = format!("all digraphs of up to {most} nodes and some larger graphs: exact characteristic polynomials");
     let facts = exhaustive("real parts, L 1 = 0, simple zero, semidefinite", detail).on([1, 2, 3, 4]);
-    let facts = run.every(facts, (1..=most).flat_map(digraphs).map(Ok).chain(named), |graph| {
+    let facts = run.every(facts, (1..=most).flat_map(WeightedGraph::all).map(Ok).chain(named), |graph| {
         let graph = graph?;
         let place = || format!("N = {}, {} (k->j: j is a neighbour of k)", graph.order(), arcs(&graph));
         Ok(variant.fails_at(&graph)?.map(|what| format!("{}: {what}", place())))
     });
     let detail = format!("all directed circulants of up to {most_circulant} nodes, exact roots of unity");
     let columns = exhaustive("F diagonalises circulants", detail).on([5]);
-    let columns = run.every(columns, (1..=most_circulant).flat_map(|n| circulants(n, false)), |(offsets, graph)| {
-        let wrong = !variant.diagonalises(&graph, &offsets)?;
-        let place = || format!("circulant with N = {}, offsets {offsets:?}", graph.order());
-        Ok(wrong.then(|| format!("{}: a column of F is no eigenvector", place())))
-    });
+    let columns = run.every(
+        columns,
+        (1..=most_circulant).flat_map(|n| WeightedGraph::circulants(n, false)),
+        |(offsets, graph)| {
+            let wrong = !variant.diagonalises(&graph, &offsets)?;
+            let place = || format!("circulant with N = {}, offsets {offsets:?}", graph.order());
+            Ok(wrong.then(|| format!("{}: a column of F is no eigenvector", place())))
+        },
+    );
     Run::all([facts, columns])
 }
 
@@ -144,17 +147,16 @@ fn examine_named(variant: &NamedVariant, run: &mut Run) -> Result<Outcome, Check
         let claimed: Vec<Rational> = row.into_iter().map(|x| rational(x, 1)).collect();
         let regular = graph.out_degrees() == vec![rational(degree, 1); graph.order()];
         let fine = regular && graph.is_undirected() && graph.is_strongly_connected() && first_row(graph)? == claimed;
-        let list = |numbers: &[Rational]| numbers.iter().map(Rational::to_string).collect::<Vec<_>>().join(", ");
-        let found = format!("degrees {}, first row ({})", list(&graph.out_degrees()), list(&first_row(graph)?));
+        let found = format!("degrees {}, first row ({})", list(graph.out_degrees()), list(first_row(graph)?));
         Ok((!fine).then_some(found))
     };
     let complete_graphs = run.every(exact("K_1 to K_16", "exact matrices").on([1]), 1..=LARGEST, |n| {
-        let found = wrong(&complete(n), (variant.complete_row)(n), n as i64 - 1)?;
+        let found = wrong(&WeightedGraph::complete(n), (variant.complete_row)(n), n as i64 - 1)?;
         Ok(found.map(|what| format!("K_{n}: {what}")))
     });
     let evidence = exact("C_3 to C_16", "exact matrices").on([2, 3, 4]);
     let cycles = run.every(evidence, variant.least_cycle..=LARGEST, |n| {
-        let graph = digraph(n, |k, j| (k + 1) % n == j || (j + 1) % n == k);
+        let graph = WeightedGraph::from(&Graph::ring(n));
         Ok(wrong(&graph, (variant.cyclic_row)(n), 2)?.map(|what| format!("C_{n}: {what}")))
     });
     Run::all([complete_graphs, cycles])

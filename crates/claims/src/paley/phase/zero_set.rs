@@ -1,10 +1,9 @@
 //! paley.eq12.pos, paley.zero.dir, paley.fish.zero: where the Laplacian phase potential vanishes.
 
-use super::common::{all_equal, arcs, digraphs, identities, laplacian, phasors, squared_lengths};
-use super::common::{turns, up_to_rotation};
+use super::common::{all_equal, arcs, identities, laplacian};
 use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
-use models::oscillator::{Neighbours, phase_potential};
+use models::oscillator::{Neighbours, in_turns, phase_potential, phasors, squared_lengths, up_to_rotation};
 use num_traits::{Signed as _, Zero};
 use std::rc::Rc;
 
@@ -44,7 +43,7 @@ fn every_digraph(
     const PARTS: usize = 4;
     let quarter = Complex::new(rational(0, 1), rational(1, 1));
     let most = run.cases(3, 4);
-    let cases = (1..=most).flat_map(digraphs).flat_map(|graph| {
+    let cases = (1..=most).flat_map(WeightedGraph::all).flat_map(|graph| {
         let arcs: Vec<(usize, usize)> = graph.adjacency().entries().map(|(k, j, _)| (k, j)).collect();
         let network = Neighbours::from_arcs(graph.order(), arcs);
         let (arrangements, both) = (up_to_rotation(graph.order(), PARTS), Rc::new((graph, network)));
@@ -56,7 +55,7 @@ fn every_digraph(
         let z: Vec<Complex<Rational>> = exponents.iter().map(|&k| quarter.power(k as u64)).collect();
         let value = phase_potential(network, &z, 1)?;
         let place = || format!("N = {}, {} (k->j: j is a neighbour of k)", graph.order(), arcs(graph));
-        let what = || format!("{}, {}: W_1 = {value}", place(), turns(&exponents, PARTS));
+        let what = || format!("{}, {}: W_1 = {value}", place(), in_turns(&exponents, PARTS));
         Ok(wrong(graph, &exponents, &value).then(what))
     })
 }

@@ -7,22 +7,10 @@
 use super::instances::scattered_phasors;
 use crate::prelude::*;
 use algebra::graph::Graph;
-use algebra::matrix::{Inertia, RationalMatrix, inertia};
+use algebra::matrix::{Inertia, RationalMatrix};
 use arithmetic::{CosineField, Sign, Signed};
-use models::oscillator::{Neighbours, mean, misalignment, phase_jacobian, phase_potential, quarter_turn};
-
-/// The inertia of the Hessian of `sign W_1`.
-pub(super) fn hessian_inertia<T: Field + Signed>(
-    network: &Neighbours,
-    phasors: &[Complex<T>],
-    sign: i64,
-) -> Result<Inertia, CheckError> {
-    let hessian = phase_jacobian(phasors, |z| {
-        let terms = misalignment(network, z);
-        Ok(terms.into_iter().map(|term| term.clone() * term.integer(sign)).collect())
-    })?;
-    Ok(inertia(&hessian)?)
-}
+use models::oscillator::critical::laplacian_hessian;
+use models::oscillator::{Neighbours, fourier_column, mean, misalignment, on_the_line, phase_potential, quarter_turn};
 
 /// Which set of circular formations is asymptotically stable for `gain K_1 > 0`.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -72,7 +60,7 @@ fn refutation<T: Field + Signed>(
         return Ok(Some("u_k = w0 fails, so that the centres part and the solution leaves the set at once"));
     }
     // K_1 W_1 grows along the phases' own motion: directions in which it can grow are unstable.
-    let growing = hessian_inertia(network, phasors, gain)?.positive;
+    let growing = laplacian_hessian(network, phasors, gain)?.positive;
     Ok((growing > 0).then_some("W_1 has directions of growth, which are unstable"))
 }
 
@@ -118,8 +106,7 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
             }
         }
         let field = CosineField::new(order as u32);
-        let column = |m: usize| (0..order).map(|k| field.phasor((m * k) as i64)).collect::<Vec<_>>();
-        let columns: Vec<_> = (1..order).map(column).collect();
+        let columns: Vec<_> = (1..order).map(|m| fourier_column(&field, order, m)).collect();
         let values: Vec<_> = columns.iter().map(|z| phase_potential(&network, z, 1)).collect::<Result<_, _>>()?;
         for (m, (phasors, value)) in (1..).zip(columns.iter().zip(&values)) {
             let largest = !values.iter().any(|other| (other.clone() - value).is_certainly_positive());
@@ -137,7 +124,7 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
         ("balanced, in equilibrium, no direction of growth", "exact Fourier columns on circulant graphs");
     Run::all([
         argued(&[1, 2, 3], "all circulant graphs", section),
-        Ok(Outcome::Holds(vec![exhaustive(part, detail).cases(cases).on([1, 2])])).checks("step 2 and the conclusion"),
+        holds(exhaustive(part, detail).cases(cases).on([1, 2])).checks("step 2 and the conclusion"),
         balanced_are_largest(variant, run).checks("step 3").on([3]),
     ])
 }
@@ -216,8 +203,8 @@ fn examine_larger_gain(variant: &GainVariant, _run: &mut Run) -> Result<Outcome,
     let field = CosineField::new(N as u32);
     let mut evidence = Vec::new();
     for (clause, offset) in [(1, variant.offset), (2, N / 2)] {
-        let phasors: Vec<_> = (0..N).map(|k| field.phasor((offset * k) as i64)).collect();
-        let found = hessian_inertia(&network, &phasors, 1)?;
+        let phasors = fourier_column(&field, N, offset);
+        let found = laplacian_hessian(&network, &phasors, 1)?;
         let stable = found == Inertia { positive: 0, negative: N - 1, zero: 1 };
         let detail = format!(
             "Hessian of W_1 on C_12: {} negative, {} zero, {} positive; proof in the notes",
@@ -279,7 +266,7 @@ fn examine_unique_maximum(variant: &MaximumVariant, _run: &mut Run) -> Result<Ou
     let order = variant.order;
     let fails =
         |what: &str| Ok(Outcome::fails(format!("N = {order}: {what}"), exact("the maximum", "exact kernel of L - 4")));
-    let graph = Graph::from_fn(order, |i, j| j == i + 1 || (i == 0 && j + 1 == order));
+    let graph = Graph::ring(order);
     let laplacian = graph.laplacian()?;
     let four = RationalMatrix::identity(order)?.scaled(&rational(4, 1));
     // 4 is the largest eigenvalue if it is one: 4 - L is positive semidefinite (Gershgorin).
@@ -295,7 +282,7 @@ fn examine_unique_maximum(variant: &MaximumVariant, _run: &mut Run) -> Result<Ou
     let value = |phasors: &[Complex<Rational>]| phase_potential(&network, phasors, 1);
     let one = |sign: i64| Complex::real(rational(sign, 1));
     let alternate: Vec<_> = (0..order).map(|k| one(if k % 2 == 0 { 1 } else { -1 })).collect();
-    let halves: Vec<_> = (0..order).map(|k| one(if 2 * k < order { 1 } else { -1 })).collect();
+    let halves = on_the_line(order, order / 2);
     let turned: Vec<_> = alternate.iter().map(quarter_turn).collect();
     if value(&alternate)? != rational(2, 1) {
         return fails("the alternating pattern does not reach lambda_max/2");
@@ -307,5 +294,5 @@ fn examine_unique_maximum(variant: &MaximumVariant, _run: &mut Run) -> Result<Ou
         return fails("the pattern turned by a quarter maximises W_1 too");
     }
     let detail = "kernel of L - 4 on C_12 spanned by (-1)^k, and W_1 = 2 there; 4 bounds the spectrum (Gershgorin)";
-    Ok(Outcome::Holds(vec![exact("unique maximiser up to rotation", detail).on([1, 2]).for_all()]))
+    holds(exact("unique maximiser up to rotation", detail).on([1, 2]).for_all())
 }

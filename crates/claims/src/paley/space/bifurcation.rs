@@ -2,8 +2,8 @@
 
 use super::runs::{Flights, SPACING, TYPICAL, simulated};
 use super::zone_circles::splay_pulls_back;
+use crate::prelude::*;
 use crate::shares::judged;
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::oscillator::CLUSTER;
 use motion::{Sample, Share};
 use runs::{Experiment, ZoneFormation, ZoneLaw};
@@ -143,7 +143,7 @@ fn examine_fewer_clusters(variant: &FewerVariant, run: &mut Run) -> Result<Outco
         let detail = "every K_1 < 0, M = 2: splay phases on a circle of radius at most 1/w0 turn rigidly, everyone \
          sensing others 30 degrees ahead: tau < 0 by exact sines, whichever way the tie at the edge of the \
          blind spot is decided";
-        parts.push(Evidence::new(Grade::Exact, "not in every run: an unsynchronised rigid motion", detail).on([1]));
+        parts.push(exact("not in every run: an unsynchronised rigid motion", detail).on([1]));
     }
     Ok(Outcome::Holds(parts))
 }

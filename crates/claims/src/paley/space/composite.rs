@@ -1,6 +1,6 @@
 //! paley.eq21, paley.eq22, paley.VMN, paley.eq29: composite potentials and controls.
 
-use super::instances::{StateIdentity, described, identity_graphs, one_way_ring, state_identity, sum_of_squares};
+use super::instances::{StateIdentity, described, identity_graphs, state_identity, sum_of_squares};
 use crate::prelude::*;
 use algebra::graph::Graph;
 use models::oscillator::{
@@ -121,7 +121,7 @@ pub fn circular_form() -> Record<FormVariant> {
 
 fn examine_circular_form(variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let undirected = identity_graphs(run)?.into_iter().map(|g| (Neighbours::of(&g), described(&g)));
-    let networks = undirected.chain([(one_way_ring(3), "one-way ring of 3".to_string())]);
+    let networks = undirected.chain([(Neighbours::one_way_ring(3), "one-way ring of 3".to_string())]);
     Run::all(networks.map(|(network, name)| {
         let identity = form(variant, network.clone(), network);
         state_identity(identity, &CONSTANTS, &format!("(5) with (14) and (20), {name}"), run)
@@ -157,7 +157,7 @@ fn examine_two_networks(variant: &FormVariant, run: &mut Run) -> Result<Outcome,
         ("all pairs, two particles", Neighbours::complete(2), Neighbours::complete(2)),
         ("no orientation, two particles", Neighbours::of(&Graph::empty(2)), Neighbours::complete(2)),
         ("path and triangle", Neighbours::of(&Graph::path(3)), Neighbours::complete(3)),
-        ("one-way ring and triangle", one_way_ring(3), Neighbours::complete(3)),
+        ("one-way ring and triangle", Neighbours::one_way_ring(3), Neighbours::complete(3)),
         ("ring and all pairs, four particles", Neighbours::circulant(4, &[1]), Neighbours::complete(4)),
     ];
     Run::all(pairs.into_iter().map(|(name, orientation, attraction)| {
@@ -249,6 +249,6 @@ fn examine_pattern_composite(variant: &WeightVariant, run: &mut Run) -> Result<O
         let part = format!("the rate of V, M = {clusters}, N = {particles}");
         state_identity(identity, &names, &part, run)
     });
-    let sampled = Ok(Outcome::Holds(vec![evidence("exact states of two particles").cases(states)]));
+    let sampled = holds(evidence("exact states of two particles").cases(states));
     Run::all(identities.chain([sampled]))
 }

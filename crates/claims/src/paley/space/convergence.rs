@@ -1,11 +1,11 @@
 //! paley.thm2, paley.thm2.center: what solutions under the spacing control converge to.
 
-use super::instances::{StateIdentity, described, identity_graphs, scattered_phasors, stability, state_identity};
+use super::instances::{StateIdentity, described, identity_graphs, scattered_phasors, state_identity};
 use super::spacing::{DescentVariant, ProperVariant, examine_descent, examine_proper};
 use crate::prelude::*;
 use models::oscillator::{
     Interaction, Neighbours, circle_centres, circular_formation, heading_components, linearisation, mean, quarter_turn,
-    spacing_control,
+    spacing_control, stability,
 };
 
 /// The rate of `sigma_k = <e^{i theta_k}, L_k c>` under (20) is `rate w0 <i e^{i theta_k}, L_k c>` up to terms with a factor `sigma_j`, and

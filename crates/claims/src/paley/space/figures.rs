@@ -1,16 +1,15 @@
 //! paley.fig1, paley.fig3, paley.fig4, paley.fig5, paley.beacon: the runs of the figures.
 
-use super::balanced::hessian_inertia;
 use super::instances::scattered_phasors;
 use super::runs::{SHOWN, TYPICAL, random_start, simulated};
-use crate::evidence::checking;
+use crate::prelude::*;
 use crate::shares::judged;
 use algebra::matrix::{Inertia, inertia};
-use arithmetic::{CosineField, Field, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use arithmetic::CosineField;
+use models::oscillator::critical::laplacian_hessian;
 use models::oscillator::{
-    CLUSTER, CircularGains, Flight, Neighbours, centre_spread, circular_control, circular_formation, order, pattern,
-    pattern_gradient, phase_jacobian, shape_rate, symmetric_pattern,
+    CLUSTER, CircularGains, Flight, Neighbours, centre_spread, circular_control, circular_formation, fourier_column,
+    order, pattern, pattern_gradient, phase_jacobian, shape_rate, symmetric_pattern,
 };
 use motion::Share;
 use runs::{
@@ -151,27 +150,27 @@ fn cyclic_share(orientation: f64, run: &Run, so: impl Fn(&Flight) -> bool) -> Re
 fn panel_of_pattern((clause, sign): (usize, i64), wave: usize, run: &mut Run) -> Result<Outcome, CheckError> {
     let network = Neighbours::circulant(PARTICLES, &[1]);
     let field = CosineField::new(PARTICLES as u32);
-    let phasors: Vec<_> = (0..PARTICLES).map(|k| field.phasor((wave * k) as i64)).collect();
+    let phasors = fourier_column(&field, PARTICLES, wave);
     // U = -K_1 W_1.
-    let found = hessian_inertia(&network, &phasors, -sign)?;
+    let found = laplacian_hessian(&network, &phasors, -sign)?;
     let part = if sign < 0 { "stable for every K_1 < 0" } else { "stable for every K_1 > 0" };
     let detail = format!(
         "theta_k = 2 pi {wave} k/12: Hessian of -K_1 W_1 over exact cosines, and the theorem on inertia in \
          notes/paley_particles.md"
     );
-    let exact = Evidence::new(Grade::Exact, part, detail).on([clause]);
+    let stable = exact(part, detail).on([clause]);
     if found != (Inertia { positive: PARTICLES - 1, negative: 0, zero: 1 }) {
         let what = format!(
             "theta_k = 2 pi {wave} k/12 is not {part}: the Hessian of -K_1 W_1 has {} negative eigenvalues",
             found.negative
         );
-        return Ok(Outcome::fails(what, exact));
+        return Ok(Outcome::fails(what, stable));
     }
     let orientation = sign as f64 * CyclicFormation::GAIN;
     let clusters = PARTICLES / num_integer::gcd(wave, PARTICLES);
     let seen = cyclic_share(orientation, run, |flight| flight.forms_pattern(clusters, CLUSTER))?;
     let name = if sign < 0 { "share_synchronised_K1_negative" } else { "share_splay_K1_positive" };
-    shown((clause, name), (orientation, format!("clusters: {clusters}")), seen, exact, run)
+    shown((clause, name), (orientation, format!("clusters: {clusters}")), seen, stable, run)
 }
 
 /// The panel between, with `K_1 = tenths/10`: a circular formation rests whatever its phases are, and runs end without a pattern.
@@ -181,22 +180,18 @@ fn panel_between(tenths: i64, run: &mut Run) -> Result<Outcome, CheckError> {
     let network = Neighbours::circulant(PARTICLES, &[1]);
     let state = circular_formation(&omega, &scattered_phasors(PARTICLES)?)?;
     let steering = circular_control(&gains, &network, &network, &state)?;
-    let exact = Evidence::new(
-        Grade::Exact,
-        "at rest with any phases",
-        "u_k = w0 in an exact circular formation with twelve rational phasors",
-    )
-    .on([2]);
+    let detail = "u_k = w0 in an exact circular formation with twelve rational phasors";
+    let rests = exact("at rest with any phases", detail).on([2]);
     if steering.iter().any(|u| *u != omega) {
         let what = format!(
             "K_1 = {}: a circular formation with arbitrary phases does not last, u_1 = {}",
             gains.orientation, steering[0]
         );
-        return Ok(Outcome::fails(what, exact));
+        return Ok(Outcome::fails(what, rests));
     }
     let orientation = tenths as f64 / 10.0;
     let seen = cyclic_share(orientation, run, |flight| pattern(flight).is_none())?;
-    shown((2, "share_arbitrary_K1_zero"), (orientation, "no pattern".to_string()), seen, exact, run)
+    shown((2, "share_arbitrary_K1_zero"), (orientation, "no pattern".to_string()), seen, rests, run)
 }
 
 /// The evidence of a panel of Figure 3, from the exact part and the share of runs.
@@ -204,14 +199,14 @@ fn shown(
     (clause, name): (usize, &str),
     (orientation, outcome): (f64, String),
     seen: Share,
-    exact: Evidence,
+    beside: Evidence,
     run: &mut Run,
 ) -> Result<Outcome, CheckError> {
     run.value(name, seen.enclosure());
     let what = format!("K_1 = {orientation}, {outcome}: a circular formation with it ends {seen}");
     let detail = format!("C_12, w0 = 0.1, K_0 = 1.2, step 2 to t = 1200, centres within 1% of the radius; {what}");
     let runs = judged(seen, SHOWN, what, simulated("an outcome as in the panel", &detail, seen.of).on([clause]));
-    Run::all([Ok(runs), Ok(Outcome::Holds(vec![exact]))])
+    Run::all([Ok(runs), holds(beside)])
 }
 
 /// Signs of the gains below `M` and at `M`.
@@ -254,14 +249,11 @@ fn examine_patterns_figure(variant: &GainsVariant, run: &mut Run) -> Result<Outc
             let gains: Vec<_> = (1..=clusters).map(exactly).map(|(p, q)| z[0].re.ratio(p, q)).collect();
             pattern_gradient(&gains, z)
         })?;
-        let exact = Evidence::new(
-            Grade::Exact,
-            "stable",
-            "Hessian of (25) at the six patterns over exact cosines, and the theorem on inertia in \
-             notes/paley_particles.md",
-        );
+        let detail = "Hessian of (25) at the six patterns over exact cosines, and the theorem on inertia in \
+                      notes/paley_particles.md";
+        let stable = exact("stable", detail);
         if inertia(&hessian)? != (Inertia { positive: PARTICLES - 1, negative: 0, zero: 1 }) {
-            return Ok(Outcome::fails(format!("M = {clusters}: the pattern is no strict minimum of (25)"), exact));
+            return Ok(Outcome::fails(format!("M = {clusters}: the pattern is no strict minimum of (25)"), stable));
         }
         let gain = |m: u32| {
             let (p, _) = exactly(m);
@@ -285,7 +277,7 @@ fn examine_patterns_figure(variant: &GainsVariant, run: &mut Run) -> Result<Outc
             Outcome::Holds(more) => parts.extend(more),
             other => return Ok(other),
         }
-        parts.extend((clusters == 12).then_some(exact));
+        parts.extend((clusters == 12).then_some(stable));
     }
     Ok(Outcome::Holds(parts))
 }

@@ -128,7 +128,7 @@ fn examine_laplacian_form(variant: &FormVariant, run: &mut Run) -> Result<Outcom
     );
     Run::all([
         Ok(identity.on([1, 2, 3])).checks("steps 3 to 5"),
-        Ok(Outcome::Holds(vec![differs.on([4])])).checks("step 6"),
+        holds(differs.on([4])).checks("step 6"),
         same.checks("step 6").on([4]),
         argued(&[1, 2, 3, 4], "any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 3-6"),
     ])
@@ -227,6 +227,6 @@ fn examine_comparison(variant: &ComparisonVariant, run: &mut Run) -> Result<Outc
     let perpendicular =
         exact("perpendicular motion in the limit", "exact circular formations with K_1 > 0 and K_1 < 0");
     let section = "notes/paley_particles.md, Perpendicular motion, steps 1-4";
-    let last = Ok(Outcome::Holds(vec![perpendicular.on([3]).cases(count)])).checks("the conclusion");
+    let last = holds(perpendicular.on([3]).cases(count)).checks("the conclusion");
     Run::all(identities.chain([argued(&[2, 3], "every graph and every start", section), last]))
 }

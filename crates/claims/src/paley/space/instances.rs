@@ -1,12 +1,10 @@
-//! Instances shared by the claims about particles: identities over states, graphs, linearised formations.
+//! Instances shared by the claims about particles: identities over states, graphs, phasors.
 
 use crate::prelude::*;
 use algebra::graph::{Graph, classes};
-use algebra::matrix::RationalMatrix;
-use algebra::spectrum::Polynomial;
 use arithmetic::Unwatched;
 use arithmetic::identity::Probed;
-use models::oscillator::{Neighbours, State, phasor};
+use models::oscillator::{State, phasor};
 
 /// Both sides as a function of the constants and the state.
 type SidesAt<'a> = Box<dyn Fn(&[Probe], &State<Probe>) -> Probed + 'a>;
@@ -81,55 +79,6 @@ pub fn described(graph: &Graph) -> String {
 pub fn scattered_phasors(particles: usize) -> Result<Vec<Complex<Rational>>, CheckError> {
     let tangents = [(0, 1), (1, 2), (3, 1), (-1, 3), (-5, 2), (2, 3)];
     Ok(tangents.iter().cycle().take(particles).map(|&(p, q)| phasor(&rational(p, q))).collect::<Result<_, _>>()?)
-}
-
-/// What a linearisation in the turning frame has beside its symmetries.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Stability {
-    /// Multiplicity of the eigenvalue 0.
-    pub zeros: usize,
-    /// Whether all eigenvalues but 0 and `± i omega` (the translations, once) have negative real parts.
-    pub stable: bool,
-    /// Whether there is a positive eigenvalue.
-    pub positive: bool,
-}
-
-/// The characteristic polynomial of a linearisation without the zeros, which are counted, and without `± i omega` once.
-///
-/// `translations` says whether the law is invariant under translations, so that `± i omega` are eigenvalues.
-pub fn without_symmetries(
-    rows: &[Vec<Rational>],
-    omega: &Rational,
-    translations: bool,
-) -> Result<(usize, Polynomial), CheckError> {
-    let polynomial = RationalMatrix::from_rows(rows)?.characteristic_polynomial()?;
-    let (zeros, rest) = Polynomial::from_rationals(&polynomial.coefficients()).without_root(0);
-    if !translations {
-        return Ok((zeros, rest));
-    }
-    let factor = Polynomial::from_rationals(&[omega * omega, rational(0, 1), rational(1, 1)]);
-    if rest.gcd(&factor).degree() != 2 {
-        return Err(CheckError::Other("the linearisation has no translations".to_string()));
-    }
-    Ok((zeros, rest.divided_by(&factor)))
-}
-
-/// Decides the stability of a linearisation exactly, from its characteristic polynomial; `translations` as in
-/// [`without_symmetries`].
-pub fn stability(rows: &[Vec<Rational>], omega: &Rational, translations: bool) -> Result<Stability, CheckError> {
-    let (zeros, rest) = without_symmetries(rows, omega, translations)?;
-    let bound = rest
-        .coefficients()
-        .iter()
-        .fold(rational(1, 1), |sum, c| sum + Rational::from_integer(c.magnitude().clone().into()));
-    let simple = rest.divided_by(&rest.gcd(&rest.derivative()));
-    let positive = !simple.roots_in(&rational(0, 1), &bound).is_empty();
-    Ok(Stability { zeros, stable: rest.is_hurwitz(), positive })
-}
-
-/// The neighbours along a one-way ring: each senses the next.
-pub fn one_way_ring(particles: usize) -> Neighbours {
-    Neighbours::from_fn(particles, |k, j| j == (k + 1) % particles)
 }
 
 /// The sum of squares.

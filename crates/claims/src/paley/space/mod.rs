@@ -18,8 +18,6 @@ mod zone_circles;
 mod zone_patterns;
 mod zones;
 
-pub use instances::without_symmetries;
-
 use ledger::Claim;
 
 pub fn claims() -> Vec<Box<dyn Claim>> {

@@ -2,8 +2,7 @@
 
 use super::instances::{StateIdentity, scattered_phasors, state_identity, sum_of_squares};
 use crate::prelude::*;
-use algebra::matrix::RationalMatrix;
-use models::oscillator::{State, circle_centres, circular_formation, mean, quarter_turn};
+use models::oscillator::{State, circle_centres, circular_formation, mean, quarter_turn, shape_dimension};
 
 /// The rates of change of complex numbers, real parts and imaginary parts in turn.
 fn rates<T: Ring>(numbers: &[Complex<Dual<T>>]) -> Vec<T> {
@@ -166,28 +165,6 @@ fn relative_position<T: Ring>(state: &State<T>) -> Complex<T> {
     (state.positions[0].clone() - &state.positions[1]) * state.phasors[0].conj()
 }
 
-/// The rank of the derivative of all shape variables at a state: the number of directions in which the shape can change.
-fn shape_dimension(state: &State<Rational>) -> Result<usize, CheckError> {
-    let particles = state.phasors.len();
-    let (zero, one) = (rational(0, 1), rational(1, 1));
-    let mut rows = Vec::new();
-    for direction in 0..3 * particles {
-        let unit = |coordinate: usize| if coordinate == direction { one.clone() } else { zero.clone() };
-        let steering: Vec<Rational> = (0..particles).map(|k| unit(2 * particles + k)).collect();
-        // The drift makes the velocity the unit vector of the direction.
-        let drift = state.phasors.iter().enumerate().map(|(k, z)| Complex::new(unit(k), unit(particles + k)) - z);
-        let moving = state.moving(&steering, &drift.collect::<Vec<_>>());
-        let mut row = Vec::new();
-        for (r, z) in moving.positions.iter().zip(&moving.phasors) {
-            for (s, w) in moving.positions.iter().zip(&moving.phasors) {
-                row.extend(rates(&[z.clone() * w.conj(), (r.clone() - s) * z.conj()]));
-            }
-        }
-        rows.push(row);
-    }
-    Ok(3 * particles - RationalMatrix::from_rows(&rows)?.transpose().kernel().len())
-}
-
 pub fn relative_equilibria() -> Record<EquilibriumVariant> {
     Record::new(
         "paley.releq",
@@ -307,6 +284,6 @@ fn examine_centre_of_mass_ball(variant: &BallVariant, run: &mut Run) -> Result<O
     }
     let part = |n: usize| format!("mean centre at rest, distance |p|/|w0| <= 1/|w0|, N = {n}");
     let identities = (1..=4).map(|n| state_identity(ball(variant, n), &["w0"], &part(n), run));
-    let sharp = Ok(Outcome::Holds(vec![exact("attained by three synchronised particles")]));
+    let sharp = holds(exact("attained by three synchronised particles"));
     Run::all(identities.chain([sharp]))
 }

@@ -1,9 +1,8 @@
 //! paley.eq17, paley.eq18, paley.eq19_20: the spacing potential and how it changes.
 
-use super::instances::{StateIdentity, described, identity_graphs, one_way_ring, state_identity, sum_of_squares};
+use super::instances::{StateIdentity, described, identity_graphs, state_identity, sum_of_squares};
 use crate::prelude::*;
 use algebra::graph::Graph;
-use algebra::matrix::RationalMatrix;
 use models::oscillator::{Neighbours, circle_centres, heading_components, spacing_control, spacing_potential};
 
 /// `S` is `share` times the sum of the squared lengths of the edges between centres.
@@ -15,28 +14,6 @@ fn edge_sum(graph: &Graph, share: (i64, i64)) -> StateIdentity<'_> {
         let sum = edges.fold(omega.zero(), |sum, (i, j)| sum + (c[i].clone() - &c[j]).norm_squared());
         Ok((vec![s], vec![sum * omega.ratio(share.0, share.1 * graph.order() as i64)]))
     })
-}
-
-/// The largest `|c_k - c_j|^2` with `<c, L c> = 1`: the largest effective resistance; `None` on a disconnected graph.
-fn largest_resistance(graph: &Graph) -> Result<Option<Rational>, CheckError> {
-    let (order, laplacian) = (graph.order(), graph.laplacian()?);
-    if laplacian.kernel().len() != 1 {
-        return Ok(None);
-    }
-    let mut largest = rational(0, 1);
-    for ground in 0..order {
-        let kept: Vec<usize> = (0..order).filter(|&k| k != ground).collect();
-        let row = |&i: &usize| kept.iter().map(|&j| laplacian.entry(i, j)).collect::<Vec<_>>();
-        let rows: Vec<Vec<Rational>> = kept.iter().map(row).collect();
-        if rows.is_empty() {
-            continue;
-        }
-        let inverse = RationalMatrix::from_rows(&rows)?.inverse()?;
-        for k in 0..inverse.rows() {
-            largest = largest.max(inverse.entry(k, k));
-        }
-    }
-    Ok(Some(largest))
 }
 
 /// On which graphs, with which bound `|c_kj|^2 <= (N - 1 + excess) 2 N S` and which share of the edge sum.
@@ -60,7 +37,7 @@ pub fn examine_proper(variant: &ProperVariant, run: &Run) -> Result<Outcome, Che
     let detail = "kernel of L spanned by 1, and |c_kj|^2 <= (N - 1) 2 N S by exact effective resistances";
     let bound = run.every(exhaustive(part, detail), graphs, |graph| {
         let most = rational(graph.order() as i64 - 1 + variant.excess, 1);
-        let wrong = match largest_resistance(&graph)? {
+        let wrong = match graph.largest_resistance()? {
             None => Some("S = 0 though the centres differ".to_string()),
             Some(resistance) => (resistance > most).then(|| format!("|c_kj|^2 can be {resistance} times 2 N S")),
         };
@@ -163,7 +140,7 @@ pub fn examine_descent(variant: &DescentVariant, run: &Run) -> Result<Outcome, C
     let networks: Vec<(Neighbours, String)> = if variant.undirected {
         identity_graphs(run)?.iter().map(|g| (Neighbours::of(g), described(g))).collect()
     } else {
-        (2..=3).map(|n| (one_way_ring(n), format!("one-way ring of {n}"))).collect()
+        (2..=3).map(|n| (Neighbours::one_way_ring(n), format!("one-way ring of {n}"))).collect()
     };
     Run::all(networks.into_iter().map(|(network, name)| {
         let steering: Vec<String> = (1..=network.particles()).map(|k| format!("u_{k}")).collect();

@@ -4,14 +4,14 @@
 //! gradient of a phase potential `U`, the linearisation has on the unstable side as many eigenvalues as the Hessian of `U` has
 //! negative ones; it is exponentially stable up to the symmetries where that Hessian is positive definite up to rotation.
 
-use super::instances::{connected_graphs, described, scattered_phasors, stability};
+use super::instances::{connected_graphs, described, scattered_phasors};
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Inertia, inertia};
 use arithmetic::Signed;
 use models::oscillator::{
     CircularGains, FourierFormation, Neighbours, circular_control, circular_formation, linearisation, pattern_control,
-    pattern_gradient, phase_jacobian, spacing_control, symmetric_pattern,
+    pattern_gradient, phase_jacobian, spacing_control, stability, symmetric_pattern,
 };
 use runs::PARTICLES;
 
@@ -105,8 +105,7 @@ pub fn drift_gain() -> Record<SynchronyVariant> {
         SynchronyVariant { orientation: 1, ..SynchronyVariant::STABLE },
         |variant, run| {
             // The printed values. The caption names no network: the sparsest and the densest of the article.
-            let on_ring = |i: usize, j: usize| matches!(i.abs_diff(j), 1 | 11);
-            let graphs = [Graph::from_fn(PARTICLES, on_ring), Graph::from_fn(PARTICLES, |_, _| true)];
+            let graphs = [Graph::ring(PARTICLES), Graph::complete(PARTICLES)];
             let section = format!("{SECTION}, and Beacon and drift, step 5");
             examine_synchrony(variant, &graphs, &[((1, 10), (1, 10)), ((1, 10), (1, 1))], (&section, run))
         },
@@ -196,7 +195,7 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
         run.instances("linearisation of small patterns", detail, small, |((order, clusters, spacing), (p, q))| {
             let graph = match (variant.connected, spacing) {
                 (false, _) => Graph::empty(order),
-                (true, 0) => Graph::from_fn(order, |_, _| true),
+                (true, 0) => Graph::complete(order),
                 (true, _) => Graph::path(order),
             };
             let omega = rational(p, q);
@@ -244,7 +243,7 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
     let section = "notes/paley_particles.md, Linearisation at a circular formation, steps 1 to 3 and 5";
     Run::all([
         argued(&[1, 2, 3], "all M and N", section),
-        Ok(Outcome::Holds(vec![certified("linearisation", enclosed).cases(12).on([3])])).checks("the conclusion"),
+        holds(certified("linearisation", enclosed).cases(12).on([3])).checks("the conclusion"),
         Ok(linearised.on([1, 2, 3])).checks("the conclusion"),
         Ok(hessians.on([2, 3])).checks("step 5"),
     ])

@@ -1,10 +1,10 @@
 //! paley.beacon.form, paley.drift: the beacon, and a drift common to all particles.
 
-use super::instances::{StateIdentity, scattered_phasors, stability, state_identity, sum_of_squares};
+use super::instances::{StateIdentity, scattered_phasors, state_identity, sum_of_squares};
 use crate::prelude::*;
 use models::oscillator::{
     CircularGains, Neighbours, State, beacon_control, beacon_potential, circle_centres, circular_control,
-    circular_formation, linearisation, quarter_turn,
+    circular_formation, linearisation, quarter_turn, stability,
 };
 
 /// The control with `sign gain`; the potential is `share/N` times the squared distances.

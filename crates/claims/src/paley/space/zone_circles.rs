@@ -1,10 +1,9 @@
 //! paley.fig8.circ and beyond.paley.fig8.circ: whether the particles of Figure 8 converge to one circle; and splay formations in zones with a blind spot.
 
 use super::runs::{SPACING, TYPICAL, random_start, simulated};
-use crate::evidence::checking;
+use crate::prelude::*;
 use crate::shares::{Seen, judged, report};
-use arithmetic::{Complex, CosineField, RealCyclotomic, Ring, Signed};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use arithmetic::{CosineField, RealCyclotomic, Signed};
 use models::oscillator::{Flight, Neighbours, centre_spread, misalignment, shape_rate};
 use motion::Share;
 use runs::{Experiment, OMEGA, PARTICLES, ZoneFormation, ZoneLaw};
@@ -147,12 +146,12 @@ fn examine_circles(variant: &CircularVariant, run: &mut Run) -> Result<Outcome, 
     if let Some(excess) = variant.excesses.iter().find(|&&excess| !splay_turns_slower(excess)) {
         let what =
             format!("K_1 = {} K_0: near the circular formation u_k >= w0 for some way to decide the ties", excess + 1);
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "symmetric motions", "exact sines").on([3])));
+        return Ok(Outcome::fails(what, exact("symmetric motions", "exact sines").on([3])));
     }
     let detail = "K_1 = K_0, 2 K_0, 5 K_0: near the circular formation of radius 1/w0 every u_k < w0 by exact sines, \
          for every way to decide the ties";
     let mut parts = vec![
-        checking(Evidence::new(Grade::Exact, "symmetric motions", detail).on([3]), "the sign in step 3"),
+        checking(exact("symmetric motions", detail).on([3]), "the sign in step 3"),
         Evidence::argued("every K_1 >= K_0", "notes/paley_particles.md, Figure 8, steps 1 to 4").on([3]),
     ];
     for (clause, Seen { what, share }) in shares(variant, run)? {

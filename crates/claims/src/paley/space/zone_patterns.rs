@@ -1,6 +1,6 @@
 //! paley.fig8.pos: whether the clusters of Figure 8(b) suit the zone.
 
-use super::instances::{StateIdentity, one_way_ring, state_identity};
+use super::instances::{StateIdentity, state_identity};
 use super::runs::{Flights, SPACING, TYPICAL, simulated};
 use crate::prelude::*;
 use crate::shares::judged;
@@ -136,7 +136,7 @@ fn two_zones(networks: [Neighbours; 2], attraction: Neighbours) -> StateIdentity
 
 /// At `K_1 = K_0` the printed law is the same for all zones; how many clusters it makes then, and with other gains.
 fn no_effect_of_the_zone(variant: &PatternsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let identity = two_zones([one_way_ring(3), Neighbours::complete(3)], Neighbours::complete(3));
+    let identity = two_zones([Neighbours::one_way_ring(3), Neighbours::complete(3)], Neighbours::complete(3));
     let part = "the printed law at K_1 = K_0 with one orientation network and with another";
     let same = state_identity(identity, &["w0", "K_0"], part, run)?;
     let Outcome::Holds(mut evidence) = same else { return Ok(same) };

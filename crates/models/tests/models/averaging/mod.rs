@@ -10,6 +10,7 @@ mod control;
 mod filling;
 mod filtered;
 mod flock;
+mod history;
 mod horizons;
 mod hysteresis;
 mod interrupted;
