@@ -165,7 +165,7 @@ fn examine_headings(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, 
 pub fn headings() -> Record<HeadingVariant> {
     Record::new(
         "tanner1.propIV3a",
-        "The proof rests on Vdot_t = -theta^T L_w theta, which is false (tanner1.eq9). The mechanical energy is no obstacle to aligned headings, since it can go into the common motion; for two agents and wrapped differences it does (beyond.tanner1.two_agents). \
+        "The proof rests on Vdot_t = -theta^T L_w theta, which is false (tanner1.eq9). The mechanical energy is no obstacle to aligned headings, since it can go into the common motion, as it does for two linked agents with wrapped differences, whose |v_1 + v_2| never decreases (beyond.tanner1.two_agents). \
          A motion may end: the front one of two agents on a line can come to rest, where it has no heading and the law no value. That is an instant of zero speed, about which (2) says nothing. \
          With wrapped differences headings need not align even in a motion that goes on for ever: the alignment forces on a turning equilateral triangle cancel. \
          With the differences of (2) those forces do not cancel (at -2/3 pi, 0, 2/3 pi the first agent's differences sum to -2 pi).",

@@ -154,9 +154,8 @@ pub fn spacing_descent() -> Record<DescentVariant> {
     Record::new(
         "paley.eq19_20",
         "L is symmetric: Sdot = (1/N) <cdot, L c> = (1/N) sum <e^{i theta_k}, L_k c> (1 - u_k/w0) by (18). \
-         Under (20), 1 - u_k/w0 = -(K_0/N) <e^{i theta_k}, L_k c>, for either sign of w0. Both sides are \
-         polynomial in the weights of the graph, so small graphs vertices are instances of an identity that \
-         holds for all undirected graphs. On a directed graph (19) fails.",
+         Under (20), 1 - u_k/w0 = -(K_0/N) <e^{i theta_k}, L_k c>, for either sign of w0. This holds for all \
+         undirected graphs; the identity is tested on small ones. On a directed graph (19) fails.",
         DescentVariant::PRINTED,
         |variant, run| examine_descent(variant, run),
     )
