@@ -57,7 +57,8 @@ pub enum HeadingReading {
     Printed,
     /// The same with `s + 1/s - 2`: "any potential function can be used".
     Spring,
-    /// The printed potential with speeds up to 1 m/s, as in the second paper: a radius in metres says nothing of speeds.
+    /// The printed potential with speeds up to 1 m/s, as in the second paper: the first gives the radius 20 in metres for both, and no
+    /// unit for speeds.
     Slow,
 }
 
@@ -97,7 +98,7 @@ impl HeadingReading {
 }
 
 impl Setup {
-    /// How the runs are computed; what is claimed of them does not depend on more.
+    /// How the runs are computed; the claims need no tighter tolerance than this.
     pub const OPTIONS: Options = Options {
         tolerance: Tolerance { relative: 1e-7, absolute: 1e-7 },
         prefer: Prefer::Keep,
