@@ -130,23 +130,32 @@ impl Setup {
         }
     }
 
+    /// How often a graph is drawn until it is connected, at most. Those of the papers need some ten draws.
+    pub const DRAWS: usize = 100_000;
+
     /// The radius of the second paper, 2 m.
     pub const RADIUS: f64 = 2.0;
 
     /// A flock.
     ///
     /// # Errors
-    /// [`InputError`], where linked agents are in one place or so, which does not happen but by a very small chance.
+    /// [`InputError`]: linked agents are in one place or so, which does not happen but by a very small chance, or no graph is connected
+    /// after [`Setup::DRAWS`] draws, as for a probability of 0.
     pub fn draw(&self, random: &mut ChaCha8Rng) -> Result<Flock, InputError> {
         let network = match self.links {
             LinkRule::Complete => Network::Fixed(Graph::from_fn(self.agents, |_, _| true)),
-            LinkRule::Random(probability) => Network::Fixed(random_connected(self.agents, probability, random)),
+            LinkRule::Random(probability) => Network::Fixed(random_connected(self.agents, probability, random)?),
             LinkRule::Within { radius, .. } => Network::Within(radius),
         };
         let mut start = self.start.draw(self.agents, random);
         if let LinkRule::Within { radius, connected: true } = self.links {
+            let mut draws = 1;
             while !linked_within(&start.positions, &(radius * radius), Coordinates::Cartesian).is_connected() {
+                if draws == Setup::DRAWS {
+                    return Err(InputError::NeverConnected(draws));
+                }
                 start = self.start.draw(self.agents, random);
+                draws += 1;
             }
         }
         Flock::new(self.alignment, self.potential.clone(), network, start)
@@ -172,13 +181,14 @@ fn disc(count: usize, radius: f64, random: &mut ChaCha8Rng) -> Vec<Vector<f64>> 
     (0..count).map(|_| point()).collect()
 }
 
-/// Each edge with a probability, which must be positive; drawn until connected.
-fn random_connected(count: usize, probability: f64, random: &mut ChaCha8Rng) -> Graph {
-    loop {
+/// Each edge with a probability; drawn until connected.
+fn random_connected(count: usize, probability: f64, random: &mut ChaCha8Rng) -> Result<Graph, InputError> {
+    for _ in 0..Setup::DRAWS {
         let numbers: Vec<f64> = (0..count * count).map(|_| uniform(random)).collect();
         let graph = Graph::from_fn(count, |i, j| numbers[i * count + j] < probability);
         if graph.is_connected() {
-            return graph;
+            return Ok(graph);
         }
     }
+    Err(InputError::NeverConnected(Setup::DRAWS))
 }
