@@ -9,7 +9,7 @@ use std::process::ExitCode;
 
 #[derive(clap::Args)]
 #[command(
-    after_help = "The claim is checked anew, which may take seconds. Of an id that is not there, the nearest ones are told; `flockproof list` searches.\n\n\
+    after_help = "The claim is checked anew, which may take seconds. For an unknown id, similar ids are suggested; `flockproof list` searches.\n\n\
 Examples:\n  flockproof explain veerman.gain_max\n  flockproof explain chazelle.tau1 --json"
 )]
 pub struct Arguments {

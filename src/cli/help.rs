@@ -91,7 +91,10 @@ const WORDS: [(&str, &str); 8] = [
 ];
 
 /// Words of the readers of JSON and TOML, and what they mean to people.
-const FILE_WORDS: [(&str, &str); 19] = [
+const FILE_WORDS: [(&str, &str); 21] = [
+    // Of a text as a whole there is no place to tell.
+    ("EOF while parsing a value at line 1 column 0", "there is nothing in it"),
+    (" at line 1 column 0", ""),
     ("EOF while parsing a value", "the text ends where a value should stand,"),
     ("EOF while parsing an object", "the text ends within an object,"),
     ("EOF while parsing a list", "the text ends within a list,"),

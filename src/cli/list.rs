@@ -29,7 +29,7 @@ pub struct Arguments {
     /// Only claims with evidence of one of these grades, such as kernel, certified, argued or exact [default: all]
     #[arg(long, value_name = "G", value_delimiter = ',')]
     grade: Vec<String>,
-    /// How far the evidence reaches for all parameters: all clauses, part of them, instances only, or none [default: any]
+    /// Only these scopes: all clauses are proved for all parameters (all), some are (part), none is (instances), there are no clauses (none) [default: any]
     #[arg(long, value_name = "S", value_delimiter = ',')]
     scope: Vec<String>,
     /// Print one JSON document, flockproof.list/1

@@ -110,13 +110,19 @@ pub fn main(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
 }
 
 fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
-    let parsed =
-        help::command().try_get_matches_from(arguments).and_then(|matches| Arguments::from_arg_matches(&matches));
+    let given: Vec<std::ffi::OsString> = arguments.into_iter().collect();
+    let parsed = help::command().try_get_matches_from(&given).and_then(|matches| Arguments::from_arg_matches(&matches));
     let arguments = match parsed {
         Ok(arguments) => arguments,
         // Nothing was asked for: all that can be asked for.
         Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
             eprint!("{}", error.render());
+            return ExitCode::from(2);
+        }
+        Err(error) if error.kind() == ErrorKind::InvalidUtf8 => {
+            // File names may be such; where there are several of them, one is meant.
+            let such: Vec<_> = given.iter().filter(|a| a.to_str().is_none()).map(|a| a.to_string_lossy()).collect();
+            output::complain(&format!("error: this argument is not text in UTF-8: {}", such.join(", or ")));
             return ExitCode::from(2);
         }
         Err(error) if error.use_stderr() => {

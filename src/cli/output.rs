@@ -123,7 +123,10 @@ pub fn check_writable(path: &Path) -> Result<(), CliError> {
 
 /// Makes a folder for files, where it is missing, and refuses one in which none can be written.
 pub fn make_folder(path: &Path) -> Result<(), CliError> {
-    std::fs::create_dir_all(path).map_err(refused(path))?;
+    std::fs::create_dir_all(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => CliError::file(path, "the folder cannot be made there"),
+        _ => refused(path)(error),
+    })?;
     let probe = path.join(".flockproof.part");
     std::fs::write(&probe, b"").and_then(|()| std::fs::remove_file(&probe)).map_err(refused(path))
 }

@@ -25,7 +25,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    std::fs::create_dir_all(&arguments.out).map_err(|error| CliError::file(&arguments.out, error))?;
+    output::make_folder(&arguments.out)?;
     let Some(pages) = pages(arguments.ledger.as_deref(), !arguments.no_figures)? else {
         return Ok(ExitCode::from(interrupt::STATUS));
     };

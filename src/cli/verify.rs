@@ -35,7 +35,7 @@ pub struct Arguments {
     /// Try more cases; may take minutes
     #[arg(long)]
     full: bool,
-    /// Give up a claim after so many seconds of wall time, as a last resort; what is decided does not depend on it [default: 3600]
+    /// Give up a claim after so many seconds of wall time, as a last resort: it is then undecided, and the run differs from what is recorded [default: 3600]
     #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..=86_400))]
     limit: Option<u64>,
     /// Claims checked at a time [default: as many as there are cores]

@@ -22,10 +22,15 @@ fn terminate(child: &Child) {
     assert!(sent.success());
 }
 
-/// Waits until something is there, as long as the command runs.
+/// Waits until something is there, as long as the command runs. Every command here has work for much longer; where one that was not
+/// signalled has ended all the same, its status and what it said tell why.
 fn wait_for(child: &mut Child, ready: impl Fn() -> bool) {
     while !ready() {
-        assert!(child.try_wait().expect("a child").is_none(), "the command ended before it was interrupted");
+        if let Some(status) = child.try_wait().expect("a child") {
+            let mut said = String::new();
+            let _ = child.stderr.take().map(|mut pipe| pipe.read_to_string(&mut said));
+            panic!("the command ended before it was interrupted, {status}: {said}");
+        }
         std::thread::sleep(Duration::from_millis(5));
     }
 }
@@ -249,8 +254,10 @@ fn silent_commands_end_too() {
         &["verify", "--threads", "1"][..],
         &["ergodicity", &factors],
         &["fuzz", "matrix.product_tree", "--cases", "100000000"],
-        &["spectrum", "--graph", "geometric:1500:1/4:7"],
-        &["resonance", "--followers", "1000000000", "--f", "-1", "--g", "-1", "--digits", "9000"],
+        // The largest dense matrix, the most rows and the most digits that are taken.
+        &["spectrum", "--graph", "geometric:3000:1/6:7"],
+        &["resonance", "--followers", "1000000000", "--sweep", "f=-316..-1:316,g=-316..-1:316"],
+        &["resonance", "--followers", "1000000000000", "--f", "-1", "--g", "-1", "--digits", "10000"],
     ] {
         let mut child = flockproof(arguments);
         let id = child.id();

@@ -71,6 +71,20 @@ fn assert_refused(arguments: &[&str], named: &str) {
     assert!(!error.contains("panicked"));
 }
 
+/// Where nothing can be made, and an argument that is no text.
+#[cfg(target_os = "linux")]
+#[test]
+fn folders_and_arguments_are_named() {
+    use std::os::unix::ffi::OsStrExt;
+    assert_refused(&["man", "--out", "/proc/x"], "/proc/x: the folder cannot be made there");
+    let argument = std::ffi::OsStr::from_bytes(b"veerman.\xff");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_flockproof"));
+    let output = command.args(["verify", "--claim"]).arg(argument).output().expect("the program starts");
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{error}");
+    assert!(error.contains("this argument is not text in UTF-8: veerman.\u{fffd}"), "{error}");
+}
+
 #[test]
 fn resonance_keeps_its_contract() {
     let output =

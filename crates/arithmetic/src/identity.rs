@@ -57,7 +57,7 @@ impl<'a> Identity<'a> {
 
     /// An identity in `N` variables, which are the argument.
     pub fn of<const N: usize>(sides: impl Fn(&[Probe; N]) -> Probed + 'a) -> Self {
-        let number = |_| ArithmeticError::Domain("the number of variables");
+        let number = |_| ArithmeticError::Domain("as many numbers as the identity has variables");
         Self::new(N, move |at| sides(at.try_into().map_err(number)?))
     }
 

@@ -28,7 +28,7 @@ pub fn value_at(coefficients: &[f64], x: f64) -> f64 {
 ///
 /// No fall is passed over: an interval is left only where the sizes of the coefficients around its middle keep the polynomial from zero, or
 /// where it has one sign of slope and does not cross. Two roots that no `2^-40` of the length separates count as none.
-pub fn first_fall<const N: usize>(coefficients: &[f64; N], length: f64) -> Option<f64> {
+pub fn first_downcrossing<const N: usize>(coefficients: &[f64; N], length: f64) -> Option<f64> {
     let mut rest = *coefficients;
     if rest[0] <= 0.0 {
         // The first coefficient that is not zero has the sign just after.

@@ -22,7 +22,7 @@ mod turn_count;
 pub mod validated;
 
 pub use cells::{CellError, CellList, first_not_finite, nearest};
-pub use descent::{first_fall, shifted, value_at};
+pub use descent::{first_downcrossing, shifted, value_at};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
 pub use event::{Crossing, Margin, next_crossing, root};
 pub use follow_error::FollowError;

@@ -20,10 +20,8 @@ pub fn verdict_table(entries: &[Entry]) -> String {
     }
     let held: Vec<(usize, usize)> = entries.iter().filter(|e| e.verdict == Verdict::Holds).map(Entry::reach).collect();
     let (whole, clauses) = held.iter().fold((0, 0), |(a, b), (c, d)| (a + c, b + d));
-    let _ = writeln!(
-        text,
-        "\nall: clauses covered for all parameters ({whole} of {clauses} in what holds)\nctrl: negative controls refuted"
-    );
+    let count = if held.is_empty() { String::new() } else { format!(" ({whole} of {clauses} in what holds)") };
+    let _ = writeln!(text, "\nall: clauses covered for all parameters{count}\nctrl: negative controls refuted");
     text
 }
 

@@ -1,6 +1,6 @@
 //! The questions of the live pages, answered as the command line answers them; none of them opens a file.
 
-use super::super::{CliError, check, flock, output, pattern, resonance, simulate, spectrum};
+use super::super::{CliError, check, flock, help, output, pattern, resonance, simulate, spectrum};
 use flockproof::arithmetic::Progress;
 use flockproof::question::Question;
 use flockproof::report::{digest, shown};
@@ -51,7 +51,7 @@ impl Form {
     fn read(text: &str) -> Result<Self, CliError> {
         serde_json::from_str(text)
             .map(Form)
-            .map_err(|error| refused(format!("the question is no JSON object: {error}")))
+            .map_err(|error| refused(help::plain(&format!("the question is no JSON object: {error}"))))
     }
 
     /// A field of at most so many bytes; empty where it is left out.

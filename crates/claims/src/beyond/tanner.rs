@@ -241,7 +241,7 @@ fn jump(graph: Graph, share: (i64, i64)) -> Identity<'static> {
     Identity::new(AnyPotentials::variables(&graph), move |at| {
         let with = AnyPotentials::read(&graph, at)?;
         let Some(link) = with.edges.iter().position(|pair| *pair == (0, 1)) else {
-            return Err(ArithmeticError::Domain("the link 1-2"));
+            return Err(ArithmeticError::Domain("a graph in which agents 1 and 2 are linked"));
         };
         let mut without = AnyPotentials::read(&graph, at)?;
         without.edges.remove(link);

@@ -40,7 +40,8 @@ fn energy_rate(graph: Graph, variant: &RateVariant) -> Identity<'_> {
     Identity::new(AnyPotentials::variables(&graph), move |at| {
         let flock = AnyPotentials::read(&graph, at)?;
         let matrix = laplacian(&graph, variant.signless)?;
-        let plane = RationalMatrix::identity(2).map_err(|_| ArithmeticError::Domain("the plane"))?;
+        let plane =
+            RationalMatrix::identity(2).map_err(|_| ArithmeticError::Domain("a matrix with at least one row"))?;
         let stack: Vec<Probe> = if variant.by_axis {
             [flock.axis(0), flock.axis(1)].concat()
         } else {
@@ -139,7 +140,7 @@ fn gradient_of_energy(graph: Graph, variant: &MechanicalVariant) -> Identity<'_>
         let flock = AnyPotentials::read(&graph, at)?;
         let count = graph.order();
         let derivatives = gradient(&at[..4 * count], |list: &[Dual<Probe>]| {
-            let state = State::from_list(count, list).ok_or(ArithmeticError::Domain("a state"))?;
+            let state = State::from_list(count, list).ok_or(ArithmeticError::Domain("four numbers for each agent"))?;
             flock.energy(&state, variant.factor)
         })?;
         // grad_{r_i} W against minus the force, grad_{v_i} W against the momentum.

@@ -121,6 +121,6 @@ pub fn stops() -> Record<(Potential, Rational)> {
         (spring(), rational(4, 1)),
         examine_stop,
     )
-    .reading("with a positive slope of V_ij at R, as Lemma 1 has it (c < 0 there), and as tanner2.Qjump is read")
+    .reading("with a positive slope of V_ij at R, as Lemma 1 has it (c < 0 there) and Figure 3 shows it, and where no two agents coincide")
     .control("V increasing at R² = 3 with slope zero", (Potential::with_inflection(&rational(3, 1)), rational(3, 1)))
 }

@@ -86,7 +86,8 @@ impl GrowthVariant {
 fn star(followers: usize) -> Identity<'static> {
     Identity::of(move |[f, g, w]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
-        let graph = CommunicationGraph::star(followers).map_err(|_| ArithmeticError::Domain("followers"))?;
+        let graph =
+            CommunicationGraph::star(followers).map_err(|_| ArithmeticError::Domain("at least one follower"))?;
         let one = amplitude_one_sided(&gains, w, 1)?;
         Ok((parts(graph.response(&gains, w)?), parts(vec![one; followers])))
     })
@@ -99,9 +100,10 @@ fn series(spare: usize, length: usize, platoons: usize) -> Identity<'static> {
     Identity::of(move |[f, g, w]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
         let graph = CommunicationGraph::in_series_behind(spare, &vec![length; platoons])
-            .map_err(|_| ArithmeticError::Domain("followers"))?;
-        let last =
-            |amplitudes: Vec<Complex<Probe>>| amplitudes.last().cloned().ok_or(ArithmeticError::Domain("followers"));
+            .map_err(|_| ArithmeticError::Domain("at least one follower"))?;
+        let last = |amplitudes: Vec<Complex<Probe>>| {
+            amplitudes.last().cloned().ok_or(ArithmeticError::Domain("at least one follower"))
+        };
         let whole = last(graph.response(&gains, w)?)?;
         let single = last(amplitudes_two_sided(&gains, w, length)?)?;
         Ok((parts([whole]), parts([single.power(platoons as u64)])))

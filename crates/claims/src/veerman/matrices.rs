@@ -75,7 +75,7 @@ impl MatrixVariant {
 /// position, velocity and desired position of every agent.
 fn vector_form(variant: &MatrixVariant, followers: usize) -> Identity<'_> {
     Identity::new(2 + 3 * (followers + 1), move |at| {
-        let [f, g, agents @ ..] = at else { return Err(ArithmeticError::Domain("two gains")) };
+        let [f, g, agents @ ..] = at else { return Err(ArithmeticError::Domain("f, g and the numbers of the agents")) };
         let gains = Gains { f: f.clone(), g: g.clone() };
         let state = |k: usize| [agents[3 * k].clone(), agents[3 * k + 1].clone()];
         let desired = |k: usize| [agents[3 * k + 2].clone(), f.zero()];

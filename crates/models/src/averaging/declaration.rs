@@ -16,12 +16,12 @@ pub fn declaration(flock: &Flock, control: Option<&RationalMatrix>) -> String {
         format!("control: the stacked vector v(t+1) so found is multiplied by the rows {};\n", rows.join(", "))
     });
     format!(
-        "model D, {} birds in dimension {}: for t = 1, 2, ..\n\
+        "model D, {} in dimension {}: for t = 1, 2, ..\n\
          x(t) = x(t-1) + v(t); then G_t: edge i-j if |x_i(t) - x_j(t)| <= 1;\n\
          then v_i(t+1) = v_i(t) + c_i sum over neighbours in G_t of (v_j(t) - v_i(t)), {weights};\n\
          {control}{};\n\
          G_0 by distance alone; a bird without neighbours keeps its velocity.",
-        flock.birds(),
+        birds(flock.birds()),
         flock.dimension(),
         hysteresis(flock.hysteresis(), flock.birds())
     )
@@ -34,7 +34,7 @@ pub fn kinematic_declaration(flock: &KinematicFlock, control: Option<&[Rational]
         None => ("", String::new()),
     };
     format!(
-        "model K, {} birds in the plane, sigma = {}: for t = 1, 2, ..\n\
+        "model K, {} in the plane, sigma = {}: for t = 1, 2, ..\n\
          x_i(t) = x_i(t-1) + sigma (cos theta_i(t), sin theta_i(t));\n\
          then G_t: edge i-j if |x_i(t) - x_j(t)| <= 1;\n\
          then theta_i(t+1) = {sum}(theta_i(t) + sum over neighbours in G_t of theta_j(t))/(d_i + 1);\n\
@@ -43,7 +43,7 @@ pub fn kinematic_declaration(flock: &KinematicFlock, control: Option<&[Rational]
          the extra rule the paper mentions for model K but does not state is left out;\n\
          G_0 by distance alone; a bird without neighbours keeps its heading.\n\
          Headings are exact; positions are enclosed and refined until every comparison is decided.",
-        flock.birds(),
+        birds(flock.birds()),
         flock.speed(),
         hysteresis(flock.hysteresis(), flock.birds())
     )
@@ -63,4 +63,8 @@ fn hysteresis(rule: &Hysteresis, birds: usize) -> String {
         "hysteresis: an edge of G_(t-1), however it came about, stays in G_t where\n\
          | |x_i(t) - x_j(t)| - |x_i(t-1) - x_j(t-1)| | < {threshold}, strictly"
     )
+}
+
+fn birds(count: usize) -> String {
+    if count == 1 { "1 bird".to_string() } else { format!("{count} birds") }
 }

@@ -67,6 +67,9 @@ pub enum InputError {
         /// From when it is used, where there are several.
         from: Option<f64>,
     },
+    /// A graph that was to be drawn until it is connected.
+    #[error("none of {0} graphs drawn at random is connected")]
+    NeverConnected(usize),
     /// No graph at the start.
     #[error("the first graph must be given from t = 0 on")]
     NoFirstGraph,

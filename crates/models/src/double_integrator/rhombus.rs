@@ -27,7 +27,8 @@ pub fn rhombus() -> State<Rational> {
 pub fn symmetric_modes(edges: &[Pair], potential: &Potential) -> Result<Polynomial, ArithmeticError> {
     let rows = linearisation(&rhombus(), edges, LATTICE, potential)?;
     let polynomial = restricted(&rows).and_then(|rows| RationalMatrix::from_rows(&rows)?.characteristic_polynomial());
-    let polynomial = polynomial.map_err(|_| ArithmeticError::Domain("the matrix of four agents"))?;
+    let polynomial =
+        polynomial.map_err(|_| ArithmeticError::Domain("a linearisation of four agents that can be formed"))?;
     Ok(Polynomial::from_rationals(&polynomial.coefficients()))
 }
 

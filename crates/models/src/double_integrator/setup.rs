@@ -57,7 +57,8 @@ pub enum HeadingReading {
     Printed,
     /// The same with `s + 1/s - 2`: "any potential function can be used".
     Spring,
-    /// The printed potential with speeds up to 1 m/s, as in the second paper: a radius in metres says nothing of speeds.
+    /// The printed potential with speeds up to 1 m/s, as in the second paper: the first gives the radius 20 in metres for both, and no
+    /// unit for speeds.
     Slow,
 }
 
@@ -97,7 +98,7 @@ impl HeadingReading {
 }
 
 impl Setup {
-    /// How the runs are computed; what is claimed of them does not depend on more.
+    /// How the runs are computed; the claims need no tighter tolerance than this.
     pub const OPTIONS: Options = Options {
         tolerance: Tolerance { relative: 1e-7, absolute: 1e-7 },
         prefer: Prefer::Keep,
@@ -129,23 +130,32 @@ impl Setup {
         }
     }
 
+    /// How often a graph is drawn until it is connected, at most. Those of the papers need some ten draws.
+    pub const DRAWS: usize = 100_000;
+
     /// The radius of the second paper, 2 m.
     pub const RADIUS: f64 = 2.0;
 
     /// A flock.
     ///
     /// # Errors
-    /// [`InputError`], where linked agents are in one place or so, which does not happen but by a very small chance.
+    /// [`InputError`]: linked agents are in one place or so, which does not happen but by a very small chance, or no graph is connected
+    /// after [`Setup::DRAWS`] draws, as for a probability of 0.
     pub fn draw(&self, random: &mut ChaCha8Rng) -> Result<Flock, InputError> {
         let network = match self.links {
             LinkRule::Complete => Network::Fixed(Graph::complete(self.agents)),
-            LinkRule::Random(probability) => Network::Fixed(random_connected(self.agents, probability, random)),
+            LinkRule::Random(probability) => Network::Fixed(random_connected(self.agents, probability, random)?),
             LinkRule::Within { radius, .. } => Network::Within(radius),
         };
         let mut start = self.start.draw(self.agents, random);
         if let LinkRule::Within { radius, connected: true } = self.links {
+            let mut draws = 1;
             while !linked_within(&start.positions, &(radius * radius), Coordinates::Cartesian).is_connected() {
+                if draws == Setup::DRAWS {
+                    return Err(InputError::NeverConnected(draws));
+                }
                 start = self.start.draw(self.agents, random);
+                draws += 1;
             }
         }
         Flock::new(self.alignment, self.potential.clone(), network, start)
@@ -171,13 +181,14 @@ fn disc(count: usize, radius: f64, random: &mut ChaCha8Rng) -> Vec<Vector<f64>> 
     (0..count).map(|_| point()).collect()
 }
 
-/// Each edge with a probability, which must be positive; drawn until connected.
-fn random_connected(count: usize, probability: f64, random: &mut ChaCha8Rng) -> Graph {
-    loop {
+/// Each edge with a probability; drawn until connected.
+fn random_connected(count: usize, probability: f64, random: &mut ChaCha8Rng) -> Result<Graph, InputError> {
+    for _ in 0..Setup::DRAWS {
         let numbers: Vec<f64> = (0..count * count).map(|_| uniform(random)).collect();
         let graph = Graph::from_fn(count, |i, j| numbers[i * count + j] < probability);
         if graph.is_connected() {
-            return graph;
+            return Ok(graph);
         }
     }
+    Err(InputError::NeverConnected(Setup::DRAWS))
 }

@@ -24,8 +24,11 @@ impl Histogram {
         histogram
     }
 
-    /// Counts a value.
+    /// Counts a value; what is not a number is in no bin and outside on no side, so it is not counted.
     pub fn add(&mut self, x: f64) {
+        if x.is_nan() {
+            return;
+        }
         // Potentials reach the ends of their range up to rounding.
         const ROUNDING: f64 = 1e-12;
         let (low, high) = self.range;

@@ -8,7 +8,7 @@ use super::next::Kind;
 use super::path::SQUARE;
 use super::watch::ROUNDING;
 use super::{Agent, IndividualFlock, IndividualLaw, Moving, Pair, Switch};
-use crate::{FollowError, first_fall};
+use crate::{FollowError, first_downcrossing};
 use std::collections::BTreeSet;
 
 /// Fences wider than so many times the scale are listed; the others are found by cells.
@@ -137,7 +137,7 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
                 side[0] += slack;
                 let lasts = own.until.min(outer.until).min(sensed.until) - time;
                 let length = next.map_or(lasts, |(delay, _)| lasts.min(delay));
-                let found = first_fall(&side, length).map(|delay| (delay, (one, place.agent)));
+                let found = first_downcrossing(&side, length).map(|delay| (delay, (one, place.agent)));
                 let earlier = |&(delay, pair): &(f64, Pair)| next.is_none_or(|next| (delay, pair) < next);
                 next = found.filter(earlier).or(next);
             }

@@ -4,7 +4,7 @@ use super::cells::Place;
 use super::next::{Kind, Next};
 use super::path::{LENGTH, ORDER, Path};
 use super::{FARTHEST, IndividualFlock, IndividualLaw, Pace, Pair, Sensing, Turns};
-use crate::{FollowError, IntegrationError, first_fall};
+use crate::{FollowError, IntegrationError, first_downcrossing};
 use std::cmp::Reverse;
 use std::f64::consts::{PI, TAU};
 
@@ -105,7 +105,7 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
             let rounding = radius * (radius + 2.0 * (point[0].abs() + point[1].abs()));
             leave(&mut side, rounding);
             let length = own.until.min(agent.until) - time;
-            found.extend(first_fall(&side, length).map(|delay| (time + delay, (i.min(j), i.max(j)))));
+            found.extend(first_downcrossing(&side, length).map(|delay| (time + delay, (i.min(j), i.max(j)))));
         }
         found.into_iter().for_each(|(time, pair)| self.expect(time, Kind::Radius, pair));
     }
@@ -151,7 +151,7 @@ fn first_half_turn(angle: &[f64; LENGTH], length: f64, size: f64) -> Option<f64>
     let falls = [&mut below, &mut above].map(|side| {
         side[0] += PI;
         leave(side, size);
-        first_fall(side, length)
+        first_downcrossing(side, length)
     });
     falls.into_iter().flatten().reduce(f64::min)
 }

@@ -34,7 +34,7 @@ impl Proofs for Development {
                 Covers::Negation => format!("negation: {said}"),
             };
             let (path, axioms, coq) = (theorem.path(), theorem.axioms.words(), &recorded().coq);
-            let detail = format!("Coq theorem {path}; axioms: {axioms}; by the transcript of Coq {coq}");
+            let detail = format!("Coq theorem {path}; axioms: {axioms}; checked earlier with Coq {coq}; `flockproof prove` checks it again");
             let grade = if covers == Covers::Instance { Grade::Exact } else { Grade::Kernel };
             // In the entry of the printed statement the clauses of its correction come last.
             let skipped = if covers == Covers::Corrected { printed } else { 0 };

@@ -78,7 +78,7 @@ fn two_birds(variant: &PowersVariant) -> Identity<'_> {
                 0 => Ok(x.one()),
                 1 => Ok(x.clone()),
                 -1 => x.recip(),
-                _ => Err(ArithmeticError::Domain("a half power")),
+                _ => Err(ArithmeticError::Domain("exponents of c from -1 to 1")),
             }
         };
         let (a, b) = variant.halves;

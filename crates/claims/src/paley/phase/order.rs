@@ -130,7 +130,7 @@ pub struct ExtremesVariant {
 fn rotation(particles: usize, left_out: usize) -> Identity<'static> {
     Identity::new(particles + 1, move |at| {
         let all = phasors(at)?;
-        let (turn, z) = all.split_last().ok_or(ArithmeticError::Domain("an angle"))?;
+        let (turn, z) = all.split_last().ok_or(ArithmeticError::Domain("at least one phase"))?;
         let turned = particles - left_out;
         let rotated: Vec<Complex<Probe>> =
             z.iter().enumerate().map(|(k, z)| if k < turned { z.clone() * turn } else { z.clone() }).collect();

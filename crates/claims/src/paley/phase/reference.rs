@@ -17,7 +17,7 @@ pub struct ReferenceVariant {
 /// `W_1 + 1 + sign cos(theta_0 - theta_N)`, with `z_0` first.
 fn potential<T: Field>(laplacian: &SparseMatrix, z: &[Complex<T>], sign: i64) -> Result<T, ArithmeticError> {
     let (reference, particles) = z.split_first().ok_or(ArithmeticError::Domain("a reference"))?;
-    let last = particles.last().ok_or(ArithmeticError::Domain("a particle"))?;
+    let last = particles.last().ok_or(ArithmeticError::Domain("at least one particle"))?;
     let cosine = reference.dot(last) * reference.re.integer(sign);
     Ok(phase_potential(laplacian, particles, 1)? + reference.re.one() + cosine)
 }

@@ -61,8 +61,8 @@ pub fn fewer_clusters() -> Record<FewerVariant> {
          are compared. The difference is there at every gain tried from -30 K_0 on, and smaller the nearer K_1 is to 0: \
          about 0.1 at -K_0, 0.06 at -K_0/2, 0.03 at -K_0/5, 0.02 at -K_0/100 (notes/paley_particles.md, \
          Figure 8). No size was found where the mean number does not decrease from M = 8 to 2: of 150 runs with M = 8 at \
-         -300 K_0 six are still in two clusters at t = 1200. Under (29) corrected (paley.eq29) it is another matter: at -30 K_0 the \
-         size of the zone makes no difference once the runs have settled (beyond.paley.fig8.neg). Not in every run: for every K_1 < 0, \
+         -300 K_0 six are still in two clusters at t = 1200. With (29) corrected (paley.eq29) no zone can \
+         have fewer clusters than M = 8 at -30 K_0, where all of 300 runs end in one (beyond.paley.fig8.neg). Not in every run: for every K_1 < 0, \
          M = 2 and either law there is an exact rigid \
          motion in which all sense others that stay at least 30 degrees apart. Splay phases on a circle of \
          radius rho <= 1/w0, r_k = -i rho e^{i theta_k}: all sense all but the blind spot, tau^ori = \

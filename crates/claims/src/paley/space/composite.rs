@@ -10,7 +10,7 @@ use models::oscillator::{
 };
 
 fn gains<T: Field>(constants: &[T]) -> Result<CircularGains<T>, ArithmeticError> {
-    let [omega, spacing, orientation] = constants else { return Err(ArithmeticError::Domain("three constants")) };
+    let [omega, spacing, orientation] = constants else { return Err(ArithmeticError::Domain("omega_0, K_0 and K_1")) };
     Ok(CircularGains { omega: omega.clone(), spacing: spacing.clone(), orientation: orientation.clone() })
 }
 
@@ -183,7 +183,9 @@ fn pattern_rates<T: Field>(
     constants: &[T],
     state: &State<T>,
 ) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-    let [omega, spacing, gains @ ..] = constants else { return Err(ArithmeticError::Domain("constants")) };
+    let [omega, spacing, gains @ ..] = constants else {
+        return Err(ArithmeticError::Domain("omega_0, K_0 and the gains of the pattern"));
+    };
     let network = Neighbours::complete(state.phasors.len());
     let pulled = spacing_control(omega, spacing, &network, state)?;
     let excess: Vec<T> = pulled.into_iter().zip(pattern_control(gains, &state.phasors)?).map(|(s, o)| s + o).collect();

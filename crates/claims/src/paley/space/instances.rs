@@ -24,7 +24,7 @@ impl<'a> StateIdentity<'a> {
 
     /// The same with `N` constants.
     pub fn of<const N: usize>(particles: usize, sides: impl Fn(&[Probe; N], &State<Probe>) -> Probed + 'a) -> Self {
-        let number = |_| ArithmeticError::Domain("the number of constants");
+        let number = |_| ArithmeticError::Domain("as many constants as the identity has");
         Self::new(particles, move |constants, state| sides(constants.try_into().map_err(number)?, state))
     }
 

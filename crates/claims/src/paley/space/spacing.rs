@@ -116,7 +116,9 @@ impl DescentVariant {
 
 fn descent(variant: &DescentVariant, network: Neighbours) -> StateIdentity<'_> {
     StateIdentity::new(network.particles(), move |constants, state| {
-        let [omega, gain, steering @ ..] = constants else { return Err(ArithmeticError::Domain("constants")) };
+        let [omega, gain, steering @ ..] = constants else {
+            return Err(ArithmeticError::Domain("omega_0, K_0 and the steering"));
+        };
         let particles = network.particles() as i64;
         let network = &network;
         let rate = |u: &[Probe]| -> Result<Probe, ArithmeticError> {

@@ -23,7 +23,7 @@ pub(super) struct Approach {
 }
 
 /// Two birds of different flocks that approach at a speed too small to be written as a number.
-pub(super) struct Creep {
+pub(super) struct SlowApproach {
     pub pair: (usize, usize),
     /// Encloses `log2` of the number of steps until they are within distance 1.
     pub log2_steps: Interval,
@@ -35,7 +35,7 @@ pub(super) struct Prospects {
     /// From this many steps on, pairs without relative drift keep their status, and pairs with drift follow `Approach`.
     pub horizon: u64,
     pub approaches: Vec<Approach>,
-    pub creeps: Vec<Creep>,
+    pub slow_approaches: Vec<SlowApproach>,
     /// Pairs of different flocks that part at a speed too small to be written as a number.
     pub parting: usize,
     /// Why something stays open.
@@ -101,7 +101,7 @@ impl Pair<'_> {
         let excess = &squared - &one;
         let apart = self.fixed.flock_of[self.i] != self.fixed.flock_of[self.j];
         if apart && !self.stages.is_empty() {
-            self.creep(&a, &excess, all)?;
+            self.slow_approach(&a, &excess, all)?;
         }
         let held = edge && *self.flock.hysteresis() != Hysteresis::None;
         // log2 of a lower bound of |A| - 1 >= (|A|² - 1)/(|A|² + 2).
@@ -151,7 +151,7 @@ impl Pair<'_> {
     }
 
     /// Different flocks whose drifts agree as far as numbers go. Where they do not agree exactly, notes when they meet.
-    fn creep(&mut self, a: &[BigInt], excess: &BigInt, all: &mut Prospects) -> Result<(), SettleError> {
+    fn slow_approach(&mut self, a: &[BigInt], excess: &BigInt, all: &mut Prospects) -> Result<(), SettleError> {
         let flocks = (self.fixed.flock_of[self.i], self.fixed.flock_of[self.j]);
         if !self.drifts.contains_key(&flocks) {
             let found = self.hidden_drift(a.len())?;
@@ -174,7 +174,7 @@ impl Pair<'_> {
         let gap = Rational::new(place.abs() - &self.motion.unit, self.motion.unit.clone());
         let gap = Interval::from_rational(&gap, drift.log2.precision());
         let log2_gap = gap.ln()?.over(&gap.integer(2).ln()?)?;
-        all.creeps.push(Creep { pair: (self.i, self.j), log2_steps: log2_gap - &drift.log2 });
+        all.slow_approaches.push(SlowApproach { pair: (self.i, self.j), log2_steps: log2_gap - &drift.log2 });
         Ok(())
     }
 

@@ -89,7 +89,7 @@ impl Trajectory<'_> {
     ) -> Result<Next, SettleError> {
         // Whatever approaches too slowly for numbers has to come later.
         let contact = Rational::from_integer(BigInt::from(steps.bits() + 1));
-        if all.creeps.iter().any(|creep| creep.log2_steps.to_rationals().0 <= contact) {
+        if all.slow_approaches.iter().any(|slow| slow.log2_steps.to_rationals().0 <= contact) {
             return Err(SettleError::Unresolved);
         }
         let time = start + &steps;

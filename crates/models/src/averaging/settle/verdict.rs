@@ -29,7 +29,8 @@ impl Trajectory<'_> {
     /// No switch comes at a time that can be written.
     pub(super) fn end(&self, all: &Prospects) -> Next {
         let log2 = |interval: &Interval| interval.to_rationals();
-        let Some(first) = all.creeps.iter().min_by(|a, b| log2(&a.log2_steps).0.cmp(&log2(&b.log2_steps).0)) else {
+        let Some(first) = all.slow_approaches.iter().min_by(|a, b| log2(&a.log2_steps).0.cmp(&log2(&b.log2_steps).0))
+        else {
             let mut why = self.why_steady(all.approaches.len());
             if all.parting > 0 {
                 why.push_str(&format!(
@@ -41,7 +42,7 @@ impl Trajectory<'_> {
         };
         // All whose time may be as early.
         let latest = log2(&first.log2_steps).1;
-        let may_be_first: Vec<_> = all.creeps.iter().filter(|c| log2(&c.log2_steps).0 <= latest).collect();
+        let may_be_first: Vec<_> = all.slow_approaches.iter().filter(|c| log2(&c.log2_steps).0 <= latest).collect();
         let pairs: Vec<(usize, usize)> = may_be_first.iter().map(|c| c.pair).collect();
         let log2_steps = may_be_first.iter().fold(first.log2_steps.clone(), |hull, c| hull.hull(&c.log2_steps));
         let names: Vec<String> = pairs.iter().map(|(i, j)| format!("{} and {}", i + 1, j + 1)).collect();

@@ -4,8 +4,8 @@ use algebra::graph::Graph;
 use arithmetic::random::uniform;
 use arithmetic::rational;
 use models::double_integrator::{
-    Alignment, HeadingDifference, HeadingReading, LinkRule, Options, Potential, Prefer, Setup, StartRule, State,
-    random_flock,
+    Alignment, HeadingDifference, HeadingReading, InputError, LinkRule, Options, Potential, Prefer, Setup, StartRule,
+    State, random_flock,
 };
 use motion::Tolerance;
 use rand_chacha::ChaCha8Rng;
@@ -79,6 +79,15 @@ fn random_networks_are_drawn_until_they_are_connected() {
         assert_near(flock.start(), &square(5, 2.5, 1.0, &mut even));
     }
     assert!(tries.contains(&1) && tries.iter().any(|&k| k > 2), "{tries:?}");
+}
+
+#[test]
+fn draws_that_are_never_connected_end() {
+    let nowhere = LinkRule::Within { radius: 1e-9, connected: true };
+    for links in [LinkRule::Random(0.0), LinkRule::Random(f64::NAN), nowhere] {
+        let setup = Setup { agents: 3, ..Setup::velocity_alignment(links) };
+        assert_eq!(setup.draw(&mut random(0)).err(), Some(InputError::NeverConnected(Setup::DRAWS)), "{links:?}");
+    }
 }
 
 /// Starts whose pairs closer than the radius make a connected graph, drawn until they do; or any.

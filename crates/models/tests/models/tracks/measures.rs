@@ -292,6 +292,13 @@ fn histograms_count_everything() {
     assert_eq!(histogram.total(), 8);
 }
 
+#[test]
+fn what_is_no_number_is_not_counted() {
+    let values = [0.25, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+    let histogram = Histogram::of(0.0, 1.0, 2, values);
+    assert_eq!((histogram.counts.clone(), histogram.outside, histogram.total()), (vec![1, 0], (1, 1), 3));
+}
+
 /// By sorting all distances; of equal ones the smaller number.
 #[test]
 fn nearest_neighbours_are_those_of_sorted_distances() {
