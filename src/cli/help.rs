@@ -91,7 +91,7 @@ const WORDS: [(&str, &str); 8] = [
 ];
 
 /// Words of the readers of JSON and TOML, and what they mean to people.
-const FILE_WORDS: [(&str, &str); 21] = [
+const FILE_WORDS: [(&str, &str); 22] = [
     // Of a text as a whole there is no place to tell.
     ("EOF while parsing a value at line 1 column 0", "there is nothing in it"),
     (" at line 1 column 0", ""),
@@ -100,6 +100,7 @@ const FILE_WORDS: [(&str, &str); 21] = [
     ("EOF while parsing a list", "the text ends within a list,"),
     ("EOF while parsing a string", "the text ends within quotes,"),
     ("expected value", "a value should stand"),
+    ("expected struct Document", "expected an object"),
     ("trailing comma", "nothing follows after the comma"),
     ("expected `:`", "a colon should stand"),
     ("expected `,` or `}`", "a comma or } should stand"),
