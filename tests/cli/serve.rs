@@ -210,8 +210,8 @@ fn a_closed_page_stops_its_work() {
     assert_eq!(server.question("question", &body).0, 503);
     assert_eq!(server.ask("GET /", "", "").0, 200);
     drop(pages);
-    // Usually at once; the limit is a last resort, and their own time is longer.
-    let gone = (0..1200).any(|_| {
+    // Usually at once; the limit is a last resort, below the minute that is their own limit.
+    let gone = (0..400).any(|_| {
         std::thread::sleep(Duration::from_millis(100));
         children(&server).is_empty()
     });

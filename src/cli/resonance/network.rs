@@ -274,7 +274,8 @@ pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode,
         return Ok(ExitCode::SUCCESS);
     }
     let (followers, graph) = (gains.len(), &arguments.graph);
-    let mut text = format!("{followers} followers on {graph}, leader {}, car {}\n", platoon.leader, platoon.name);
+    let word = if followers == 1 { "follower" } else { "followers" };
+    let mut text = format!("{followers} {word} on {graph}, leader {}, car {}\n", platoon.leader, platoon.name);
     text += &peak_text(&found.peak, found.amplitude.as_ref(), stable);
     if let Some(margins) = margins {
         let factor = margins.critical_factor.map_or("at no common factor of the gains".to_string(), |k| {
