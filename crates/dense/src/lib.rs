@@ -9,39 +9,39 @@ use faer::linalg::matmul::matmul;
 use faer::linalg::solvers::DenseSolveCore;
 use faer::{Accum, Par, Side};
 
-/// The product of an `m x k` and a `k x n` matrix.
-///
-/// # Panics
-/// Where the inner dimensions differ.
+/// The product of an `m x k` and a `k x n` matrix; `NaN` in each entry where the shapes do not fit.
 pub fn product(left: MatRef<'_, f64>, right: MatRef<'_, f64>) -> Mat<f64> {
+    if left.ncols() != right.nrows() {
+        return Mat::full(left.nrows(), right.ncols(), f64::NAN);
+    }
     let mut result = Mat::zeros(left.nrows(), right.ncols());
     matmul(result.as_mut(), Accum::Replace, left, right, 1.0, Par::Seq);
     result
 }
 
-/// Adds `factor` times the product of an `m x k` and a `k x n` matrix to one of `m x n`.
-///
-/// # Panics
-/// Where the dimensions do not fit.
-pub fn add_product(to: MatMut<'_, f64>, factor: f64, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
+/// Adds `factor` times the product of an `m x k` and a `k x n` matrix to one of `m x n`; `NaN` in each entry where the shapes do not fit.
+pub fn add_product(mut to: MatMut<'_, f64>, factor: f64, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
+    if left.ncols() != right.nrows() || (to.nrows(), to.ncols()) != (left.nrows(), right.ncols()) {
+        return to.fill(f64::NAN);
+    }
     matmul(to, Accum::Add, left, right, factor, Par::Seq);
 }
 
-/// The product of complex matrices.
-///
-/// # Panics
-/// Where the inner dimensions differ.
+/// The product of complex matrices; `NaN` in each entry where the shapes do not fit.
 pub fn complex_product(left: MatRef<'_, c64>, right: MatRef<'_, c64>) -> Mat<c64> {
+    if left.ncols() != right.nrows() {
+        return Mat::full(left.nrows(), right.ncols(), c64::new(f64::NAN, f64::NAN));
+    }
     let mut result = Mat::zeros(left.nrows(), right.ncols());
     matmul(result.as_mut(), Accum::Replace, left, right, c64::new(1.0, 0.0), Par::Seq);
     result
 }
 
-/// The inverse of a complex square matrix; entries that are not finite where it is singular.
-///
-/// # Panics
-/// Where it is not square.
+/// The inverse of a complex matrix; entries that are not finite where it is singular, `NaN` where it is not square.
 pub fn complex_inverse(matrix: MatRef<'_, c64>) -> Mat<c64> {
+    if matrix.nrows() != matrix.ncols() {
+        return Mat::full(matrix.nrows(), matrix.ncols(), c64::new(f64::NAN, f64::NAN));
+    }
     matrix.partial_piv_lu().inverse()
 }
 
@@ -53,11 +53,11 @@ pub struct Eigen {
     pub vectors: Mat<c64>,
 }
 
-/// The eigenvalues of a real square matrix; `None` where the iteration does not converge.
-///
-/// # Panics
-/// Where it is not square.
+/// The eigenvalues of a real matrix; `None` where it is not square or the iteration does not converge.
 pub fn eigen(matrix: MatRef<'_, f64>) -> Option<Eigen> {
+    if matrix.nrows() != matrix.ncols() {
+        return None;
+    }
     let eigen = matrix.eigen().ok()?;
     let values = (0..matrix.nrows()).map(|k| eigen.S()[k]).collect();
     Some(Eigen { values, vectors: eigen.U().to_owned() })
@@ -72,11 +72,12 @@ pub struct SymmetricEigen {
     pub vectors: Mat<f64>,
 }
 
-/// Eigenvalues and eigenvectors of a symmetric matrix, of which the lower half is read; `None` where the iteration does not converge.
-///
-/// # Panics
-/// Where it is not square.
+/// Eigenvalues and eigenvectors of a symmetric matrix, of which the lower half is read; `None` where it is not square or the iteration does
+/// not converge.
 pub fn symmetric_eigen(matrix: MatRef<'_, f64>) -> Option<SymmetricEigen> {
+    if matrix.nrows() != matrix.ncols() {
+        return None;
+    }
     let eigen = matrix.self_adjoint_eigen(Side::Lower).ok()?;
     Some(SymmetricEigen { values: eigen.S().column_vector().iter().copied().collect(), vectors: eigen.U().to_owned() })
 }

@@ -17,7 +17,7 @@ const UNDERFLOW: f64 = 1e-150;
 /// square or not symmetric, or nothing is proved. For orders up to some dozens.
 pub fn small_symmetric_eigenvalues(entries: &[f64], order: usize) -> Option<Vec<FloatEnclosure>> {
     let symmetric = |i: usize, j: usize| entries[i * order + j] == entries[j * order + i];
-    if entries.len() != order * order || !(0..order).all(|i| (0..i).all(|j| symmetric(i, j))) {
+    if order.checked_mul(order) != Some(entries.len()) || !(0..order).all(|i| (0..i).all(|j| symmetric(i, j))) {
         return None;
     }
     let (values, vectors) = rotated(entries.to_vec(), order);
@@ -173,5 +173,6 @@ mod tests {
         let last = [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 2.0, 0.0];
         assert_eq!(small_symmetric_eigenvalues(&last, 3), None);
         assert_eq!(small_symmetric_eigenvalues(&[], 0), Some(Vec::new()));
+        assert_eq!(small_symmetric_eigenvalues(&[], 1 << 32), None);
     }
 }

@@ -20,7 +20,9 @@ pub fn circulant_eigenvalue<T: Ring>(
     q: usize,
 ) -> Complex<T> {
     let one = &roots[0];
-    offsets.into_iter().fold(one.zero(), |sum, s| sum + one - &roots[q * s % roots.len()])
+    offsets
+        .into_iter()
+        .fold(one.zero(), |sum, s| sum + one - &roots[(q % roots.len()) * (s % roots.len()) % roots.len()])
 }
 
 /// `Q_L(x) = (1/(2N)) <x, L x>` (11).
