@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _native
 from ._numbers import (
@@ -510,7 +511,7 @@ def _fractions(rows: Any, known: bool) -> tuple[tuple[Fraction, ...], ...] | Non
     return None if rows is None else tuple(tuple(_known(x, known) for x in row) for row in rows)
 
 
-def _footprint(text: str) -> Any:
-    from ._queries import _footprint as read
-
-    return read(text)
+def _footprint(text: str) -> npt.NDArray[np.bool_]:
+    found = np.array([[c == "1" for c in row] for row in text.split()], dtype=bool)
+    found.flags.writeable = False
+    return found

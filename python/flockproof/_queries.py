@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._flock import _refused
+from ._flock import _footprint, _refused
 from ._graphs import given
 from ._numbers import (
     Enclosure,
@@ -469,12 +469,6 @@ class _Matrix:
     columns: int
     numerators: list[int]
     denominator: int
-
-
-def _footprint(text: str) -> npt.NDArray[np.bool_]:
-    found = np.array([[c == "1" for c in row] for row in text.split()], dtype=bool)
-    found.flags.writeable = False
-    return found
 
 
 def _float(x: Fraction) -> float:
