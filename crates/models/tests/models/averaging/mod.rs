@@ -6,6 +6,7 @@ use arithmetic::rational;
 use models::averaging::{Affine, HalfOpenRange, Weights, transition_matrix};
 use proptest::prelude::*;
 
+mod chosen;
 mod control;
 mod filling;
 mod filtered;

@@ -1,5 +1,6 @@
 //! Mirrors `src/double_integrator`: laws, potentials, kinks, linearisations and the float motion against naive twins.
 
+mod by_hand;
 mod closed_loops;
 mod enclosed;
 mod engine;

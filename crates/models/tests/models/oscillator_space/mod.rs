@@ -6,3 +6,4 @@ mod flights;
 mod laws;
 mod networks;
 mod reached;
+mod shapes;

@@ -3,6 +3,7 @@
 mod by_definition;
 mod graphs_and_time;
 mod growth;
+mod limits;
 mod matrices;
 mod observed;
 mod own_gains;
