@@ -57,7 +57,7 @@ fn bound(modes: &Polynomial) -> Rational {
 
 /// How many modes the motions near the rhombus have that keep both diagonals and the long one within R, whose square this is, if all of them
 /// decay without turning: one that tends to it along the slowest of them does not pass R any more. The bars couple both diagonals, so that the
-/// long one takes part in it. `None` where the rhombus is no equilibrium with its long diagonal at R and slope zero there, or a mode turns.
+/// long one takes part in it. `None` where the rhombus is no equilibrium with its long diagonal at R and slope zero there, a mode turns or grows, or two of them are equal.
 ///
 /// # Errors
 /// [`ArithmeticError`], which does not happen for a potential with a slope at 1 and at 3.

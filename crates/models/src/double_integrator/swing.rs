@@ -13,7 +13,7 @@ const PLANE: Coordinates = Coordinates::Cartesian;
 /// The weights `m` and `m'` where the sine and the cosine of the time are these; `None` where the links are not as described.
 ///
 /// # Errors
-/// [`ArithmeticError`] where a sine is so far from `[-1, 1]` that agents coincide.
+/// [`ArithmeticError`] of the law, where agents coincide; a sine that would put them there has no such links.
 pub fn swing_weights<T: Field + Signed>(sine: &T, cosine: &T) -> Result<Option<[T; 2]>, ArithmeticError> {
     let (radius, size, zero) = (sine.ratio(9, 5), sine.ratio(1, 50), sine.zero());
     let half = radius.clone() * sine.ratio(1, 2);

@@ -57,6 +57,9 @@ pub fn rate_along(
     cut: bool,
 ) -> Result<(Rational, Rational), ArithmeticError> {
     state.check()?;
+    if ways.iter().any(|((i, j), _)| i == j || *i.max(j) >= state.count()) {
+        return Err(ArithmeticError::Domain("two agents that are there"));
+    }
     let slope = |_: usize, _: usize, s: &Rational| potential.slope(s);
     let mut links = linked_within(&state.positions, square, PLANE).edges();
     links.extend(ways.iter().filter(|(_, way)| *way == Way::Enters).map(|(pair, _)| *pair));

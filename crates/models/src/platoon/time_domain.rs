@@ -324,8 +324,8 @@ impl<T: Real + Signed> StopAndGo<T> {
 }
 
 impl StopAndGo<f64> {
-    /// The first passages of the last car by its place after this time, at most so many and within so many steps, bisected; of two within one
-    /// step none is seen.
+    /// The first passages of the last car by its place, at most so many, within so many steps from the time `from + step` on (at `from` itself it may
+    /// be at its place), bisected; of two within one step none is seen.
     ///
     /// # Errors
     /// As for [`StopAndGo::last`].

@@ -133,6 +133,8 @@ fn rates_along_the_ways_on() {
     let beyond = rational(21, 50) * whole(-12);
     assert_eq!(rates(0, Way::Stays(rational(1, 3))), [(whole(-5), whole(-5)), (whole(-5) + beyond, whole(-5))]);
     let pair = state(&[(0, 0), (2, 0)], &[(0, 0), (0, 3)]);
-    let missing = rate_along(&pair, &whole(4), &potential, &[((0, 2), Way::Enters)], true);
-    assert!(matches!(missing, Err(ArithmeticError::Domain(_))));
+    for way in [((0, 2), Way::Enters), ((0, 7), Way::Leaves), ((1, 1), Way::Enters)] {
+        let missing = rate_along(&pair, &whole(4), &potential, &[way], true);
+        assert!(matches!(missing, Err(ArithmeticError::Domain(_))));
+    }
 }
