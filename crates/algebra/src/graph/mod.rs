@@ -14,7 +14,7 @@ pub use named::{LARGEST_ORDER, NameError, NamedGraph};
 pub use weighted::WeightedGraph;
 
 use crate::matrix::{Footprint, MatrixError, RationalMatrix};
-use arithmetic::Rational;
+use arithmetic::{Rational, words};
 use num_bigint::BigInt;
 
 /// An undirected graph without loops on the vertices `0..order`.
@@ -23,17 +23,9 @@ pub struct Graph {
     adjacency: Footprint,
 }
 
-/// The binary number, lowest bit first, plus one; `None` after the last of its length.
-fn counted_on(mut bits: Vec<bool>) -> Option<Vec<bool>> {
-    let zero = bits.iter().position(|bit| !bit)?;
-    bits[..zero].fill(false);
-    bits[zero] = true;
-    Some(bits)
-}
-
 /// All choices among so many things, as binary numbers that count up, lowest bit first.
 fn all_choices(count: usize) -> impl Iterator<Item = Vec<bool>> {
-    std::iter::successors(Some(vec![false; count]), |bits| counted_on(bits.clone()))
+    words(2, count).map(|word| word.into_iter().map(|letter| letter == 1).collect())
 }
 
 /// Why a list of edges is not a simple graph. Vertices are counted from 0.

@@ -1,7 +1,7 @@
 //! Families of row-stochastic matrices that need not be square: all over one denominator, and random ones.
 
 use super::{MatrixError, RationalMatrix};
-use arithmetic::{Rational, rational};
+use arithmetic::{Rational, rational, words};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -29,17 +29,12 @@ impl RationalMatrix {
             return Err(MatrixError::Empty);
         }
         let choices = compositions(denominator.into(), cols);
-        let count = u32::try_from(rows).ok().and_then(|rows| choices.len().checked_pow(rows));
-        let matrix = |mut code: usize| {
-            let mut row = || {
-                let row = &choices[code % choices.len()];
-                code /= choices.len();
-                row
-            };
-            let picked: Vec<&Vec<i64>> = (0..rows).map(|_| row()).collect();
+        u32::try_from(rows).ok().and_then(|rows| choices.len().checked_pow(rows)).ok_or(MatrixError::TooLong)?;
+        let matrix = |word: Vec<usize>| {
+            let picked: Vec<&Vec<i64>> = word.into_iter().map(|letter| &choices[letter]).collect();
             RationalMatrix::from_integers(&picked, denominator.into())
         };
-        (0..count.ok_or(MatrixError::TooLong)?).map(matrix).collect()
+        words(choices.len(), rows).map(matrix).collect()
     }
 
     /// A random row-stochastic matrix: weights below 1000, about half of them zero.
