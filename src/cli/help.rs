@@ -91,7 +91,7 @@ const WORDS: [(&str, &str); 8] = [
 ];
 
 /// Words of the readers of JSON and TOML, and what they mean to people.
-const FILE_WORDS: [(&str, &str); 22] = [
+const FILE_WORDS: [(&str, &str); 21] = [
     // Of a text as a whole there is no place to tell.
     ("EOF while parsing a value at line 1 column 0", "there is nothing in it"),
     (" at line 1 column 0", ""),
@@ -114,7 +114,6 @@ const FILE_WORDS: [(&str, &str); 22] = [
     ("string values must be quoted, expected literal string", "texts stand in quotes, and a key has one value"),
     ("invalid basic string, expected `\"`", "a text has no closing quote"),
     (", expected nothing", ""),
-    ("duplicate key", "the key stands there twice"),
 ];
 
 /// A message about a file in plain words.
@@ -128,15 +127,28 @@ pub fn one_sentence(message: &str) -> String {
         .split("\n\n")
         .map(|paragraph| paragraph.lines().map(str::trim).collect::<Vec<_>>().join(" ").trim().to_string())
         .collect();
-    let tip = paragraphs.iter().find(|paragraph| paragraph.starts_with("tip: a similar"));
+    let tip = paragraphs.iter().find_map(|paragraph| nearest(paragraph.strip_prefix("tip: ")?));
     let mut sentence = paragraphs.first().cloned().unwrap_or_default();
     for (theirs, ours) in WORDS {
         sentence = sentence.replace(theirs, ours);
     }
     let sentence = with_range(sentence.strip_suffix(" found").unwrap_or(&sentence));
     match tip {
-        Some(tip) => format!("{sentence}; {}", tip.trim_start_matches("tip: ")),
+        Some(tip) => format!("{sentence}; {tip}"),
         None => sentence,
+    }
+}
+
+/// Clap's advice with the nearest name alone: of several the last is the most similar.
+fn nearest(tip: &str) -> Option<String> {
+    let tip = tip.replace("subcommand", "command");
+    let several = tip.strip_prefix("some similar ").and_then(|rest| rest.split_once(" exist: "));
+    match several {
+        Some((kind, names)) => {
+            let name = names.rsplit(", ").next().unwrap_or(names);
+            Some(format!("a similar {} exists: {name}", kind.trim_end_matches('s')))
+        }
+        None => tip.starts_with("a similar ").then_some(tip),
     }
 }
 

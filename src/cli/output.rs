@@ -42,7 +42,8 @@ fn without_long_words(sentence: &str) -> String {
     words.map(shortened).collect()
 }
 
-/// Prints a text that programs read, as it is.
+/// Prints a text that programs read, as it is. Where standard output was closed before the program began (`>&-`), Rust's runtime has put /dev/null
+/// in its place, which cannot be told from one that somebody gave: the text is lost without a word, as in all programs of Rust.
 pub fn print_raw(text: &str) -> Result<(), CliError> {
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {

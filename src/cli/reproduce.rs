@@ -1,6 +1,8 @@
 //! `reproduce`: tables and figures of the papers.
 
 use super::{CliError, interrupt, output, progress};
+use flockproof::arithmetic::shown;
+use flockproof::question::nearest_ids;
 use flockproof::report::{FIGURES, Figure, FigureError, File, Provenance, digest, version};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -37,12 +39,18 @@ fn chosen(what: &str) -> Result<Vec<&'static Figure>, CliError> {
     let names = |figures: &[&Figure]| figures.iter().map(|figure| figure.name).collect::<Vec<_>>().join(", ");
     let named = Figure::named(what);
     match named.len() {
-        0 => {
-            let known = names(&FIGURES.iter().collect::<Vec<_>>());
-            Err(CliError::Use(format!("there is no table or figure `{what}`; there are: {known}, all")))
-        }
+        0 => Err(CliError::Use(format!("there is no table or figure `{}`; {}", shown(what), instead(what)))),
         1 => Ok(named),
         _ => Err(CliError::Use(format!("`{what}` is ambiguous; it may be: {}", names(&named)))),
+    }
+}
+
+/// What may be meant instead of a name that is not known: the nearest, or all where none is near.
+fn instead(what: &str) -> String {
+    let known = || FIGURES.iter().map(|figure| figure.name);
+    match nearest_ids(known(), what, 3).as_slice() {
+        [] => format!("there are: {}, all", known().collect::<Vec<_>>().join(", ")),
+        near => format!("similar: {}", near.join(", ")),
     }
 }
 

@@ -52,8 +52,8 @@ pub enum QuestionError {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Problem {
     /// Not TOML.
-    #[error("not valid TOML: {0}")]
-    Toml(String),
+    #[error("{0}")]
+    Toml(scenario::NotToml),
     /// Something else was expected.
     #[error("{expected} is expected here, but it is {found}")]
     Expected {

@@ -38,13 +38,8 @@ pub(crate) struct Entry<'a> {
 
 impl<'a> Source<'a> {
     pub fn parse(text: &'a str) -> Result<Self, QuestionError> {
-        let table = DeTable::parse(text).map_err(|error| QuestionError::At {
-            place: Place::of(text, error.span().map_or(0, |span| span.start)),
-            problem: Problem::Toml(match error.message().lines().next().unwrap_or_default() {
-                deep if deep.contains("recursion depth") => "lists and sections are nested too deeply".to_string(),
-                message => message.to_string(),
-            }),
-        })?;
+        let table = scenario::parse_toml(text)
+            .map_err(|error| QuestionError::At { place: Place::of(text, error.at), problem: Problem::Toml(error) })?;
         Ok(Source { text, table })
     }
 

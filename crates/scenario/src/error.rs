@@ -1,5 +1,6 @@
 //! Why a configuration is refused or a run ends early.
 
+use super::document::NotToml;
 use arithmetic::{ArithmeticError, NumberError};
 use models::averaging::FlockError;
 use models::double_integrator::{FlockError as LargeFlockError, InputError, MotionError};
@@ -10,12 +11,12 @@ use motion::FollowError;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ConfigError {
     /// Not TOML.
-    #[error("line {line}: not valid TOML: {message}")]
+    #[error("line {line}: {error}")]
     Toml {
         /// The line.
         line: usize,
-        /// What the parser says.
-        message: String,
+        /// What is wrong there.
+        error: NotToml,
     },
     /// A section that every scenario of the model has.
     #[error("the section [{0}] is missing")]

@@ -6,6 +6,7 @@
 mod agents;
 mod alignment;
 mod config;
+mod document;
 mod ensemble;
 mod error;
 mod exact;
@@ -29,6 +30,7 @@ mod turns;
 mod vicsek;
 
 pub use config::Scenario;
+pub use document::{NotToml, line_of, parse_toml};
 pub use ensemble::Ensemble;
 pub use error::{ConfigError, Problem, RunError};
 pub use exact::{ExactMotion, ExactSpacing, is_drawn, with_numbers};

@@ -1,5 +1,6 @@
 //! TOML as sections, keys and numbers, each with its line, so that every error can say where it is.
 
+use super::document::{line_of, parse_toml};
 use super::error::{ConfigError, Problem};
 use arithmetic::{Rational, parse_rational, shown};
 use num_traits::ToPrimitive;
@@ -14,18 +15,10 @@ pub(super) struct Source<'a> {
     table: Spanned<DeTable<'a>>,
 }
 
-/// The line of a place in a text, from 1.
-fn line_of(text: &str, place: usize) -> usize {
-    1 + text.as_bytes().iter().take(place).filter(|byte| **byte == b'\n').count()
-}
-
 impl<'a> Source<'a> {
     /// Parses a text.
     pub fn parse(text: &'a str) -> Result<Self, ConfigError> {
-        let table = DeTable::parse(text).map_err(|error| ConfigError::Toml {
-            line: line_of(text, error.span().map_or(0, |span| span.start)),
-            message: error.message().lines().next().unwrap_or_default().to_string(),
-        })?;
+        let table = parse_toml(text).map_err(|error| ConfigError::Toml { line: line_of(text, error.at), error })?;
         Ok(Source { text, replica: 0, table })
     }
 

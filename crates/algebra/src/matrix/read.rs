@@ -4,7 +4,7 @@
 //! JSON: a list of matrices, each a list of rows, entries as strings or numbers.
 
 use super::{MatrixError, StochasticMatrix};
-use arithmetic::{NumberError, Rational, parse_rational, rational};
+use arithmetic::{NumberError, Rational, parse_rational, rational, shown};
 use num_traits::Signed;
 use serde_json::Value;
 
@@ -35,6 +35,11 @@ pub enum ReadError {
     /// Not JSON.
     #[error("not valid JSON: {0}")]
     Json(String),
+    /// A JSON object.
+    #[error(
+        "a list of matrices is expected, such as [[[\"1/2\", \"1/2\"], [0, 1]]]; this is an object, of which no key is known here; it has {0}"
+    )]
+    Object(String),
     /// JSON of another shape.
     #[error("matrix {matrix}: {error}")]
     JsonMatrix {
@@ -104,7 +109,8 @@ impl Rows {
 }
 
 fn read(text: &str, rows: &mut Rows) -> Result<Vec<StochasticMatrix>, ReadError> {
-    let matrices = if text.trim_start().starts_with('[') { read_json(text, rows)? } else { read_text(text, rows)? };
+    let matrices =
+        if text.trim_start().starts_with(['[', '{']) { read_json(text, rows)? } else { read_text(text, rows)? };
     if matrices.is_empty() {
         return Err(ReadError::Nothing);
     }
@@ -155,8 +161,10 @@ fn read_text(text: &str, all: &mut Rows) -> Result<Vec<StochasticMatrix>, ReadEr
 
 fn read_json(text: &str, all: &mut Rows) -> Result<Vec<StochasticMatrix>, ReadError> {
     let document: Value = crate::json::parse(text).map_err(ReadError::Json)?;
-    let Some(list) = document.as_array() else {
-        return Err(ReadError::Json("a list of matrices is expected".to_string()));
+    let list = match &document {
+        Value::Array(list) => list,
+        Value::Object(object) => return Err(ReadError::Object(keys(object))),
+        _ => return Err(ReadError::Nothing),
     };
     let matrix = |(k, value): (usize, &Value)| {
         let refuse = |error: String| ReadError::JsonMatrix { matrix: k + 1, error };
@@ -165,6 +173,14 @@ fn read_json(text: &str, all: &mut Rows) -> Result<Vec<StochasticMatrix>, ReadEr
         matrix.map_err(|error| ReadError::JsonMatrix { matrix: k + 1, error: error.to_string() })
     };
     list.iter().enumerate().map(matrix).collect()
+}
+
+/// The keys of an object in a sentence, the first of many.
+fn keys(object: &serde_json::Map<String, Value>) -> String {
+    const MOST: usize = 5;
+    let more = if object.len() > MOST { ", .." } else { "" };
+    let first: Vec<String> = object.keys().take(MOST).map(|key| format!("`{}`", shown(key))).collect();
+    if first.is_empty() { "no keys".to_string() } else { format!("the keys {}{more}", first.join(", ")) }
 }
 
 fn json_rows(value: &Value) -> Result<Vec<Vec<Rational>>, String> {
