@@ -1,6 +1,6 @@
 //! `explain`: one claim in words.
 
-use super::{CliError, output, progress, report, verify};
+use super::{CliError, output, progress, report, texts, verify};
 use flockproof::ledger::{Document, Ledger, Options, Report};
 use flockproof::report::{Figure, Provenance, Site, explain, explanation, version};
 use serde_json::json;
@@ -63,7 +63,7 @@ fn checked(report: &Report, options: &Options) -> String {
 fn write_page(path: &Path, id: &str, report: &Report, options: &Options, ledger: &Ledger) -> Result<(), CliError> {
     let Some(figures) = report::made(Figure::of_claim(id).collect())? else { return Ok(()) };
     let document = Document::new(report, options);
-    let page = Site::new(&document, ledger, &figures).alone(id);
+    let page = Site::new(&document, ledger, &figures, texts::text).alone(id);
     // The claim was found and checked, so there is a page.
     output::write_file(path, page.unwrap_or_default().as_bytes())?;
     output::print(&format!("written: {}\n", path.display()))

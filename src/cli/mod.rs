@@ -25,6 +25,7 @@ mod serve;
 mod simulate;
 mod spectrum;
 mod sweep;
+mod texts;
 mod tracks;
 mod verify;
 

@@ -1,7 +1,7 @@
 //! `report`: the site, a page for every claim.
 
 use super::interrupt::{self, Watch};
-use super::{CliError, output, progress, verify};
+use super::{CliError, output, progress, texts, verify};
 use flockproof::json;
 use flockproof::ledger::{Document, Options, to_json_with};
 use flockproof::report::{FIGURES, Figure, Made, Page, Site, ledger_origin};
@@ -48,7 +48,7 @@ pub fn pages(path: Option<&Path>, figures: bool) -> Result<Option<Vec<Page>>, Cl
     let ledger = verify::ledger()?;
     let Some(document) = document(path, &ledger)? else { return Ok(None) };
     let Some(figures) = made(if figures { FIGURES.iter().collect() } else { Vec::new() })? else { return Ok(None) };
-    let pages = Site::new(&document, &ledger, &figures).pages();
+    let pages = Site::new(&document, &ledger, &figures, texts::text).pages();
     pages.map(Some).map_err(|error| CliError::Use(error.to_string()))
 }
 

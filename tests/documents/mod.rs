@@ -6,9 +6,10 @@
 //! the names are looked up; it is run where the wheel is built (`python/tests/test_pages.py`).
 
 mod page;
+mod questions;
 
 use flockproof::question::Question;
-use flockproof::report::Figure;
+use flockproof::report::{Figure, Site};
 use flockproof::scenario::{Ensemble, Scenario};
 use page::{Page, pages, root, spans};
 use std::collections::{BTreeMap, BTreeSet};
@@ -226,6 +227,33 @@ fn named_files_exist() {
     let readme = std::fs::read_to_string(root().join("README.md")).expect("text");
     for picture in readme.split("src=\"").skip(1).filter_map(|after| after.split('"').next()) {
         assert!(root().join(picture).is_file(), "README.md: there is no {picture}");
+    }
+}
+
+/// The site shows the files as they are, and each place of a proof on paper is a note that is there.
+#[test]
+fn shown_and_named_notes_exist() {
+    for path in Site::shown() {
+        let file = std::fs::read_to_string(root().join(&path)).unwrap_or_else(|error| panic!("{path}: {error}"));
+        assert!(!file.is_empty(), "{path}");
+    }
+    let mut folders = vec![root().join("crates/claims/src")];
+    let mut named = BTreeSet::new();
+    while let Some(folder) = folders.pop() {
+        for path in std::fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                let text = std::fs::read_to_string(&path).expect("text");
+                let notes = text.split("notes/").skip(1).filter_map(|rest| rest.split_once(".md"));
+                let is_name = |name: &str| name.chars().all(|c| c.is_ascii_alphanumeric() || "_-".contains(c));
+                named.extend(notes.map(|(name, _)| name.to_string()).filter(|name| is_name(name)));
+            }
+        }
+    }
+    assert!(named.len() > 5, "{named:?}");
+    for name in named {
+        assert!(root().join(format!("notes/{name}.md")).is_file(), "there is no note {name}");
     }
 }
 

@@ -33,8 +33,8 @@ type SidesAt<'a> = Box<dyn Fn(&[Probe]) -> Probed + 'a>;
 /// An identity between rational functions, written as a closure.
 ///
 /// ```
-/// use arithmetic::identity::{Identity, IdentityOutcome, test_identity};
-/// use arithmetic::{Ring, random::generator};
+/// use flockproof_arithmetic::identity::{Identity, IdentityOutcome, test_identity};
+/// use flockproof_arithmetic::{Ring, random::generator};
 /// let square = Identity::of(|[x, y]| {
 ///     let sum = x.clone() + y;
 ///     Ok((vec![sum.square()], vec![x.square() + x.integer(2) * x * y + y.square()]))

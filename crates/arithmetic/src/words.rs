@@ -3,7 +3,7 @@
 /// All words of this length over `0..letters`, the first letter changing fastest.
 ///
 /// ```
-/// let all: Vec<Vec<usize>> = arithmetic::words(2, 2).collect();
+/// let all: Vec<Vec<usize>> = flockproof_arithmetic::words(2, 2).collect();
 /// assert_eq!(all, [[0, 0], [1, 0], [0, 1], [1, 1]]);
 /// ```
 pub fn words(letters: usize, length: usize) -> impl Iterator<Item = Vec<usize>> {

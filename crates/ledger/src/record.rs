@@ -8,7 +8,7 @@ type Examine<V> = fn(&V, &mut Run) -> Result<Outcome, CheckError>;
 /// A claim: its data and the function that decides a variant.
 ///
 /// ```
-/// use ledger::Record;
+/// use flockproof_ledger::Record;
 /// let squares = Record::new("mine.squares", "n n < n^k for n >= 2 and k > 2.", 3u32, |k, run| {
 ///     let larger = |n: &u64| (n.pow(2) >= n.pow(*k)).then(|| format!("n = {n}"));
 ///     run.exhaustive("n from 2 to 9", "compared", 2..=9u64, |n| Ok(larger(&n)))

@@ -35,6 +35,6 @@ pub use simulation::{
     events_csv, observables_csv, sample_table, simulation_arrays, simulation_pictures, simulation_summary,
     trajectory_csv,
 };
-pub use site::{Made, Site, SiteError};
+pub use site::{Made, Site, SiteError, Texts};
 pub use table::{summary, verdict_table};
 pub use tracks::TracksReport;

@@ -34,6 +34,12 @@ pub struct Refusal {
     pub reason: String,
 }
 
+/// A certificate that is right, with where it stands: the limit of one pair of birds.
+pub const EXAMPLE: (&str, &str) = (
+    "proofs_checks/checker/corpus/pass/chazelle.lem3.3.one_edge.cert",
+    include_str!("../corpus/pass/chazelle.lem3.3.one_edge.cert"),
+);
+
 type Check = fn(&mut Reader) -> Result<String, Refusal>;
 
 const KINDS: [(&str, Check); 5] = [

@@ -1,5 +1,7 @@
 //! Mirrors `src/arithmetic`.
 
+extern crate flockproof_arithmetic as arithmetic;
+
 mod arb;
 mod ball;
 mod complex_dual_series;

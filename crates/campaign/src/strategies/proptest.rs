@@ -7,7 +7,7 @@ use std::fmt::Debug;
 /// What a generator makes of at most `most` random draws.
 ///
 /// ```
-/// # use campaign::strategies::{proptest::strategy, stochastic};
+/// # use flockproof_campaign::strategies::{proptest::strategy, stochastic};
 /// let matrices = strategy(60, |draws| stochastic(draws, 3, 3, 8));
 /// # fn is_a_strategy(_: impl ::proptest::strategy::Strategy) {}
 /// # is_a_strategy(matrices);

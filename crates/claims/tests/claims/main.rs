@@ -1,5 +1,7 @@
 //! Every claim as recorded.
 
+extern crate flockproof_claims as claims;
+
 mod attempted;
 mod attempts;
 mod motion_attempts;

@@ -1,5 +1,7 @@
 //! Mirrors `src/`.
 
+extern crate flockproof_ledger as ledger;
+
 mod clauses;
 mod judging;
 mod runs;

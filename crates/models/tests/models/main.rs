@@ -1,5 +1,7 @@
 //! Mirrors `src/`.
 
+extern crate flockproof_models as models;
+
 mod angles;
 mod averaging;
 mod cells;

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 
 macro_rules! sources {
     ($($name:literal),* $(,)?) => {
-        [$(($name, include_str!(concat!("../../../../proofs_checks/coq/", $name, ".v")))),*]
+        [$(($name, include_str!(concat!("../../coq/", $name, ".v")))),*]
     };
 }
 

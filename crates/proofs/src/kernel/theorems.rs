@@ -92,7 +92,7 @@ impl Theorem {
 pub fn theorems() -> &'static [Theorem] {
     static THEOREMS: OnceLock<Vec<Theorem>> = OnceLock::new();
     THEOREMS.get_or_init(|| {
-        let table = include_str!("../../../../proofs_checks/coq/theorems.tsv");
+        let table = include_str!("../../coq/theorems.tsv");
         table.lines().skip(1).filter_map(parse_row).collect()
     })
 }

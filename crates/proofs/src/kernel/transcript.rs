@@ -101,5 +101,5 @@ impl Transcript {
 /// The transcript that comes with the program.
 pub fn recorded() -> &'static Transcript {
     static RECORDED: OnceLock<Transcript> = OnceLock::new();
-    RECORDED.get_or_init(|| Transcript::parse(include_str!("../../../../proofs_checks/coq/transcript.txt")))
+    RECORDED.get_or_init(|| Transcript::parse(include_str!("../../coq/transcript.txt")))
 }

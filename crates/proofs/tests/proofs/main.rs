@@ -1,5 +1,7 @@
 //! The Coq development as the program carries it.
 
+extern crate flockproof_proofs as proofs;
+
 mod certificates;
 mod kernel;
 
@@ -8,7 +10,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 fn folder() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../proofs_checks/coq")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("coq")
 }
 
 /// The text without comments, which may nest.

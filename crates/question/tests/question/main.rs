@@ -1,8 +1,9 @@
 //! Questions: language, families, decisions, bad input.
 
+extern crate flockproof_question as question;
+
 mod bad_input;
 mod decisions;
-mod examples;
 mod families;
 mod language;
 mod motions;

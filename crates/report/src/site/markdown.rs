@@ -64,7 +64,7 @@ pub(super) fn markdown(text: &str, names: &Names, links: Links) -> Markup {
 /// How a link begins and ends: to the page of a note; what else looks like one, `K[f](x)`, is text.
 fn link<'a>(address: &str, links: Links) -> (Event<'a>, Event<'a>) {
     let note = address.trim_start_matches("../").trim_start_matches("notes/").strip_suffix(".md");
-    let page = note.filter(|note| NOTES.iter().any(|(name, _)| name == note)).and_then(|note| links.to(&path(note)));
+    let page = note.filter(|note| NOTES.contains(note)).and_then(|note| links.to(&path(note)));
     match page {
         Some(page) => (Event::InlineHtml(format!("<a href=\"{page}\">").into()), Event::InlineHtml("</a>".into())),
         None if address.contains('/') => (Event::Text("".into()), Event::Text("".into())),
@@ -79,7 +79,7 @@ fn code_span<'a>(code: &str, names: &Names, links: Links) -> Event<'a> {
             || names.figures.iter().any(|figure| figure.name == word)
             || word.starts_with("notes/")
     };
-    let linked = if NOTES.iter().any(|(name, _)| with_folder == format!("notes/{name}.md")) {
+    let linked = if NOTES.iter().any(|name| with_folder == format!("notes/{name}.md")) {
         names.rich(&with_folder, links).into_string()
     } else if code.split([' ', ',']).any(known) {
         names.linked(code, links).into_string()

@@ -49,19 +49,24 @@ pub struct Made {
 /// Why a page could not be made.
 pub type SiteError = explore::RunsError;
 
+/// The text of a file by its path in the repository, `notes/results.md`; none of another.
+pub type Texts = fn(&str) -> Option<&'static str>;
+
 /// What pages are made of.
 pub struct Site<'a> {
     document: &'a Document<'a>,
     ledger: &'a Ledger,
     figures: &'a [Made],
+    texts: Texts,
     names: Names,
     ties: Ties,
     places: BTreeMap<&'a str, usize>,
 }
 
 impl<'a> Site<'a> {
-    /// A site of this ledger, with the figures that were made; `ledger` holds the arguments behind the claims.
-    pub fn new(document: &'a Document<'a>, ledger: &'a Ledger, figures: &'a [Made]) -> Self {
+    /// A site of this ledger, with the figures that were made; `ledger` holds the arguments behind the claims, `texts` the files
+    /// of [`Site::shown`].
+    pub fn new(document: &'a Document<'a>, ledger: &'a Ledger, figures: &'a [Made], texts: Texts) -> Self {
         let entries: &'a [Entry] = &document.claims;
         let names = Names {
             claims: entries.iter().map(|entry| entry.id.clone()).collect(),
@@ -70,7 +75,13 @@ impl<'a> Site<'a> {
         };
         let ties = related::ties(entries, &names, |id| ledger.derivation(id));
         let places = entries.iter().enumerate().map(|(k, entry)| (entry.id.as_str(), k)).collect();
-        Site { document, ledger, figures, names, ties, places }
+        Site { document, ledger, figures, texts, names, ties, places }
+    }
+
+    /// The files whose texts stand on pages, by their paths in the repository.
+    pub fn shown() -> impl Iterator<Item = String> {
+        let notes = notes::NOTES.iter().map(|name| format!("notes/{name}.md"));
+        notes.chain(explore::FILES.iter().map(ToString::to_string))
     }
 
     fn entries(&self) -> &[Entry] {
@@ -112,20 +123,16 @@ impl<'a> Site<'a> {
         pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list()));
         pages.push(Page::new("live.js", explore::ASKER));
         for live in explore::LIVE {
-            let body = explore::live(live)?;
+            let body = explore::live(live, self.texts)?;
             pages.push(self.inner(&format!("explore/{}.html", live.name), live.title, "live", &body));
         }
         for show in explore::SHOWS {
             let body = explore::body(self, show)?;
             pages.push(self.inner(&format!("explore/{}.html", show.name), show.title, "explore", &body));
         }
-        for (name, text) in notes::NOTES.iter().filter(|(name, _)| !["guarantees", "results"].contains(name)) {
-            pages.push(self.inner(
-                &format!("notes/{name}.html"),
-                notes::title(text),
-                "note",
-                &self.note(name, Links::Folder),
-            ));
+        for name in notes::NOTES.iter().filter(|name| !["guarantees", "results"].contains(name)) {
+            let (path, title) = (format!("notes/{name}.html"), notes::title(self.text(name)));
+            pages.push(self.inner(&path, title, "note", &self.note(name, Links::Folder)));
         }
         for file in files() {
             pages.push(self.inner(&format!("coq/{}.html", file.name), file.name, "coq", &coq::body(file)));
@@ -155,7 +162,17 @@ impl<'a> Site<'a> {
     }
 
     fn note(&self, name: &str, links: Links) -> Markup {
-        html! { article.note { (markdown::markdown(notes::note(name), &self.names, links)) } }
+        html! { article.note { (self.written(name, links)) } }
+    }
+
+    /// The text of a note, set.
+    fn written(&self, name: &str, links: Links) -> Markup {
+        markdown::markdown(self.text(name), &self.names, links)
+    }
+
+    /// The text of a note as it stands in its file.
+    fn text(&self, name: &str) -> &'static str {
+        (self.texts)(&format!("notes/{name}.md")).unwrap_or_default()
     }
 
     fn top(&self, path: &str, title: &str, class: &str, body: &Markup) -> Page {

@@ -1,13 +1,7 @@
 //! The notes as pages: what verdicts promise, results, proofs on paper.
 
-macro_rules! notes {
-    ($($name:literal),* $(,)?) => {
-        &[$(($name, include_str!(concat!("../../../../notes/", $name, ".md")))),*]
-    };
-}
-
 /// Notes by their names.
-pub(super) const NOTES: &[(&str, &str)] = notes![
+pub(super) const NOTES: &[&str] = &[
     "chazelle",
     "chazelle_fixed_network",
     "chazelle_switches",
@@ -30,11 +24,6 @@ pub(super) const NOTES: &[(&str, &str)] = notes![
     "veerman_platoons",
     "veerman_time_domain",
 ];
-
-/// The text of a note.
-pub(super) fn note(name: &str) -> &'static str {
-    NOTES.iter().find(|(known, _)| *known == name).map_or("", |(_, text)| text)
-}
 
 /// Where the page of a note is.
 pub(super) fn path(name: &str) -> String {

@@ -3,8 +3,6 @@
 use super::Site;
 use super::claim::chip;
 use super::index::breakable;
-use super::markdown::markdown;
-use super::notes::note;
 use crate::page::Links;
 use ledger::correction_id;
 use maud::{Markup, html};
@@ -15,7 +13,7 @@ pub(super) fn body(site: &Site) -> Markup {
     let own = site.entries().iter().filter(|e| e.paper == "beyond");
     let (corrections, new): (Vec<_>, Vec<_>) = own.partition(|e| printed.contains(&e.id));
     html! {
-        (markdown(note("results"), &site.names, Links::Top))
+        (site.written("results", Links::Top))
         @for (id, title, entries) in [("beyond", "Results of this project", new), ("corrections", "Corrected statements", corrections)] {
             section aria-labelledby=(id) {
                 h2 id=(id) { (title) }

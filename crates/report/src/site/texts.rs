@@ -63,7 +63,7 @@ impl Names {
             return Some((format!("coq/{}.html#{}", theorem.file, theorem.name), word));
         }
         let note = word.strip_prefix("notes/")?.strip_suffix(".md")?;
-        super::notes::NOTES.iter().any(|(name, _)| *name == note).then(|| (super::notes::path(note), word))
+        super::notes::NOTES.contains(&note).then(|| (super::notes::path(note), word))
     }
 }
 

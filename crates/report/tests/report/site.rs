@@ -21,10 +21,25 @@ fn ledger(id: &str, statement: &str) -> String {
     .to_string()
 }
 
+/// Small texts in the place of the files that the program brings.
+fn texts(path: &str) -> Option<&'static str> {
+    match path {
+        "assets/questions/gap_and_diameter.toml" => Some(
+            "[question]\nid = \"mine\"\n[for]\nn = \"3\"\ngraph = \"connected(n)\"\n[holds]\nproperty = \"diameter < 3\"\n\
+             controls = [\"diameter < 2\"]\n",
+        ),
+        "assets/scenarios/switching_flock.toml" => Some(
+            "model = \"velocity-alignment\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\npositions = [[0, 0], [1, 0]]\n\
+             velocities = [[1, 0], [0, 1]]\n[law]\npotential = \"inverse-square-log\"\n[run]\nuntil = 1\n",
+        ),
+        _ => path.strip_prefix("notes/").map(|_| "# A note\n\nA sentence.\n"),
+    }
+}
+
 fn pages(text: &str) -> Vec<Page> {
     let document = Document::read(text).expect("a ledger");
     let ledger = claims::ledger().expect("the claims");
-    Site::new(&document, &ledger, &[]).pages().expect("the pages")
+    Site::new(&document, &ledger, &[], texts).pages().expect("the pages")
 }
 
 /// The formulas of a statement as they stand on its page.
@@ -32,7 +47,7 @@ fn statement(text: &str) -> String {
     let text = ledger("veerman.own", text);
     let document = Document::read(&text).expect("a ledger");
     let ledger = Ledger::new();
-    let page = Site::new(&document, &ledger, &[]).alone("veerman.own").expect("the page");
+    let page = Site::new(&document, &ledger, &[], texts).alone("veerman.own").expect("the page");
     let (_, rest) = page.split_once("<blockquote class=\"statement\"><p>").expect("the statement");
     rest.split_once("</p>").expect("its end").0.to_string()
 }
@@ -155,7 +170,7 @@ fn one_claim_stands_alone() {
     let text = ledger("veerman.own", "x = 1");
     let document = Document::read(&text).expect("a ledger");
     let ledger = claims::ledger().expect("the claims");
-    let page = Site::new(&document, &ledger, &[]).alone("veerman.own").expect("the page");
+    let page = Site::new(&document, &ledger, &[], texts).alone("veerman.own").expect("the page");
     assert!(!page.contains("href=\"../") && !page.contains("src="), "it needs no other file");
 }
 
@@ -178,7 +193,7 @@ fn drawn(counterexample: &str) -> Vec<String> {
     let text = entry.to_string();
     let document = Document::read(&text).expect("a ledger");
     let ledger = Ledger::new();
-    let page = Site::new(&document, &ledger, &[]).alone("veerman.own").expect("the page");
+    let page = Site::new(&document, &ledger, &[], texts).alone("veerman.own").expect("the page");
     let Some((_, rest)) = page.split_once("<div class=\"drawings\">") else { return Vec::new() };
     let (section, _) = rest.split_once("</section>").expect("its end");
     section.split(" aria-label=\"").skip(1).map(|rest| rest.split('"').next().unwrap_or_default().to_string()).collect()

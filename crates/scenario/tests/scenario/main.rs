@@ -1,5 +1,7 @@
 //! Mirrors `src/scenario`: runs against closed forms and against other parts of the library.
 
+extern crate flockproof_scenario as scenario;
+
 mod individual;
 
 use arithmetic::{Progress, Unwatched};
@@ -395,7 +397,19 @@ fn the_smallest_distance_is_that_of_all_pairs() {
 
 #[test]
 fn fixed_steps_agree_with_located_switches() {
-    let config = include_str!("../../../../assets/scenarios/switching_flock.toml");
+    let config = "model = \"velocity-alignment\"\n\
+         [graph]\n\
+         kind = \"within\"\n\
+         radius = \"5/2\"\n\
+         [state]\n\
+         positions = [[0, 0], [2, 0], [1, 2], [-1, 1], [4, 1], [3, 3]]\n\
+         velocities = [[1, 0], [\"1/2\", \"1/2\"], [0, -1], [1, \"1/4\"], [-1, 0], [\"-1/2\", \"-3/4\"]]\n\
+         [law]\n\
+         potential = \"inverse-square-log\"\n\
+         [run]\n\
+         until = 40\n\
+         samples = [1, 5, 10, 20, 40]\n\
+         tolerance = 1e-12\n";
     let located = run(config);
     let end = |outcome: &Outcome| outcome.rows.last().expect("a row").frame.positions.concat();
     let far = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
@@ -422,7 +436,8 @@ fn fixed_steps_agree_with_located_switches() {
     assert_eq!(components(&fixed), components(&located));
     let outcome = run(&format!("{large}step = \"1/20\"\n"));
     assert!(value(outcome.samples().last().expect("a sample"), "disagreement") > 0.0);
-    let fixed = include_str!("../../../../assets/scenarios/three_agents.toml").replace("tolerance = 1e-12", "step = 1");
+    let linked = config.replace("kind = \"within\"", "kind = \"complete\"").replace("radius = \"5/2\"\n", "");
+    let fixed = linked.replace("tolerance = 1e-12", "step = 1");
     assert!(Scenario::read(&fixed).expect_err("no radius").to_string().contains("depend on distances"));
 }
 

@@ -1,5 +1,6 @@
 //! Pages that ask the program while they are looked at: under `flockproof serve`.
 
+use super::super::Texts;
 use super::cases::{self, Case};
 use super::runs::RunsError;
 use super::starts::{
@@ -26,7 +27,7 @@ pub(in super::super) struct Live {
 }
 
 /// Computes an answer.
-type Answered = fn() -> Case;
+type Answered = fn(Texts) -> Case;
 
 /// What is asked for.
 struct Field {
@@ -188,8 +189,8 @@ pub(in super::super) const LIVE: &[Live] = &[
 ///
 /// # Errors
 /// The sentence of what could not be computed.
-pub(super) fn body(live: &Live) -> Result<Markup, RunsError> {
-    let case = live.case.map(|(what, case)| Ok::<_, RunsError>((what, case()?))).transpose()?;
+pub(super) fn body(live: &Live, texts: Texts) -> Result<Markup, RunsError> {
+    let case = live.case.map(|(what, case)| Ok::<_, RunsError>((what, case(texts)?))).transpose()?;
     Ok(html! {
         h1 { (live.title) }
         p.lead { (live.about) }
@@ -204,7 +205,7 @@ pub(super) fn body(live: &Live) -> Result<Markup, RunsError> {
             @if let Some((what, field)) = live.draws {
                 div.words { canvas #drawing data-draws=(what) data-field=(field) width="640" height="360" role="img" aria-label="What is written below, drawn" {} }
             }
-            @for field in live.fields { (input(field)) }
+            @for field in live.fields { (input(field, texts)) }
             span.buttons {
                 button #go type="submit" { "Ask" }
                 " " button #stop type="button" disabled { "Stop" }
@@ -212,7 +213,7 @@ pub(super) fn body(live: &Live) -> Result<Markup, RunsError> {
             }
         }
         @for (name, fields) in live.examples {
-            template data-example=(name) { @for (field, text) in *fields { textarea data-name=(field) { (text) } } }
+            template data-example=(name) { @for (field, text) in *fields { textarea data-name=(field) { (filled(text, texts)) } } }
         }
         div #work hidden { progress #bar aria-label="Progress" {} " " span #stage {} }
         p #state role="status" {}
@@ -225,8 +226,14 @@ pub(super) fn body(live: &Live) -> Result<Markup, RunsError> {
     })
 }
 
-fn input(field: &Field) -> Markup {
-    let Field { name, label, at_first, kind } = field;
+/// A text, or that of the file of which it is the path.
+fn filled(text: &'static str, texts: Texts) -> &'static str {
+    texts(text).unwrap_or(text)
+}
+
+fn input(field: &Field, texts: Texts) -> Markup {
+    let Field { name, label, kind, .. } = field;
+    let at_first = &filled(field.at_first, texts);
     html! {
         @match kind {
             Kind::Line => label { span { (label) } input name=(name) value=(at_first) autocomplete="off" spellcheck="false"; },

@@ -5,12 +5,13 @@ mod live;
 mod runs;
 mod starts;
 
-use super::Site;
+use super::{Site, Texts};
 use crate::page::Links;
 use crate::page::player::Motion;
 pub(super) use live::LIVE;
 use maud::{Markup, html};
 pub use runs::RunsError;
+pub(super) use starts::FILES;
 
 /// The program that asks the program which serves the page.
 pub(super) const ASKER: &str = include_str!("live.js");
@@ -122,8 +123,8 @@ pub(super) fn list() -> Markup {
 ///
 /// # Errors
 /// The sentence of what could not be computed.
-pub(super) fn live(live: &live::Live) -> Result<Markup, RunsError> {
-    live::body(live)
+pub(super) fn live(live: &live::Live, texts: Texts) -> Result<Markup, RunsError> {
+    live::body(live, texts)
 }
 
 /// The page of one show.

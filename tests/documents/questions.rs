@@ -1,8 +1,8 @@
 //! The questions that come with the program, and the page that tells of them.
 
-use arithmetic::Unwatched;
-use question::{Question, Verdict, decide, names};
-use std::path::Path;
+use super::page::root;
+use flockproof::arithmetic::Unwatched;
+use flockproof::question::{Question, Verdict, decide, names};
 
 const RECORDED: [(&str, Verdict); 12] = [
     ("algebraic_connectivity", Verdict::Holds),
@@ -21,7 +21,7 @@ const RECORDED: [(&str, Verdict); 12] = [
 
 #[test]
 fn every_question_has_its_recorded_verdict() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/questions");
+    let folder = root().join("assets/questions");
     let files = |name: &str| std::fs::read_to_string(folder.join(name)).map_err(|error| error.to_string());
     for (name, verdict) in RECORDED {
         let text = files(&format!("{name}.toml")).expect("a question");
@@ -42,7 +42,7 @@ fn every_question_has_its_recorded_verdict() {
 
 #[test]
 fn the_page_has_the_table_of_names() {
-    let page = include_str!("../../../../notes/questions.md");
+    let page = include_str!("../../notes/questions.md");
     let missing = names::as_markdown();
     let missing = missing.lines().find(|line| !line.is_empty() && !page.contains(*line));
     assert_eq!(missing, None);
