@@ -1,4 +1,4 @@
-//! Checks certificates of flockproof; shares no code with it. `../README.md` states the format and what is checked.
+//! Checks certificates of flockproof; shares no code with it. `proofs_checks/README.md` in the repository of flockproof states the format and what is checked.
 //!
 //! All arithmetic is on integers. The work on a file is bounded before it is done, and the sentence of the `claim` line is
 //! composed again from the numbers that were checked: a certificate cannot say more than it shows.
