@@ -17,7 +17,7 @@
 //! | [`Probe`] | one of the three that an identity test needs |
 
 /// Crates that stand in signatures.
-pub use {num_bigint, rand_chacha};
+pub use {num_bigint, num_rational, num_traits, rand_chacha};
 
 mod ball;
 mod complex;

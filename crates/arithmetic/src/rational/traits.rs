@@ -162,6 +162,36 @@ impl From<BigInt> for Rational {
     }
 }
 
+impl From<&BigRational> for Rational {
+    /// The same number, also where it was put together with [`BigRational::new_raw`] and is not in lowest terms.
+    ///
+    /// # Panics
+    /// Where the denominator is zero: such a one is no number to num-rational, either.
+    fn from(q: &BigRational) -> Self {
+        Rational::new(q.numer().clone(), q.denom().clone())
+    }
+}
+
+impl From<BigRational> for Rational {
+    /// As from a reference.
+    fn from(q: BigRational) -> Self {
+        let (numerator, denominator) = q.into_raw();
+        Rational::new(numerator, denominator)
+    }
+}
+
+impl From<&Rational> for BigRational {
+    fn from(q: &Rational) -> Self {
+        q.to_ratio()
+    }
+}
+
+impl From<Rational> for BigRational {
+    fn from(q: Rational) -> Self {
+        q.to_ratio()
+    }
+}
+
 impl std::iter::Sum for Rational {
     fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
         terms.fold(Rational::ZERO, |sum, term| sum + term)

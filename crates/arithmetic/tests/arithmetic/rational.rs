@@ -54,6 +54,21 @@ proptest! {
     }
 
     #[test]
+    fn numbers_go_to_num_rational_and_back((a, x) in pairs(), common in integers()) {
+        prop_assert_eq!(&BigRational::from(&a), &x);
+        prop_assert_eq!(BigRational::from(a.clone()), x.clone());
+        prop_assert_eq!(Rational::from(&x), a.clone());
+        // Not in lowest terms, with a denominator of either sign.
+        if !common.is_zero() {
+            let raw = BigRational::new_raw(x.numer() * &common, x.denom() * &common);
+            prop_assert_eq!(Rational::from(&raw), a.clone());
+            prop_assert_eq!(Rational::from(raw), a.clone());
+        }
+        let state = RandomState::new();
+        prop_assert_eq!(state.hash_one(Rational::from(x)), state.hash_one(a));
+    }
+
+    #[test]
     fn roundings_and_texts_agree((a, x) in pairs()) {
         prop_assert!(same(&a.floor(), &x.floor()));
         prop_assert!(same(&a.ceil(), &x.ceil()));
