@@ -1,5 +1,6 @@
 //! Mirrors `src/scenario`: runs against closed forms and against other parts of the library.
 
+mod arcs;
 mod individual;
 
 use arithmetic::{Progress, Unwatched};
