@@ -107,7 +107,7 @@ class Run:
     positions, velocities : tuple of tuples of Fraction, or None
         x(until) and v(until + 1), exact; None for model K, whose positions are not rational.
     denominator_bits : int
-        Length of the common denominator of the state.
+        Length of the common denominator of the state, which is not reduced.
     footprint : array of bool or None
         Where P(until) ... P(from_) is positive.
     stabilisers : tuple of (time, members)

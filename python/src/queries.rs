@@ -167,7 +167,7 @@ type Whole = (usize, usize, Vec<BigInt>, BigInt);
 type Prefix = (Ratio, Ratio, Ends, String);
 type Products = (Whole, Vec<Prefix>, Vec<(usize, Vec<usize>)>);
 
-/// The product; for each prefix `tau_1`, the square of `tau_2`, `tau_2` and the footprint; the stabilisers.
+/// The product over its least common denominator; for each prefix `tau_1`, the square of `tau_2`, `tau_2` and the footprint; the stabilisers.
 #[pyfunction]
 pub fn ergodicity(py: Python<'_>, matrices: Vec<Matrix>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Products> {
     watched(py, progress, move |watch| products(matrices, &**watch))?.map_err(refuse)
@@ -198,7 +198,11 @@ fn products(matrices: Vec<Matrix>, progress: &dyn flockproof::arithmetic::Progre
     let footprints: Vec<_> = factors.iter().map(StochasticMatrix::footprint).collect();
     let found = if square { stabilisers(&footprints) } else { Vec::new() };
     let found = found.into_iter().map(|s| (s.time, s.members.into_iter().map(|i| i + 1).collect())).collect();
-    Ok((matrix(&product.to_rational_matrix()), prefixes, found))
+    Ok((
+        matrix(&product.to_rational_matrix().reduced_watched(progress).map_err(|stopped| stopped.to_string())?),
+        prefixes,
+        found,
+    ))
 }
 
 fn measured(product: &StochasticMatrix) -> Result<Prefix, String> {

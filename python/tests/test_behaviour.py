@@ -106,6 +106,13 @@ def test_rows_of_floats_are_normalised(assets: Path) -> None:
         flockproof.ergodicity([[1, 0], [0, 1]])
 
 
+def test_products_have_their_least_denominator() -> None:
+    half = [["1/2", "1/2"], ["1/2", "1/2"]]
+    assert flockproof.ergodicity([half, half]).product.denominator == 2
+    found = flockproof.ergodicity([[["4/5", "1/5"], ["2/3", "1/3"]], [["1/2", "1/2"], [0, 1]]])
+    assert found.product.denominator == 15
+
+
 def test_files_that_count_from_zero(assets: Path) -> None:
     file = assets / "graphs" / "networkx.txt"
     with pytest.raises(ValueError, match="for a file that counts from 0 there is zero_based=True"):

@@ -183,7 +183,9 @@ fn table(product: &StochasticMatrix, prefixes: &[Prefix], found: &[Stabiliser]) 
             text.push_str(&format!("tau_1 of the whole product: {exact}\n"));
         }
     }
-    text.push_str(&format!("common denominator of the product: {} bits\n", product.denominator().bits()));
+    // That of the factors one after the other is not the least one.
+    let least = product.to_rational_matrix().reduced();
+    text.push_str(&format!("least common denominator of the product: {} bits\n", least.denominator().bits()));
     for (k, s) in found.iter().enumerate() {
         let list: Vec<String> = members(s).iter().map(ToString::to_string).collect();
         text.push_str(&format!("stabiliser V_{} = {{{}}} from T_{} = {}\n", k + 1, list.join(", "), k + 1, s.time));

@@ -26,6 +26,27 @@ fn gains_of_theorem_3_stabilise_their_pattern() {
     assert!(verdicts("12", "1/5").contains(&(12, "undecided".to_string())));
 }
 
+/// Twelve balanced phases under K_1 alone: further eigenvalues 0, and all others to the left. The largest real part is 0, and not that of the others.
+#[test]
+fn eigenvalues_0_that_rotation_does_not_force_are_counted() {
+    let text = stdout(&flockproof(&["pattern", "--particles", "12", "--gains", "1/5"]));
+    let row = text.lines().find(|line| line.trim_start().starts_with("12 ")).expect("a row");
+    assert_eq!(row.split_whitespace().collect::<Vec<_>>(), ["12", "undecided", "0"]);
+    let document: Value =
+        serde_json::from_str(&stdout(&flockproof(&["pattern", "--particles", "12", "--gains", "1/5", "--json"])))
+            .expect("JSON");
+    for row in document["patterns"].as_array().expect("a list") {
+        let number = |end: &str| row["abscissa"][end].as_str().expect("a number").parse::<f64>().expect("a number");
+        let (lo, hi, zeros) = (number("lo"), number("hi"), row["zeros"].as_u64().expect("a number"));
+        assert!(lo <= hi && (zeros == 1 || lo >= 0.0), "{row}");
+        match row["verdict"].as_str() {
+            Some("stable") => assert!(hi < 0.0 && zeros == 1, "{row}"),
+            Some("unstable") => assert!(lo > 0.0, "{row}"),
+            _ => assert!(lo <= 0.0 && hi >= 0.0, "{row}"),
+        }
+    }
+}
+
 #[test]
 fn long_numbers_are_folded() {
     let output = flockproof(&["pattern", "--particles", "4", "--gains=1e400"]);

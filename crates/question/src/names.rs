@@ -181,7 +181,7 @@ pub const QUANTITIES: &[Quantity] = &[
         &[],
         "largest size of the deviation y_k - y_1 of a follower from the leader",
     ),
-    moving(Subject::Motion, "last_deviation", &[], "deviation y_k - y_1 of the last follower from the leader"),
+    moving(Subject::Motion, "last_deviation", &[], "deviation y_N - y_1 of the last car from the leader, car 1"),
     moving(Subject::Motion, "min_gap", &[], "smallest gap of two successive cars"),
     moving(Subject::Motion, "max_gap", &[], "largest gap of two successive cars"),
 ];

@@ -244,10 +244,11 @@ impl Network {
         self.rule != Rule::Fixed
     }
 
-    /// Whether everyone senses everyone, without a list.
+    /// Whether everyone senses everyone for ever: by the lists that move the agents, since a number of arcs tells nothing of who has them.
     pub fn is_all_to_all(&self) -> bool {
-        self.lists.is_none()
-            || !self.switches() && self.coming.is_empty() && self.pairs.len() == self.order * (self.order - 1) / 2
+        let Some(lists) = &self.lists else { return true };
+        let everyone = (0..self.order).all(|k| lists.of_particle(k).len() + 1 == self.order);
+        everyone && !self.switches() && self.coming.is_empty()
     }
 
     /// The distance below which agents are linked.

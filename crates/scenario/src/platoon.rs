@@ -169,7 +169,7 @@ impl Law for Platoon {
             Observable::number("min_gap", smallest_gap(all[0], &all[1..], self.spacing)),
             Observable::number("max_gap", gaps.into_iter().fold(f64::NEG_INFINITY, f64::max)),
             Observable::number("largest_deviation", largest),
-            Observable::number("last_deviation", positions.last().map_or(0.0, |x| x - y)),
+            Observable::number("last_deviation", all.last().map_or(0.0, |x| x - y)),
             Observable::number("disagreement", spread),
             Observable::number("min_distance", min_distance(&frame.positions)),
             Observable::count("components", if self.graph.is_connected() { 1 } else { self.components() }),
@@ -186,7 +186,7 @@ impl Law for Platoon {
             ),
             self.tracking.clone(),
             format!("agent {agent} is the leader: x_{agent}(t) = {} + {speed} t + {amplitude} cos({frequency} t); at t = 0 it is at {}", place - shift, place - shift + amplitude),
-            "observables: gaps x_k - x_(k+1) of successive cars (min_gap, max_gap); deviations of the y_k from that of the leader (largest in size; of the last car); disagreement sqrt(sum |v_k - mean|²) with the leader; min_distance over all pairs; components of the communication graph".to_string(),
+            "observables: gaps x_k - x_(k+1) of successive cars (min_gap, max_gap); deviations of the y_k from that of the leader (largest in size; of the last car, the one with the largest number: 0 if it leads); disagreement sqrt(sum |v_k - mean|²) with the leader; min_distance over all pairs; components of the communication graph".to_string(),
         ];
         lines.extend(self.drawn.clone());
         lines

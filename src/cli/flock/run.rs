@@ -132,8 +132,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let list: Vec<String> = flocks(flock.network()).iter().map(|flock| format!("{flock:?}")).collect();
         let denominator = flock.denominator_bits();
         let size = match flock.precision() {
-            Some(bits) => format!("common denominator of the headings: {denominator} bits; positions: {bits} bits"),
-            None => format!("common denominator of the state: {denominator} bits"),
+            Some(bits) => {
+                format!("common denominator of the headings, not reduced: {denominator} bits; positions: {bits} bits")
+            }
+            None => format!("common denominator of the state, not reduced: {denominator} bits"),
         };
         let text = format!(
             "{} switches; flocks: {}\n{size}\n{}{why}",

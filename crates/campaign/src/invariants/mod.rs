@@ -10,6 +10,7 @@ mod motions;
 mod numbers;
 mod oscillators;
 mod readers;
+mod simulated;
 mod spectra;
 mod symmetries;
 
@@ -76,6 +77,7 @@ pub fn table() -> impl Iterator<Item = &'static Invariant> {
         oscillators::TABLE,
         symmetries::TABLE,
         motions::TABLE,
+        simulated::TABLE,
         readers::TABLE,
         certificates::TABLE,
     ]

@@ -314,3 +314,16 @@ fn a_counterexample_is_shown_in_the_shortest_time() {
     let eventually = answered(APART, "n = 1", "eventually[0, 1/2](min_distance > 2)", "1 < 0");
     assert_eq!((eventually.verdict, eventually.shorter), (Verdict::False, None));
 }
+
+/// Three arcs of three phases are not all-to-all: the order at t = 1 is that of SciPy's motion along the arcs, 0.504216, and not 0.655934.
+#[test]
+fn phases_are_enclosed_along_their_arcs() {
+    let text = "model = \"phase\"\n[graph]\nkind = \"edges\"\nedges = [[1, 2], [2, 3], [3, 1]]\ndirected = true\n[state]\nphases = [0, 1, 3]\n\
+                [law]\nK1 = -1\n[run]\nuntil = 1\n";
+    assert_eq!(verdict(text, "always[1, 1](abs(order - 504216/1000000) < 1/1000000)"), Verdict::Holds);
+    assert_eq!(verdict(text, "always[1, 1](order > 6/10)"), Verdict::False);
+    // Two phases with one arc: the second one senses nobody.
+    let pair = text.replace("[[1, 2], [2, 3], [3, 1]]", "[[1, 2]]").replace("[0, 1, 3]", "[0, 1]");
+    // cos of half the difference, 1 - 0.360072.
+    assert_eq!(verdict(&pair, "always[1, 1](abs(order - cos(63992756/200000000)) < 1/1000000)"), Verdict::Holds);
+}

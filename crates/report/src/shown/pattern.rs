@@ -1,9 +1,9 @@
 //! Which symmetric patterns are stable.
 
 use super::{enclosed, table};
-use arithmetic::{ArithmeticError, Cancelled, Interval, Progress, Rational, Signed};
+use arithmetic::{ArithmeticError, Cancelled, Complex, Dyadic, Interval, Progress, Rational, Ring, Signed};
 use maud::html;
-use models::oscillator::{FourierFormation, TransverseSpectrum};
+use models::oscillator::FourierFormation;
 
 /// The linearisation at the pattern of so many clusters, without what rotation and translation force.
 #[derive(Debug, Clone)]
@@ -12,7 +12,8 @@ pub struct PatternRow {
     pub clusters: usize,
     /// Eigenvalues 0, of which rotation forces one.
     pub zeros: usize,
-    /// Encloses the largest real part of the others; nothing where there are none.
+    /// Encloses the largest real part of all but those of the symmetries, so 0 or more where there are further eigenvalues 0; nothing where no
+    /// others are left.
     pub abscissa: Option<Interval>,
     /// A wave number that attains it.
     pub wave: Option<usize>,
@@ -49,20 +50,28 @@ impl PatternRow {
             progress.checkpoint()?;
             progress.tell("patterns", done as u64, Some(divisors.len() as u64));
             if let Some(formation) = FourierFormation::pattern(clusters, particles, circular, gains) {
-                rows.push(PatternRow::of(clusters, formation.transverse()?));
+                rows.push(PatternRow::of(clusters, &formation)?);
             }
         }
         Ok(rows)
     }
 
-    /// From its spectrum.
-    fn of(clusters: usize, spectrum: Option<TransverseSpectrum>) -> Self {
-        match spectrum {
-            None => PatternRow { clusters, zeros: 1, abscissa: None, wave: None },
-            Some(found) => {
-                PatternRow { clusters, zeros: found.zeros, abscissa: Some(found.abscissa), wave: Some(found.wave) }
-            }
+    /// From its spectrum. Eigenvalues 0 are divided out exactly, and those that rotation does not force count as any other.
+    fn of(clusters: usize, formation: &FourierFormation) -> Result<Self, ArithmeticError> {
+        let Some(found) = formation.transverse()? else {
+            return Ok(PatternRow { clusters, zeros: 1, abscissa: None, wave: None });
+        };
+        let row =
+            PatternRow { clusters, zeros: found.zeros, abscissa: Some(found.abscissa.clone()), wave: Some(found.wave) };
+        if found.zeros <= 1 || found.abscissa.is_certainly_positive() {
+            return Ok(row);
         }
+        let zero = Complex::real(formation.root(0).re.zero());
+        let further = (1..=formation.order() / 2).find(|q| formation.neutral(*q).contains(&zero));
+        let precision = found.abscissa.precision();
+        let least = Dyadic::zero();
+        let most = found.abscissa.hi().clone().max(least.clone());
+        Ok(PatternRow { abscissa: Some(Interval::between(least, most, precision)), wave: further.or(row.wave), ..row })
     }
 
     /// `stable` exponentially up to rotation and translation, `unstable`, or `undecided` by the linearisation.
@@ -70,7 +79,6 @@ impl PatternRow {
         match &self.abscissa {
             Some(x) if x.is_certainly_positive() => "unstable",
             Some(x) if !x.is_certainly_negative() => "undecided",
-            _ if self.zeros > 1 => "undecided",
             _ => "stable",
         }
     }

@@ -2,6 +2,7 @@
 
 extern crate flockproof_scenario as scenario;
 
+mod arcs;
 mod individual;
 
 use arithmetic::{Progress, Unwatched};

@@ -1,0 +1,183 @@
+"""Motions of `simulate` against SciPy, which integrates the law summed arc by arc from a plain list."""
+
+from __future__ import annotations
+
+import itertools
+import random
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import flockproof
+
+solve_ivp = pytest.importorskip("scipy.integrate").solve_ivp
+
+Arcs = list[tuple[int, int]]
+Rate = Callable[[float, Any, Arcs], Any]
+UNTIL = 1.0
+
+
+def both_ways(edges: Arcs) -> Arcs:
+    return [*edges, *((j, i) for i, j in edges)]
+
+
+def networks(n: int, choose: random.Random, directed: bool) -> list[tuple[dict[str, Any], Arcs]]:
+    """Each kind that depends on no distance, as a scenario has it and as arcs (k, j), k senses j, from 0."""
+    pairs = list(itertools.combinations(range(n), 2))
+    near = [(i, i + 1) for i in range(n - 1)]
+    found: list[tuple[dict[str, Any], Arcs]] = [
+        ({"kind": "complete"}, both_ways(pairs)),
+        ({"kind": "path"}, both_ways(near)),
+    ]
+    if n > 2:
+        found.append(({"kind": "ring"}, both_ways([*near, (n - 1, 0)])))
+    for offset in range(1, n // 2 + 1):
+        apart = [(i, j) for i, j in pairs if j - i in (offset, n - offset)]
+        found.append(({"kind": "circulant", "offsets": [offset]}, both_ways(apart)))
+    some = [pair for pair in pairs if choose.random() < 0.5]
+    found.append(({"kind": "edges", "edges": one_based(some)}, both_ways(some)))
+    if directed:
+        arcs = both_ways(pairs)
+        # As many as there are pairs, twice: a tournament, and any.
+        one_way = [choose.choice([(i, j), (j, i)]) for i, j in pairs]
+        lists = [one_way, choose.sample(arcs, len(pairs)), [arc for arc in arcs if choose.random() < 0.5], arcs]
+        found.extend(({"kind": "edges", "directed": True, "edges": one_based(some)}, some) for some in lists)
+    return found
+
+
+def one_based(pairs: Arcs) -> list[list[int]]:
+    return [[i + 1, j + 1] for i, j in pairs]
+
+
+def reference(rate: Rate, start: Any, arcs: Arcs) -> Any:
+    run = solve_ivp(rate, (0.0, UNTIL), np.array(start), args=(arcs,), method="DOP853", rtol=1e-11, atol=1e-12)
+    return run.y[:, -1]
+
+
+def end(model: str, graph: dict[str, Any], state: dict[str, Any], law: dict[str, Any]) -> Any:
+    run = {"until": int(UNTIL), "rows": 1, "tolerance": "1e-12"}
+    return flockproof.simulate({"model": model, "graph": graph, "state": state, "law": law, "run": run})
+
+
+def drawn(choose: random.Random, *shape: int) -> Any:
+    return np.array([choose.randint(-16, 16) / 8 for _ in range(int(np.prod(shape)))]).reshape(shape)
+
+
+def apart(choose: random.Random, n: int) -> Any:
+    cells = np.array(choose.sample(list(itertools.product(range(4), repeat=2)), n))
+    return cells + np.abs(drawn(choose, n, 2)) / 8
+
+
+SIZES = [1, 2, 3, 4, 5]
+
+
+def test_three_arcs_of_three_phases() -> None:
+    graph = {"kind": "edges", "edges": [[1, 2], [2, 3], [3, 1]], "directed": True}
+    found = end("phase", graph, {"phases": [0, 1, 3]}, {"K1": -1}).phases[-1]
+    assert found == pytest.approx([0.283545, 1.322225, 2.894064], abs=1e-6)
+
+
+@pytest.mark.parametrize("n", SIZES)
+def test_phases(n: int) -> None:
+    choose = random.Random(n)
+    for graph, arcs in networks(n, choose, True):
+        theta, gain, omega = drawn(choose, n), choose.randint(-16, 16) / 8, choose.randint(-8, 8) / 8
+
+        def rate(_: float, theta: Any, arcs: Arcs, gain: float = gain, omega: float = omega) -> Any:
+            turning = np.full(len(theta), omega)
+            for k, j in arcs:
+                turning[k] += gain / len(theta) * np.sin(theta[k] - theta[j])
+            return turning
+
+        found = end("phase", graph, {"phases": theta}, {"K1": gain, "omega0": omega})
+        assert found.phases[-1] == pytest.approx(reference(rate, theta, arcs), abs=1e-8), graph
+
+
+@pytest.mark.parametrize("n", SIZES)
+def test_particles(n: int) -> None:
+    choose = random.Random(n)
+    omega, spacing, gain = 0.75, 0.5, -1.25
+
+    def rate(_: float, state: Any, arcs: Arcs) -> Any:
+        r, theta = state[: 2 * n].reshape(n, 2), state[2 * n :]
+        heading = np.stack([np.cos(theta), np.sin(theta)], axis=1)
+        centre = r + np.stack([-np.sin(theta), np.cos(theta)], axis=1) / omega
+        turning = np.full(n, omega)
+        for k, j in arcs:
+            turning[k] += gain / n * np.sin(theta[k] - theta[j])
+            turning[k] += omega * spacing / n * heading[k] @ (centre[k] - centre[j])
+        return np.concatenate([heading.ravel(), turning])
+
+    for graph, arcs in networks(n, choose, True):
+        r, theta = apart(choose, n), drawn(choose, n)
+        law = {"omega0": omega, "K0": spacing, "K1": gain}
+        found = end("particles", graph, {"positions": r, "phases": theta}, law)
+        expected = reference(rate, np.concatenate([r.ravel(), theta]), arcs)
+        shown = np.concatenate([found.positions[-1].ravel(), found.phases[-1]])
+        assert shown == pytest.approx(expected, abs=1e-8), graph
+
+
+@pytest.mark.parametrize("n", SIZES)
+@pytest.mark.parametrize("model", ["velocity-alignment", "heading-alignment"])
+def test_alignment(model: str, n: int) -> None:
+    choose = random.Random(n)
+    headings = model == "heading-alignment"
+
+    def rate(_: float, state: Any, arcs: Arcs) -> Any:
+        r, v, theta = state[: 2 * n].reshape(n, 2), state[2 * n : 4 * n].reshape(n, 2), state[4 * n :]
+        force = np.zeros((n, 2))
+        for k, j in arcs:
+            s = (r[k] - r[j]) @ (r[k] - r[j])
+            # V = k (s + 1/s - 2), k = 1/4.
+            force[k] -= 2 * 0.25 * (1 - 1 / s**2) * (r[k] - r[j])
+            across = np.array([-v[k][1], v[k][0]])
+            force[k] -= (theta[k] - theta[j]) / s * across if headings else v[k] - v[j]
+        turning = (v[:, 0] * force[:, 1] - v[:, 1] * force[:, 0]) / np.sum(v**2, axis=1) if headings else []
+        return np.concatenate([v.ravel(), force.ravel(), turning])
+
+    for graph, arcs in networks(n, choose, False):
+        r, v = apart(choose, n), drawn(choose, n, 2) / 2
+        # To the right, where no heading jumps.
+        v[:, 0] = 1.5 + np.abs(v[:, 0])
+        theta = np.arctan2(v[:, 1], v[:, 0]) if headings else []
+        law = {"potential": "inverse-square-spring", "minimum": 1, "stiffness": "1/4"}
+        found = end(model, graph, {"positions": r, "velocities": v}, law)
+        expected = reference(rate, np.concatenate([r.ravel(), v.ravel(), theta]), arcs)[: 4 * n]
+        shown = np.concatenate([found.positions[-1].ravel(), found.velocities[-1].ravel()])
+        assert shown == pytest.approx(expected, abs=1e-8), graph
+
+
+@pytest.mark.parametrize("n", SIZES[1:])
+def test_platoons(n: int) -> None:
+    choose = random.Random(n)
+    f, g, size, frequency = -1.25, -0.75, 0.25, 1.5
+    for (graph, arcs), leader in itertools.product(networks(n, choose, True), range(n)):
+        tracked = [[j for k, j in arcs if k == car] for car in range(n)]
+        x, v = drawn(choose, n) / 8 - np.arange(n), drawn(choose, n) / 4
+        y = x + np.arange(n)
+        place, speed = y[leader], v[leader]
+
+        def led(t: float, place: float = place, speed: float = speed) -> tuple[float, float]:
+            w = frequency
+            return place + speed * t + size * np.cos(w * t), speed - size * w * np.sin(w * t)
+
+        def rate(t: float, state: Any, _: Arcs, tracked: Any = tracked, leader: int = leader, led: Any = led) -> Any:
+            y, u = state[:n].copy(), state[n:].copy()
+            y[leader], u[leader] = led(t)
+            force = np.zeros(n)
+            for k in range(n):
+                # Who tracks nobody keeps its speed.
+                if k != leader and tracked[k]:
+                    force[k] = f * (y[k] - np.mean(y[tracked[k]])) + g * (u[k] - np.mean(u[tracked[k]]))
+            return np.concatenate([u, force])
+
+        law = {"f": f, "g": g, "leader": {"agent": leader + 1, "amplitude": size, "frequency": frequency}}
+        found = end("platoon", graph, {"positions": x[:, None], "velocities": v[:, None]}, law)
+        expected = reference(rate, np.concatenate([y, v]), [])
+        expected[leader], expected[n + leader] = led(UNTIL)
+        shown = np.concatenate([found.positions[-1].ravel() + np.arange(n), found.velocities[-1].ravel()])
+        assert shown == pytest.approx(expected, abs=1e-8), (graph, leader)
+        last = found.observables["last_deviation"][-1]
+        assert last == pytest.approx(expected[n - 1] - expected[leader], abs=1e-8)
