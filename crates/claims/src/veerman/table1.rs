@@ -202,7 +202,6 @@ pub fn numeric_columns() -> Record<NumericVariant> {
         },
     )
     .reading("Every cell is the resonance to the digits printed (the text: \"we show only the relevant digits\").")
-    .repaired_reading("")
     .clauses(&[
         "Column NFREQ is the resonance frequency of the last member obtained through numerical simulations (f = g = -1).",
         "Column NAMP is its amplitude.",
@@ -235,8 +234,8 @@ pub fn size() -> Record<i64> {
     .reading("A row refers to a flock whose resonance, and Theorem 1 for it, are near the printed numbers.")
     .repaired(
         Fault::Typo,
-        "The rows of Table 1 refer to flocks of size N+1 (including the leader), that is, N followers, with N the \
-         first column.",
+        "The rows of Table 1 refer to flocks of size N+1 (including the leader), that is, N followers, with N the first column: the \
+         resonance of such a flock, and Theorem 1 for it, are near the printed numbers.",
         0,
     )
     .control("N - 1 followers", -1)

@@ -245,8 +245,8 @@ pub fn epsilon() -> Record<EpsilonVariant> {
     .reading("eps = sqrt(gamma^2 - 1), the principal root, for w > 0.")
     .repaired_by(
         Fault::Slip,
-        "For w > 0 and f, g < 0, eps = sqrt(gamma^2 - 1) = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- (3/4) \
-         g^2/f^2 - 1/(2|f|)) ) + O(w^4).",
+        "For w > 0 and f, g < 0, eps = sqrt(gamma^2 - 1), the principal root, = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- \
+         (3/4) g^2/f^2 - 1/(2|f|)) ) + O(w^4).",
         |v| v.damping = (-3, 4),
     )
     .altered("+ 3/4 g²/f²", |v| v.damping = (3, 4))

@@ -79,7 +79,6 @@ pub fn scale() -> Record<ScaleVariant> {
         examine_scale,
     )
     .reading("The factor is that of the labels of Figure S3, 2/(n+1); with that of the text, 2/n + 1, it fails for two fish already")
-    .repaired_reading("")
     .repaired(
         Fault::False,
         "",
