@@ -292,8 +292,8 @@ pub fn switching_ends() -> Record<EndsVariant> {
         "a part of tanner2, end of the proof of Theorem 2",
         "Take potentials of Definition 3 with a continuous gradient and V_ij'(R) > 0 for all pairs, no two agents in one place at the \
          start, the graph of the links |r_ij| < R connected at all times, and a Filippov solution of (10) with K of the whole vector field. \
-         If no limit configuration has more than one pair at distance R, then from some time on no pair passes from one side of R to the \
-         other unless it stays at R for an interval of time in between.",
+         If no limit point of the relative positions has more than one pair at distance R, then from some time on no pair passes from one \
+         side of R to the other unless it stays at R for an interval of time in between.",
     )
     .altered("slope zero at R too", |v| v.flat = true)
     .altered("half the pull", |v| v.share = (1, 2))

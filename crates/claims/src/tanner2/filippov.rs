@@ -361,7 +361,7 @@ pub fn existence() -> Record<StartVariant> {
     .repaired_clauses(&[
         "With potentials of Definition 3 with a continuous gradient and K of the whole vector field, from every start in which no two \
          agents are in one place (10) has a solution for all time.",
-        "If the gradients are locally Lipschitz, it is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",
+        "If the gradients are locally Lipschitz, the solution is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",
     ])
     .clauses(&[
         "Existence of the solutions of (10) is guaranteed by the boundedness of u_i.",

@@ -112,7 +112,7 @@ pub fn theory_columns() -> Record<ColumnsVariant> {
     .repaired(Fault::Typo, "", ColumnsVariant { columns: [NFREQ, NAMP], offsets: [0, 0], f: -1 })
     .repaired_clauses(&[
         "Column NFREQ is the second order approximation of the frequency (Theorem 1, f = g = -1, with N in the place of N + 1), to within one unit of the last printed digit.",
-        "Column NAMP is that of the amplitude.",
+        "Column NAMP is that of the amplitude, in the same sense.",
     ])
     .altered("NFREQ, NAMP for N + 1 followers", |v| v.offsets = [1, 1])
     .altered("NFREQ with TAMP", |v| v.columns = [NFREQ, TAMP])

@@ -5,3 +5,4 @@ mod attempts;
 mod motion_attempts;
 mod paley_runs;
 mod recorded;
+mod statements;

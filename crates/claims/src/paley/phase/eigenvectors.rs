@@ -36,8 +36,7 @@ pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
     .repaired_by(Fault::False, "", |v| v.columns_only = true)
     .repaired_clauses(&[
         "On an undirected circulant graph on N >= 2 nodes, if e^{i theta} is, up to a common rotation and a positive factor, a column m of \
-         the Fourier matrix F other than the first, then it is an eigenvector of the Laplacian and the phasors form the symmetric pattern \
-         of N/gcd(N, m - 1) clusters.",
+         the Fourier matrix F other than the first, then the phasors form the symmetric pattern of N/gcd(N, m - 1) clusters.",
         "Other eigenvectors e^{i theta}, for a repeated eigenvalue, need not be symmetric patterns.",
     ])
     .altered("N clusters in every column", |v| v.clusters = |nodes, _| nodes)

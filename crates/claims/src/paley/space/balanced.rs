@@ -80,8 +80,8 @@ pub fn balanced_stable() -> Record<BalancedVariant> {
     )
     .repaired(Fault::False, "", BalancedVariant { set: BalancedSet::Largest, gain: 1, complete: true })
     .repaired_clauses(&[
-        "If G is undirected, circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular \
-         formations whose phases maximise W_1 is asymptotically stable.",
+        "If G is undirected, circulant and connected, N >= 2, then under (22) with w0 != 0 and K_0, K_1 > 0 the set of circular formations \
+         whose phases maximise W_1 is asymptotically stable.",
         "All of them are balanced: L e^{i theta} = lambda_max e^{i theta}.",
         "It is the set of all balanced circular formations if G is complete.",
     ])

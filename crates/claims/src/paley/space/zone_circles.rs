@@ -116,8 +116,8 @@ pub fn circles_and_symmetric_starts() -> Record<CircularVariant> {
          whose whole 95% interval lies above one half) from positions uniform in a square of half-width 10 and uniform phases come to one \
          circle of radius 1/|w0| by t = 2400, the centres within 2% of it.",
         "Under (29) as printed with K_1 = K_0, where the zone has no effect, most runs from such starts do, in the same sense.",
-        "With K_1 >= K_0 no motion r_k = e^{2 pi i k/12} r(t), theta_k = 2 pi k/12 + theta(t) under (29) as printed, for any of \
-         the zones, converges to a circular formation of radius 1/w0.",
+        "With the same w0, K_0, N and blind spot and K_1 >= K_0 no motion r_k = e^{2 pi i k/12} r(t), theta_k = 2 pi k/12 + theta(t) under \
+         (29) as printed, for any of the zones, converges to a circular formation of radius 1/w0.",
     ])
     .altered("no spacing control", |v| (v.trials, v.spacing) = (&[SHORT], 0.0))
     .altered("a circle of half the radius", |v| (v.trials, v.rate) = (&[SHORT], 2.0))
