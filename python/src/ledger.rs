@@ -157,7 +157,6 @@ impl Examined {
                 fault: fault(&text(repair, "fault")?)?,
                 statement: text(repair, "statement")?,
                 clauses: texts(&repair["clauses"]),
-                reading: value["reading"].as_str().map(str::to_string),
             }),
         };
         let expected = match value["expected"].as_str() {

@@ -20,8 +20,6 @@ pub struct Correction {
     pub statement: String,
     /// Its clauses; none where it is one.
     pub clauses: Vec<String>,
-    /// How it is read, where that is a choice.
-    pub reading: Option<String>,
 }
 
 /// Which form of a claim is examined.
@@ -45,7 +43,7 @@ pub trait Claim: Send + Sync {
     fn derivation(&self) -> &str;
     /// The sentences of the printed statement that can be true or false alone; none where it is one clause.
     fn clauses(&self) -> Vec<String>;
-    /// How the statement is read, where that is a choice.
+    /// How the printed statement is read, where that is a choice; a correction leaves none.
     fn reading(&self) -> Option<String>;
     /// The corrected statement, for claims whose printed form fails.
     fn correction(&self) -> Option<Correction>;

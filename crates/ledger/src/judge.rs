@@ -79,10 +79,7 @@ impl Judge<'_> {
             place: self.source.place.clone(),
             statement: self.source.statement.clone(),
             clauses,
-            reading: match self.correction {
-                true => self.claim.correction().and_then(|repair| repair.reading),
-                false => self.claim.reading(),
-            },
+            reading: if self.correction { None } else { self.claim.reading() },
             verdict: ruling.verdict,
             fault: ruling.fault,
             corrected: ruling.corrected,

@@ -34,7 +34,6 @@ struct Texts {
     reading: Option<&'static str>,
     repair: Option<(Fault, &'static str)>,
     repaired_clauses: &'static [&'static str],
-    repaired_reading: Option<&'static str>,
     controls: Vec<&'static str>,
 }
 
@@ -48,7 +47,6 @@ impl Texts {
             reading: None,
             repair: None,
             repaired_clauses: &[],
-            repaired_reading: None,
             controls: Vec::new(),
         })
     }
@@ -61,8 +59,7 @@ impl Texts {
     fn correction(&self) -> Option<Correction> {
         let (fault, statement) = self.repair?;
         let clauses = self.repaired_clauses;
-        let reading = self.repaired_reading.or(self.reading).filter(|text| !text.is_empty()).map(str::to_string);
-        Some(Correction { fault, statement: whole(statement, clauses), clauses: owned(clauses), reading })
+        Some(Correction { fault, statement: whole(statement, clauses), clauses: owned(clauses) })
     }
 }
 
@@ -85,7 +82,7 @@ impl<V> Record<V> {
         self
     }
 
-    /// How the statement is read, where that is a choice.
+    /// How the printed statement is read, where that is a choice. A corrected one has no reading: its words leave no choice.
     pub fn reading(mut self, reading: &'static str) -> Self {
         self.texts.reading = Some(reading);
         self
@@ -94,12 +91,6 @@ impl<V> Record<V> {
     /// The clauses of the corrected statement, where it has several.
     pub fn repaired_clauses(mut self, clauses: &'static [&'static str]) -> Self {
         self.texts.repaired_clauses = clauses;
-        self
-    }
-
-    /// How the corrected statement is read, where that is not how the printed one is; empty where it leaves no choice.
-    pub fn repaired_reading(mut self, reading: &'static str) -> Self {
-        self.texts.repaired_reading = Some(reading);
         self
     }
 

@@ -16,8 +16,12 @@ pub fn growth() -> Record<GrowthVariant> {
     )
     .stated("bears on veerman, Section 6, last part", "")
     .clauses(&[
-        "For f, g < 0 the peak response of the last of M followers of system (1) grows exponentially with M.",
-        "For f, g < 0 and every real p >= 0 there are communication graphs of M agents on a line, with a directed path from the leader to every agent, for which the peak response of the last one grows like M^p.",
+        "For f, g < 0 the peak response of the last of M followers of system (1), the largest amplitude over all frequencies of its \
+         equilibrium oscillation for a leader of amplitude 1, grows exponentially with M.",
+        "Let every follower obey z'' = f (z - m) + g (z' - m'), z its deviation from its place and m the mean deviation of the agents that \
+         it tracks. For f, g < 0 and every real p >= 0 there are for M = 1, 2, ... communication graphs of M followers on a line, with a \
+         directed path from the leader to every agent, for which the peak response of the last one, to a leader of amplitude 1, lies \
+         between two positive multiples of M^p.",
     ])
     .altered("p platoons grow like M^(p+1)", |v| v.shift = 1)
     .altered("system (1) grows like the square of that", |v| v.power = 2)

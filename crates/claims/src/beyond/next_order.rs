@@ -187,9 +187,9 @@ pub fn frequency() -> Record<NextOrderVariant> {
     ))
     .stated(
         "sharpens veerman, Theorem 1",
-        "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the main resonance of system (2) lies at \
-         w = w_0 (1 - a0^2 (1/12 + b^2/8) + e), w_0 = sqrt|f| a0, a0 = pi/(2 sqrt(2) M), with \
-         |e| <= 1.7 (a0 max(1, b))^4.",
+        "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the main resonance of the last of the M followers of system (2), \
+         the frequency w > 0 at which its amplitude is largest, lies at w = w_0 (1 - q^2 (1/12 + b^2/8) + e), w_0 = sqrt|f| q, q = pi/(2 \
+         sqrt(2) M), with |e| <= 1.7 (q max(1, b))^4.",
     )
 }
 
@@ -209,7 +209,9 @@ pub fn amplitude() -> Record<NextOrderVariant> {
     ))
     .stated("sharpens veerman, Theorem 1", "")
     .clauses(&[
-        "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the peak of system (2) is A = A_0 (1 - a0^2 (1/12 - 3 b^2/8 + pi^2 b^2/96) + e), A_0 = 8 sqrt(2) M/(pi^2 b), a0 = pi/(2 sqrt(2) M), with |e| <= 11 (a0 max(1, b))^4.",
-        "M (A - A_0) -> sqrt(2) (b (36 - pi^2)/96 - 1/(12 b)) for fixed f, g < 0.",
+        "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the peak of system (2), the largest amplitude of the last of the M \
+         followers over all frequencies w > 0 of a leader of amplitude 1, is A = A_0 (1 - q^2 (1/12 - 3 b^2/8 + pi^2 b^2/96) + e), A_0 = 8 \
+         sqrt(2) M/(pi^2 b), q = pi/(2 sqrt(2) M), with |e| <= 11 (q max(1, b))^4.",
+        "M (A - A_0) -> sqrt(2) (b (36 - pi^2)/96 - 1/(12 b)) as M tends to infinity, for fixed f, g < 0.",
     ])
 }

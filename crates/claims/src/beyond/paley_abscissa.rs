@@ -297,21 +297,21 @@ pub fn pattern_abscissa() -> Record<AbscissaVariant> {
     )
     .stated("sharpens paley, Theorem 3; text on synchronised and balanced formations; Figures 3, 4", "")
     .clauses(&[
-        "N >= 2. Under (5) with (20) on a connected undirected graph and minus the gradient of (25), the \
-         circular (M,N)-pattern is exponentially stable up to rotation and translation iff K_0 > 0, K_r + \
-         K_(M-r) > 2 K_M for 0 < r < M, and K_M < 0 if M < N.",
-        "Its linearisation all-to-all has the eigenvalues 0 and ± i w0 of the symmetries, each once, and otherwise the roots of the cubics \
-         s^3 + (k_0 C_q + h_q) s^2 + (w0^2 - i w0 k_0 D_q) s + h_q w0^2, q = 0, ..., N-1, without them; here k_0 = K_0/N, m = N/M, C_q and \
-         D_q = (l_(m+q) ± l_(m-q))/2 with l_j = 0 for j = 0 modulo N and l_j = N for the other j, and h_0 = 0, h_q = (K_r + K_(M-r))/2 - K_M \
-         for q = rm, 0 < r < M, h_q = -K_M for the other q.",
-        "For N = 12, w0 = K_0 = 0.1, K_m = 0.2, K_M = -0.04 the largest real part is -0.0312191180 for M = \
-         1, 2, -0.0047433127 for M = 3, -0.0041665656 for M = 4, 6, 12; the same for N = 5, 8, 18, 24, 30, \
-         the last number for every M >= 4.",
-        "Under (22), N = 12, w0 = 0.1: on C_12 with K_0 = 1.2 synchronised -0.0068228870 (K_1 = -0.3), \
-         splay m = 5 -0.0045001538 and m = 6 -0.0062033862 (K_1 = 0.3); all-to-all with K_0 = 0.1 \
-         synchronised -0.0053355402 (K_1 = -0.2), and transverse to the balanced set, along which 0 is an \
-         eigenvalue N - 2 times (N - 1 times at M = 2), splay -0.0153051399 and M = 2 -0.0500000000 (K_1 = \
-         0.2).",
+        "N >= 2, M divides N, w0 != 0. Under (5) with (20) on a connected undirected graph and minus the gradient of (25), the circular \
+         (M,N)-pattern is exponentially stable up to rotation and translation iff K_0 > 0, K_r + K_(M-r) > 2 K_M for 0 < r < M, and K_M < 0 \
+         if M < N.",
+        "Its linearisation in the turning frame all-to-all has the eigenvalues 0 and ± i w0 of the symmetries, each once, and otherwise the \
+         roots of the cubics s^3 + (k_0 C_q + h_q) s^2 + (w0^2 - i w0 k_0 D_q) s + h_q w0^2, q = 0, ..., N-1, without them; here k_0 = \
+         K_0/N, m = N/M, C_q and D_q = (l_(m+q) ± l_(m-q))/2 with l_j = 0 for j = 0 modulo N and l_j = N for the other j, and h_0 = 0, h_q \
+         = (K_r + K_(M-r))/2 - K_M for q = rm, 0 < r < M, h_q = -K_M for the other q.",
+        "For N = 12, all-to-all, w0 = K_0 = 0.1, K_m = 0.2 for m < M, K_M = -0.04 the largest real part of an eigenvalue other than these 0 \
+         and ± i w0 is, to ten decimals, -0.0312191180 for M = 1, 2, -0.0047433127 for M = 3, -0.0041665656 for M = 4, 6, 12; the same for \
+         the M that divide N = 5, 8, 18, 24, 30, the last number for every M >= 4.",
+        "Under (22), N = 12, w0 = 0.1, in the turning frame, the largest real parts of the eigenvalues other than 0 and the pair ± i w0 of \
+         the translations are, to ten decimals: on C_12 with K_0 = 1.2 synchronised -0.0068228870 (K_1 = -0.3), splay m = 5 -0.0045001538 \
+         and m = 6 -0.0062033862 (K_1 = 0.3); all-to-all with K_0 = 0.1 synchronised -0.0053355402 (K_1 = -0.2), and at balanced phases, \
+         where 0 is an eigenvalue N - 2 times (N - 1 times at M = 2) along the set of these, splay -0.0153051399 and M = 2 -0.0500000000 \
+         (K_1 = 0.2).",
     ])
     .control("without D_q", altered(Altered { twist: 0, ..Altered::NOT }))
     .control("K_M with the other sign in h_q", altered(Altered { last: -1, ..Altered::NOT }))

@@ -105,9 +105,11 @@ pub fn circulant_spectrum() -> Record<SpectrumVariant> {
     )
     .stated(
         "beyond (22) and Figure 3",
-        "On an undirected circulant graph with Laplacian eigenvalues lambda_q, the circular formation with theta_k = 2 pi m k/N under (22) has in the turning frame the \
-         characteristic polynomial prod_q p_q(s), p_q = s^3 + (k_0 C_q - k_1 t_q) s^2 + (w0^2 - i w0 k_0 D_q) s - k_1 t_q w0^2, with k_j = K_j/N, C_q = \
-         (lambda_{m+q} + lambda_{m-q})/2, D_q = (lambda_{m+q} - lambda_{m-q})/2, t_q = C_q - lambda_m.",
+        "On an undirected circulant graph on N nodes with the Laplacian eigenvalues lambda_q of the vectors e^{2 pi i q k/N}, q modulo N, \
+         the circular formation of radius 1/|w0|, w0 != 0, with theta_k = 2 pi m k/N, m an integer, under (22) has, linearised in the \
+         turning frame, the characteristic polynomial prod_q p_q(s), q = 0, ..., N-1, p_q = s^3 + (k_0 C_q - k_1 t_q) s^2 + (w0^2 - i w0 \
+         k_0 D_q) s - k_1 t_q w0^2, with k_j = K_j/N, C_q = (lambda_{m+q} + lambda_{m-q})/2, D_q = (lambda_{m+q} - lambda_{m-q})/2, t_q = \
+         C_q - lambda_m.",
     )
     .altered("without D_q", |v| v.turn = 0)
     .altered("t_q = C_q", |v| v.shift = 0)
@@ -158,9 +160,10 @@ pub fn cyclic_patterns() -> Record<CyclicVariant> {
     )
     .stated("beyond Figure 3 and the text on balanced circular formations", "")
     .clauses(&[
-        "On C_N, N >= 3, under (22) with K_0 > 0, the circular formation with theta_k = 2 pi m k/N is exponentially stable up to rotation and translation iff \
-         K_1 cos(2 pi m/N) < 0, whatever the size of the gains and the sign of w0.",
-        "It is unstable if K_1 cos(2 pi m/N) > 0.",
+        "On C_N, N >= 3, under (22) with K_0 > 0 and w0 != 0, the circular formation of radius 1/|w0| with theta_k = 2 pi m k/N, m an \
+         integer, is exponentially stable up to rotation and translation iff K_1 cos(2 pi m/N) < 0, whatever the size of the gains and the \
+         sign of w0.",
+        "With the same K_0 and w0 it is unstable if K_1 cos(2 pi m/N) > 0.",
     ])
     .altered("the other sign", |v| v.sign = -1)
     .altered("a zero cosine is stable too", |v| v.strict = false)

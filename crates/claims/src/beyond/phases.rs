@@ -48,11 +48,13 @@ pub fn inertia() -> Record<InertiaVariant> {
     )
     .stated("sharpens paley, Theorem 1", "")
     .clauses(&[
-        "N >= 2. With two opposite clusters of N-b > b phases (b = 0: synchronised) the Hessian of U_1 has the inertia (b, N-b-1, 1).",
-        "At a balanced arrangement not on a line it has the inertia (2, 0, N-2).",
-        "At a balanced arrangement on a line it has the inertia (1, 0, N-1).",
-        "The unstable manifold of such an arrangement of two clusters under (6) with (9) has dimension N-b-1 for K_1 > 0 and b for K_1 < 0.",
-        "There are no other critical points.",
+        "N >= 2. With two opposite clusters of N-b > b phases (b = 0: synchronised) the Hessian of U_1 has the inertia (b, N-b-1, 1): so \
+         many positive, negative and zero eigenvalues, in this order.",
+        "At a balanced arrangement of N >= 2 phases, not on a line, it has the inertia (2, 0, N-2).",
+        "At a balanced arrangement of N >= 2 phases on a line it has the inertia (1, 0, N-1).",
+        "The unstable manifold of such an arrangement of two clusters, N-b > b, taken up to rotation, has under (6) with (9) dimension \
+         N-b-1 for K_1 > 0 and b for K_1 < 0.",
+        "U_1 has no other critical points.",
     ])
     .altered("(b + 1, N-b-2, 1)", |v| v.unbalanced = |n, b| [b + 1, (n - b).saturating_sub(2), 1])
     .altered("rank 2 on a line too", |v| v.balanced = |n, _| [2, 0, n - 2])
@@ -102,10 +104,11 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
     )
     .stated("corrects paley, text after eq (16) and Figure 2", "")
     .clauses(&[
-        "Up to rotation the eigenvectors of the Laplacian of C_N, N >= 3, with entries of modulus one are columns of the Fourier matrix or, only if 4 divides N, (u, v, -u, -v, ...).",
-        "Column m of the Fourier matrix is an eigenvector and the symmetric pattern of N/gcd(N, m - 1) clusters.",
-        "If 4 divides N, (u, v, -u, -v, ...) with any u, v of modulus one is an eigenvector with eigenvalue 2.",
-        "Every such eigenvector is a symmetric pattern if and only if 4 does not divide N.",
+        "Up to rotation and a positive factor the eigenvectors of the Laplacian of C_N, N >= 3, with entries of modulus one are columns of \
+         the Fourier matrix or, only if 4 divides N, (u, v, -u, -v) N/4 times over with u, v of modulus one.",
+        "Column m of the Fourier matrix is an eigenvector and, up to a positive factor, the symmetric pattern of N/gcd(N, m - 1) clusters.",
+        "If 4 divides N, (u, v, -u, -v) N/4 times over with any u, v of modulus one is an eigenvector with eigenvalue 2.",
+        "Every eigenvector of the Laplacian of C_N, N >= 3, with entries of modulus one is a symmetric pattern if and only if 4 does not divide N.",
     ])
     .altered("columns only", |v| v.rhombi = |_, _| false)
     .altered("for even N", |v| v.rhombi = |n, m| n % 2 == 0 && (4 * m == n || 4 * m == n + 2))

@@ -12,6 +12,8 @@ use std::sync::Arc;
 pub struct RecurrentVariant {
     /// Windows are connected together; otherwise any factor is one.
     connected: bool,
+    /// An arc leads to the bird that is heard; otherwise to the one that hears.
+    to_the_heard: bool,
     /// Birds give weight to themselves.
     keeps_own: bool,
     windows: fn(n: usize) -> usize,
@@ -118,7 +120,11 @@ impl RecurrentVariant {
         next.heard = before.heard.or(&factor.heard);
         next.since += 1;
         next.arcs.push(factor.arcs.clone());
-        let rooted = !self.connected || next.heard.is_rooted();
+        let arcs = match self.to_the_heard {
+            true => next.heard.clone(),
+            false => Footprint::from_fn(n, n, |i, j| next.heard.get(j, i)),
+        };
+        let rooted = !self.connected || arcs.is_rooted();
         let ends = match windows {
             Windows::Any => rooted,
             Windows::Of(length) => next.since == length,
@@ -255,6 +261,7 @@ fn failure(what: String) -> Outcome {
 pub fn recurrent() -> Record<RecurrentVariant> {
     let printed = RecurrentVariant {
         connected: true,
+        to_the_heard: true,
         keeps_own: true,
         windows: |n| n - 1,
         network_power: |n| n - 1,
@@ -274,18 +281,21 @@ pub fn recurrent() -> Record<RecurrentVariant> {
     )
     .stated("extends chazelle, section 3, to networks that change", "")
     .clauses(&[
-        "Let P(1), P(2), ... be matrices of model D, P(t) = I - C(t) L(t), for n >= 2 birds, with positive entries at \
-         least alpha > 0, and v(t+1) = P(t) v(t): after m consecutive windows of any lengths, in each of which the \
-         union of the networks is connected, the differences of velocities are at most (1 - \
-         alpha^(n-1))^floor(m/(n-1)) times the largest at their start.",
-        "Let P(1), P(2), ... be any stochastic matrices of n >= 2 birds with positive diagonals and positive entries at \
-         least alpha > 0 (directed networks): if in the union over every B consecutive times a path leads from every \
-         bird to one bird, t factors contract by tau_1 <= (1 - alpha^((n-1)B))^floor(t/((n-1)B)).",
+        "Let P(1), P(2), ... be matrices of model D, P(t) = I - C(t) L(t) with L(t) the Laplacian of the network at time t and C(t) the \
+         diagonal matrix of the c_i(t), 0 < c_i(t) d_i(t) < 1 where bird i has d_i(t) > 0 neighbours, for n >= 2 birds, with positive \
+         entries at least alpha > 0, and v(t+1) = P(t) v(t): after m consecutive windows of any lengths, in each of which the union of the \
+         networks is connected, the differences of velocities are at most (1 - alpha^(n-1))^floor(m/(n-1)) times the largest at their \
+         start, in any norm.",
+        "Let P(1), P(2), ... be any stochastic matrices of n >= 2 birds with positive diagonals and positive entries at least alpha > 0 \
+         (directed networks, with an arc from i to j where p_ij > 0: bird i hears bird j) and B >= 1: if in the union over every B \
+         consecutive times a path leads from every bird to one bird, t factors contract by tau_1 <= (1 - alpha^((n-1)B))^floor(t/((n-1)B)), \
+         where tau_1 of a matrix is half the largest distance of two of its rows in the 1-norm.",
         "Matrices of model D as in the first sentence: if there are infinitely many such windows, one after another, all velocities converge to one limit.",
         "Stochastic matrices as in the second sentence, every B consecutive times with such a union, and v(t+1) = P(t) \
          v(t): the velocities converge to one limit, at the rate of the bound.",
     ])
     .altered("windows that are not connected", |v| v.connected = false)
+    .altered("arcs from the bird that is heard: two birds that hear nobody, heard by the third", |v| v.to_the_heard = false)
     .altered("no weight for the bird itself", |v| v.keeps_own = false)
     .altered("a factor for every window", |v| v.windows = |_| 1)
     .altered("alpha^(n-2)", |v| v.network_power = |n| n - 2)

@@ -17,9 +17,10 @@ pub fn smallest_entries() -> Record<EntriesVariant> {
     )
     .stated("sharpens chazelle, Lemma 2.2", "")
     .clauses(&[
-        "Over all sequences of networks on n >= 2 birds and all t >= s, no nonzero entry of P(t,s) is less than 1/n! \
-         for c_i = 1/(d_i+1), or less than 2^{n-2}/(3^{n-1} (n-1)!) for c_i = 2/(3 d_i).",
-        "These values occur.",
+        "Over all sequences of networks on n >= 2 birds, with P(u) = I - C L of the network at time u, bird i of degree d_i > 0 having the \
+         weight c_i and one without neighbours keeping its velocity, and all t >= s, no nonzero entry of P(t,s) = P(t) P(t-1) ... P(s) is \
+         less than 1/n! for c_i = 1/(d_i+1), or less than 2^{n-2}/(3^{n-1} (n-1)!) for c_i = 2/(3 d_i).",
+        "For every n >= 2 these values occur.",
     ])
     .control("1/100 larger", scaled(101, 100))
     .control("1/100 smaller", scaled(99, 100))

@@ -96,9 +96,10 @@ pub fn two_agents() -> Record<TotalVariant> {
         },
     )
     .clauses(&[
-        "Two linked agents under (4), (5): d/dt ½|v_1 + v_2|² = 2 |v_1||v_2| d sin(theta_1 - theta_2)/|r_12|², where d is what the law takes for theta_1 - theta_2.",
-        "With d wrapped to (-pi, pi], |v_1 + v_2| of linked agents never decreases.",
-        "The mechanical energy is constant.",
+        "Two linked agents under (4), (5), neither at rest and not in one place: d/dt ½|v_1 + v_2|² = 2 |v_1||v_2| d sin(theta_1 - \
+         theta_2)/|r_12|², where d is what the law takes for theta_1 - theta_2.",
+        "With d wrapped to (-pi, pi], |v_1 + v_2| of two linked agents never decreases as long as the motion lasts.",
+        "The mechanical energy of two linked agents is constant as long as the motion lasts.",
     ])
     .stated("replaces tanner1, eq (9), for two agents", "")
     .altered("half of it", |v| v.factor = 1)
@@ -137,7 +138,9 @@ pub fn turning_triangle() -> Record<TriangleVariant> {
     )
     .stated(
         "beside tanner1, Proposition IV.3",
-        "Three linked agents on an equilateral triangle of squared side 2 that turns about its centre with omega² = 6 V'(2) = 3/2, V = 1/s + log s, move so for ever under (4), (5) with heading differences wrapped to (-pi, pi]: the headings stay a third of a turn apart.",
+        "Three linked agents on an equilateral triangle of squared side 2 that turns about its centre with omega² = 6 V'(2) = 3/2, V = 1/s \
+         + log s, s the squared distance, move so for ever under (4), (5) with heading differences wrapped to (-pi, pi]: the headings stay \
+         a third of a turn apart.",
     )
     .altered("omega² = 6", |v| v.rate = 2)
     .altered("heading differences as in (2)", |v| v.whole_turns = [1, 0, 0])
@@ -153,7 +156,8 @@ pub fn alternating_trees() -> Record<Trees> {
     )
     .stated(
         "sharpens tanner2, Abstract (arbitrary switching)",
-        "Four agents in the plane under (4) with V = s + 1/s - 2, s the squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, for the same fixed time each: from no start without collision do the velocities agree in the limit.",
+        "Four agents in the plane under (4) with V = s + 1/s - 2, s the squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, each \
+         for the same fixed time T > 0: in no motion that lasts for all time do the velocities agree in the limit.",
     )
     .altered("in space", |v| v.dimension = 3)
     .altered("one tree only", |v| v.trees = [printed.trees[0].clone(), printed.trees[0].clone()])
@@ -221,7 +225,11 @@ pub fn endless_switching() -> Record<(Potential, Rational)> {
     )
     .stated(
         "limits tanner2, end of the proof of Theorem 2",
-        "With V' = (s-1)(s-3)²(s+3/5)/s², s the squared distance (a potential of Definition 3, increasing beyond s = 1), and R² = 3, every motion of four agents that starts near two equilateral triangles side by side and stays mirror symmetric about both diagonals, and is not that rhombus with a common velocity, passes |r_13| = R for ever (near and mirror symmetric up to a common motion).",
+        "With V' = (s-1)(s-3)²(s+3/5)/s², s the squared distance (a potential of Definition 3, increasing beyond s = 1), and R² = 3, every \
+         motion of four agents in the plane under (10) that starts near two equilateral triangles of side 1 side by side, 124 and 324 with \
+         the common side 24, so that agents 1 and 3 are at the far ends with |r_13| = R, with nearly equal velocities, and stays mirror \
+         symmetric about both diagonals, and is not that rhombus with a common velocity, passes |r_13| = R for ever (near and mirror \
+         symmetric up to a common motion).",
     )
     .control("V = s + 1/s - 2, whose slope at R is positive", (spring(), q(3)))
     .control("R² = 4", (Potential::with_inflection(&q(4)), q(4)))
@@ -282,7 +290,10 @@ pub fn switching_ends() -> Record<EndsVariant> {
     )
     .stated(
         "a part of tanner2, end of the proof of Theorem 2",
-        "Under the hypotheses of Theorem 2, read as in tanner2.thm2_vel, with V'(R) > 0: if no limit configuration has more than one pair at distance R, then from some time on no pair passes from one side of R to the other without staying at R in between.",
+        "Take potentials of Definition 3 with a continuous gradient and V_ij'(R) > 0 for all pairs, no two agents in one place at the \
+         start, the graph of the links |r_ij| < R connected at all times, and a Filippov solution of (10) with K of the whole vector field. \
+         If no limit point of the relative positions has more than one pair at distance R, then from some time on no pair passes from one \
+         side of R to the other unless it stays at R for an interval of time in between.",
     )
     .altered("slope zero at R too", |v| v.flat = true)
     .altered("half the pull", |v| v.share = (1, 2))

@@ -14,7 +14,10 @@ pub fn angle() -> Record<OriginVariant> {
     .stated("sharpens chazelle, Lemma 3.7", "")
     .clauses(&[
         "In model D, for any bird at any time t >= 1, the angle of (x_i(t), t) and (v_i(t), 1), the lifted birds, is at most |v_i(t) - x_i(t)/t| = |E_i(t)|/t with E_i(t) = x_i(t) - t v_i(t).",
-        "With a positive integer a, positive entries of every P(t) at least n^-a, weights that change only when the network does, and as long as no edge is longer than 2 (Lemma 3.6), each coordinate of E_i(t) is at most max|x(0)| + 4 (s(t) + 1) n^(2a+3) in absolute value, s(t) the number of switches before t: no waiting time and no log t.",
+        "With a positive integer a, positive entries of every P(t) at least n^-a, weights that change only when the network does, and as \
+         long as no edge is longer than 2 (Lemma 3.6), each coordinate of E_i(t), t >= 1, is at most max|x(0)|, the largest absolute \
+         coordinate of x(0), + 4 (s(t) + 1) n^(2a+3) in absolute value, s(t) the number of u, 2 <= u < t, with G_u != G_(u-1): no waiting \
+         time and no log t.",
     ])
 }
 

@@ -206,8 +206,8 @@ pub fn difference() -> Record<DifferenceVariant> {
     )
     .repaired(
         Fault::Typo,
-        "For i != j, with chi(i,j) the vector with all coordinates 0 except chi(i,j)_i = 1 and chi(i,j)_j = -1: v_i(t) - \
-         v_j(t) = ((chi(i,j) P(t-1,1)) kron I_d) v(1).",
+        "In model D with n birds in R^d, t >= 1, P(t-1,1) = P(t-1) ... P(1) (the identity for t = 1), i != j and chi(i,j) the row vector of \
+         length n whose coordinates are 0 except chi(i,j)_i = 1 and chi(i,j)_j = -1: v_i(t) - v_j(t) = ((chi(i,j) P(t-1,1)) kron I_d) v(1).",
         DifferenceVariant { assignments: vec![(false, 1), (true, -1)], shift: 0 },
     )
     .altered("chi_i = 1 alone", |v| v.assignments = vec![(false, 1)])

@@ -246,8 +246,12 @@ pub fn blocks() -> Record<BlocksVariant> {
     )
     .repaired(
         Fault::Typo,
-        "For t > T_k and T_0 = s-1: P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \
-         P_{|V_2 x V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1).",
+        "Let P(s), P(s+1), ... be stochastic n x n matrices with positive diagonals and symmetric footprints (the places of the nonzero \
+         entries), P(t,s) = P(t) P(t-1) ... P(s), and A_{|U x W} the rows U and columns W of A. Let V_0 be the set of all birds 1, ..., n, \
+         T_0 = s-1, and for k = 1, 2, ... T_k the first time after T_{k-1} from which on the footprint of P_{|V_{k-1} x V_{k-1}}(t, \
+         T_{k-1}+1) stays the same, and V_k (the stabiliser) the set of the rows of that footprint with a one in the column of bird 1. Then \
+         for k >= 1 and t > T_k: P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... P_{|V_2 x \
+         V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1).",
         BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 },
     )
     .altered("V_2 x V_k, V_1 x V_0", |v| v.second_has_v1 = false)

@@ -153,9 +153,11 @@ pub fn final_count() -> Record<FinalCountVariant> {
     ])
     .repaired_by(
         Fault::Slip,
-        "When birds of V_k joined at time T_k+1 or later always remain so, the number of u >= 2 with G_u != G_{u-1} is at \
-         most N(T_k,T_{k-1}) + ... + N(T_1,1) + 1 + binom(|V_k|,2) + M, where N(t,s) counts the changes at u with s < \
-         u <= t, and M those after T_k+1 of the network on the birds outside V_k.",
+        "Let G_1, G_2, ... be networks, P(t) stochastic with a positive diagonal and, off it, positive entries exactly at the edges of G_t, \
+         and V_k and T_k, k >= 1, the stabilisers and times of beyond.chazelle.eq3.5 for s = 1. When birds of V_k joined at time T_k+1 or \
+         later always remain so, the number of u >= 2 with G_u != G_{u-1} is at most N(T_k,T_{k-1}) + ... + N(T_1,1) + 1 + binom(|V_k|,2) + \
+         M, where N(t,s) counts the u with s < u <= t and G_u != G_{u-1}, and M the u > T_k+1 at which the network on the birds outside V_k \
+         changes.",
         |v| (v.one_more, v.others) = (true, true),
     )
     .altered("without the birds outside V_k", |v| v.others = false)

@@ -48,7 +48,7 @@ pub fn ones() -> Record<OnesVariant> {
         |_| true,
         examine_ones,
     )
-    .repaired(Fault::Hypothesis, "For a connected graph the eigenvectors of L(G) for the eigenvalue zero are the multiples of 1_n.", Graph::is_connected)
+    .repaired(Fault::Hypothesis, "For a connected graph the eigenvectors of L(G) for the eigenvalue zero are the nonzero multiples of 1_n.", Graph::is_connected)
     .control("graphs with an edge", |graph| !graph.edges().is_empty())
     .control("graphs without isolated vertices", |graph| (0..graph.order()).all(|i| graph.degree(i) > 0))
 }
@@ -238,7 +238,8 @@ pub fn any_potential() -> Record<UsableVariant> {
     .reading("any potential, as the sentence says; collisions of linked agents, cohesion of a connected graph")
     .repaired(Fault::False, "", UsableVariant { allowed: |potential| potential.repels() && potential.confines() })
     .repaired_clauses(&[
-        "With any differentiable, non-negative potential V_ij(|r_ij|) = V_ji(|r_ij|) that tends to infinity as |r_ij| tends to 0 linked agents do not collide as long as the motion lasts.",
+        "With any differentiable, non-negative potential V_ij(|r_ij|) = V_ji(|r_ij|) that tends to infinity as |r_ij| tends to 0 linked \
+         agents on a fixed graph that start in different places do not collide as long as the motion lasts.",
         "If it tends to infinity with |r_ij| too, all distances of a connected graph stay bounded as long as the motion lasts.",
     ])
     .altered("any that is unbounded near 0", |v| v.allowed = Potential::repels)

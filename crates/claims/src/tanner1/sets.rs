@@ -299,8 +299,9 @@ pub fn collision() -> Record<CollisionVariant> {
     .reading("the potential of Figure 2, as for V_t and Omega")
     .repaired_by(Fault::Hypothesis, "", |v| v.linked_only = true)
     .repaired_clauses(&[
-        "V_t tends to infinity where linked agents meet.",
-        "Collisions of linked agents are avoided (all collisions, if the graph is complete).",
+        "With V_ij = 1/|r_ij|² + log |r_ij|² on the linked pairs V_t tends to infinity where linked agents meet.",
+        "With these V_ij, from starts in which no linked agents are in one place, collisions of linked agents are avoided as long as the \
+         motion lasts (all collisions, if the graph is complete).",
     ])
     .altered("V = (s - 1)²", |v| v.potential = soft())
     .altered("V = s + log s, which attracts at all distances", |v| v.potential = sloped(&[(0, 1), (-1, 1)], 0))

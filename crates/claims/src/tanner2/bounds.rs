@@ -135,7 +135,8 @@ pub fn bound_r() -> Record<DistanceVariant> {
     .reading("V^{-1}(c) is the largest distance at which V <= c; N >= 2, as one agent has no edge")
     .repaired(
         Fault::Slip,
-        "For a connected graph W <= c implies |r_ij| <= (N - 1) max_e V_e^{-1}(c) for all i, j, with the largest value over the edges e and V_e^{-1}(c) the largest distance at which V_e <= c.",
+        "For a connected graph of N >= 2 agents with potentials of Definition 3, W <= c implies |r_ij| <= (N - 1) max_e V_e^{-1}(c) for all \
+         i, j, with the largest value over the edges e and V_e^{-1}(c) the largest distance at which V_e <= c.",
         DISTANCE,
     )
     .altered("(N - 1) min_e V_e^{-1}(c)", |v| v.whose = Whose::Least)
@@ -177,7 +178,7 @@ pub fn bound_v() -> Record<SpeedVariant> {
             Run::all([speeds(variant, run).checks("step 4"), argued(&[1], "the bound of speeds", "notes/tanner2.md, Bounds, step 4")])
         },
     )
-    .repaired(Fault::Slip, "W <= c implies v_i^T v_i <= 2c, yielding |v_i| <= sqrt(2c).", SPEED)
+    .repaired(Fault::Slip, "With potentials that are not negative W <= c implies v_i^T v_i <= 2c, yielding |v_i| <= sqrt(2c).", SPEED)
     .altered("|v_i - v_j|² <= 2c", |v| v.relative = true)
 }
 
@@ -306,7 +307,8 @@ pub fn cor2_sub() -> Record<DissipationVariant> {
     .reading("N >= 2: one agent has no lambda_2")
     .repaired_by(
         Fault::Typo,
-        "For a connected graph Wdot <= -lambda_2 (|v_{x_n}|² + |v_{y_n}|²), with v_{x_n}, v_{y_n} normal to 1.",
+        "Under (4) on a connected graph of N >= 2 agents Wdot <= -lambda_2 (|v_{x_n}|² + |v_{y_n}|²), with v_{x_n}, v_{y_n} the parts of \
+         v_x and v_y normal to 1, in Euclidean norms.",
         |v| v.along = false,
     )
     .altered("lambda_3 in place of lambda_2", |v| v.index = 3)

@@ -285,7 +285,7 @@ pub fn s_config() -> Record<Vanishing> {
     )
     .repaired(
         Fault::Typo,
-        "When Wdot = 0 on a connected graph, it follows that rdot_ij = v_i - v_j = 0 for all (i, j).",
+        "Under (4) on a connected graph, at a state with Wdot = 0, rdot_ij = v_i - v_j = 0 for all (i, j).",
         Vanishing::RelativeVelocities,
     )
     .control("v_i = 0", Vanishing::Velocities)
@@ -430,7 +430,8 @@ pub fn vdot_b() -> Record<IncidenceVariant> {
     )
     .repaired(
         Fault::Slip,
-        "Where all velocities are equal, vdot = (B kron I_2) [..., grad_{r_ij} V_ij, ...]^T with B as in Section 2.1 (or the minus sign with 1 for outgoing edges).",
+        "Under (4), where all velocities are equal, vdot = (B kron I_2) [..., grad_{r_ij} V_ij, ...]^T with B as in Section 2.1 (or the \
+         minus sign with 1 for outgoing edges).",
         IncidenceVariant { factor: 1, ..printed },
     )
     .control("-1 for incoming edges too", IncidenceVariant { factor: 1, incoming: -1 })

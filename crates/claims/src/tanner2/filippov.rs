@@ -93,7 +93,8 @@ pub fn uniqueness() -> Record<UniqueVariant> {
     )
     .repaired(
         Fault::False,
-        "Solutions of xdot = f(x) are unique (forwards) if (f(x) - f(y)).(x - y) <= l |x - y|² for almost all x, y near each point.",
+        "Filippov solutions of xdot = f(x), f measurable and locally bounded on R^n, are unique (forwards) if (f(x) - f(y)).(x - y) <= l |x \
+         - y|² for almost all x, y near each point, with a number l that may depend on the point.",
         UniqueVariant { class: Class::OneSided, backwards: false },
     )
     .altered("backwards in time too", |v| v.backwards = true)
@@ -153,7 +154,8 @@ pub fn definition4() -> Record<SolutionVariant> {
     )
     .repaired(
         Fault::Typo,
-        "x(.) is a Filippov solution of xdot = f(x) if it is absolutely continuous and for almost all t xdot is an element of K[f](x); so read, there is a solution from every start for every bounded measurable f.",
+        "x(.) is a Filippov solution of xdot = f(x), f on R^n measurable and locally bounded, if it is absolutely continuous and for almost \
+         all t xdot is an element of K[f](x); then there is a solution from every start for every bounded measurable f.",
         SolutionVariant::Member,
     )
     .control("without the convex hull", SolutionVariant::Limit)
@@ -357,8 +359,9 @@ pub fn existence() -> Record<StartVariant> {
     )
     .repaired_by(Fault::False, "", |v| v.unique = Starts::Crossing)
     .repaired_clauses(&[
-        "From every start in which no two agents are in one place (10) has a solution for all time.",
-        "It is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",
+        "With potentials of Definition 3 with a continuous gradient and K of the whole vector field, from every start in which no two \
+         agents are in one place (10) has a solution for all time.",
+        "If the gradients are locally Lipschitz, the solution is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",
     ])
     .clauses(&[
         "Existence of the solutions of (10) is guaranteed by the boundedness of u_i.",

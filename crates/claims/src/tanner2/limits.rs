@@ -110,7 +110,9 @@ pub fn thm1c() -> Record<LimitVariant> {
     .reading(SMOOTH)
     .repaired_by(
         Fault::False,
-        "For agents with dynamics (1) under (4) and a fixed connected neighboring graph the system approaches the set of critical configurations: grad_{r_i} V_i tends to 0 for all i.",
+        "For agents with dynamics (1) under (4), potentials of Definition 3 with a continuous gradient and a fixed connected neighboring \
+         graph, from starts in which no linked agents are in one place, the system approaches the set of critical configurations: \
+         grad_{r_i} V_i tends to 0 for all i.",
         |v| v.conclusion = Conclusion::Critical,
     )
     .altered("alignment with the other sign", |v| v.damping = -1)
@@ -195,7 +197,9 @@ pub fn flocking() -> Record<ManifoldVariant> {
     ])
     .repaired(Fault::False, "", ManifoldVariant { complete: true, minima: true, damping: 1, isolated: true })
     .repaired_clauses(&[
-        "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
+        "Under (4) on the complete graph of N >= 2 agents with potentials of Definition 3 with a continuous gradient, the translates and \
+         rotations of a strict minimum (up to motions) of the sum of the V_ij, near which there are no critical configurations but these, \
+         with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
         "In them no two agents are in one place.",
     ])
     .altered("all equilibria of the complete graph", |v| v.minima = false)
@@ -302,9 +306,12 @@ pub fn cor1() -> Record<SetpointVariant> {
     .reading("distances of linked agents, under (4) as in Theorem 1; potentials of Definition 3 with a continuous gradient, starts in which no linked agents coincide")
     .repaired_by(Fault::Hypothesis, "", |v| v.single = true)
     .repaired_clauses(&[
-        "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value.",
-        "If the graph is a tree, B has independent columns, so that every grad_{r_ij} V_ij tends to 0.",
-        "In an equilibrium of a tree whose V_ij' vanish at the minimum only every linked distance is the desired one.",
+        "Under (4), with potentials of Definition 3 with a continuous gradient, from starts in which no linked agents are in one place: if \
+         the fixed graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value.",
+        "If the fixed graph is a tree, B has independent columns, so that under the same hypotheses, but for the one on V_ij', every \
+         grad_{r_ij} V_ij of linked agents tends to 0.",
+        "In an equilibrium of a tree whose V_ij, potentials of Definition 3 with a continuous gradient, have V_ij' = 0 at the minimum only, \
+         every linked distance is the desired one.",
     ])
     .altered("any connected graph", |v| v.trees = false)
     .altered("the distances of all pairs", |v| v.all_pairs = true)
@@ -432,7 +439,10 @@ pub fn thm2_pot() -> Record<SwitchingVariant> {
     .reading("as tanner2.thm2_vel")
     .repaired(
         Fault::False,
-        "Under the hypotheses of Theorem 2 the system approaches the set of configurations with 0 in K[(grad_{r_i} V_i)_i] (critical configurations, where no pair is at distance R).",
+        "With potentials of Definition 3 with a continuous gradient, no two agents in one place at the start and the graph of the links \
+         |r_ij| < R connected at all times, every Filippov solution of (10), with K of the whole vector field, approaches the set of \
+         configurations with 0 in K[(grad_{r_i} V_i)_i], K again of the gradients of all agents together (critical configurations, where no \
+         pair is at distance R).",
         SwitchingVariant { conclusion: Conclusion::Critical, ..VELOCITIES },
     )
     .altered("critical and at rest", |v| v.conclusion = Conclusion::Stop)

@@ -143,8 +143,10 @@ pub fn rate() -> Record<RateVariant> {
     .reading("the rate at which the flock approaches its limit; N >= 2, as one agent has no lambda_2")
     .repaired(Fault::False, "", RateVariant::Alignment { factor: (1, 1), index: 2, every_start: false })
     .repaired_clauses(&[
-        "On a connected graph without potentials |v - mean| <= exp(-lambda_2 t) |v(0) - mean|, with equality for eigenvectors of lambda_2.",
-        "A new edge never lowers lambda_2.",
+        "On a fixed connected graph of N >= 2 agents under (4) without potentials |v - mean| <= exp(-lambda_2 t) |v(0) - mean| at all t >= \
+         0, in the Euclidean norm of all velocities together, with equality where the deviation v(0) - mean is in each coordinate an \
+         eigenvector of lambda_2, the second smallest eigenvalue of the Laplacian, or 0.",
+        "A new edge on the same N >= 2 agents never lowers lambda_2.",
         "With potentials lambda_2 does not determine the rate, and a new edge may lower it: of the linearised loop with V = k(s + 1/s - 2), s the squared distance, at the desired distances all modes of two agents but those of rate 0 decay faster than exp(-t/2) for k = 1 and not for k = 1/32, and for k = 1/32 all such modes of the path of three in a row decay faster than exp(-t/5) and those of the triangle do not.",
     ])
     .control("with potentials, more edges make it faster", RateVariant::MoreEdges)

@@ -89,8 +89,12 @@ pub fn arbitrary() -> Record<SignalVariant> {
     .reading("arbitrary switching: by any signal among connected graphs")
     .repaired_by(Fault::False, "", |v| v.any_signal = false)
     .repaired_clauses(&[
-        "Velocities agree in the limit if links switch by distance, as in (10), read as in tanner2.thm2_vel, and the graph stays connected.",
-        "They do not for all switching signals among connected graphs: four agents in the plane under (4) with V = s + 1/s - 2, s the squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, for the same fixed time each, agree in the limit from no start without collision.",
+        "With potentials of Definition 3 with a continuous gradient, no two agents in one place at the start and the graph of the links \
+         |r_ij| < R connected at all times, every Filippov solution of (10), with K of the whole vector field, has velocities that agree in \
+         the limit: so it is if links switch by distance.",
+        "They do not for all switching signals among connected graphs: of four agents in the plane under (4) with V = s + 1/s - 2, s the \
+         squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, each for the same fixed time T > 0, no motion that lasts for all time \
+         has velocities that agree in the limit.",
     ])
     .altered("by distance, with K agent by agent", |v| v.agentwise = true)
     .altered("the two paths in space", |v| v.trees = Trees { dimension: 3, ..Trees::two_paths() })

@@ -50,8 +50,8 @@ pub fn separation() -> Record<SeparationVariant> {
     )
     .repaired(
         Fault::Typo,
-        "If h_{k+1} - h_k = 1, the separation between two successive agents is a_0 Re(gamma^{-k-1} e^{i w t}) - \
-         a_0 Re(gamma^{-k} e^{i w t}) + 1.",
+        "In the equilibrium oscillation x_k = h_k + a_0 Re(gamma^{-k} e^{i w t}) of system (1), if h_{k+1} - h_k = 1, the separation \
+         x_{k+1} - x_k between two successive agents is a_0 Re(gamma^{-k-1} e^{i w t}) - a_0 Re(gamma^{-k} e^{i w t}) + 1.",
         SeparationVariant { back: 1, inside: 0, outside: 1 },
     )
     .altered("+ a_0 Re(gamma^{-k} e^{iwt})", |v| v.back = -1)
@@ -112,8 +112,10 @@ pub fn size_limit() -> Record<FrontLimitVariant> {
     .reading("N <~ X is read as N <= X; what stays within D is the equilibrium oscillation (the particular solution), as in the proof; a_0, D > 0 and f, g < 0.")
     .repaired_by(Fault::Typo, "", |v| v.half_powers = 1)
     .repaired_clauses(&[
-        "If the leader oscillates at the frequency sqrt(|f|) with the amplitude a_0 and the equilibrium oscillation of the last car of system (1) stays within D, then N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2).",
-        "If N + 1 is at most that, the equilibrium oscillation of the last car stays within D.",
+        "Let f, g < 0, a_0 > 0 and D > 0. If the leader of system (1) oscillates at the frequency sqrt(|f|) with the amplitude a_0 and the \
+         equilibrium oscillation (the particular solution) of the last car, number N + 1, stays within D, then N + 1 <= 2 ln(D/a_0)/ln(1 + \
+         |f|/g^2).",
+        "With the same f, g, a_0, D and leader, if N + 1 >= 1 is at most that, the equilibrium oscillation of the last car stays within D.",
     ])
     .altered("without the factor 2", |v| v.factor = (1, 1))
     .altered("the factor 3", |v| v.factor = (3, 1))

@@ -32,7 +32,9 @@ pub fn nth_neighbour() -> Record<NeighbourVariant> {
     ])
     .repaired_by(Fault::Hypothesis, "", |v| v.smallest = 2)
     .repaired_clauses(&[
-        "If each agent keeps track of only the n-th agent in front and behind it, with n >= 2, the communication graph is not connected.",
+        "If each of the agents 1 to N + 1 behind the leader, number 0, keeps track of only the n-th agent in front and behind it, with n >= \
+         2 (of the one of the two that there is, where the other is missing, and of nobody where both are), the communication graph is not \
+         connected.",
         "The followers that are not joined to the leader (agent 1 among them), if they start at rest in their places, stay there whatever the leader does: they stay behind one that leaves.",
     ])
     .altered("connected for n >= 2", |v| v.connected = true)

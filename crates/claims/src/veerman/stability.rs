@@ -69,7 +69,9 @@ pub fn motion_spectrum() -> Record<SpectrumVariant> {
     ])
     .repaired_by(Fault::Hypothesis, "", |v| v.zero_removed = false)
     .repaired_clauses(&[
-        "spec(M) = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K), for all real f and g.",
+        "With A = [[0,1],[0,0]], K = [[0,0],[f,g]] and M = I kron A + P_i kron K the matrix of system (i), i = 1, 2, where L_i is the \
+         Laplacian with the leader and P_i the one without the row and the column of the leader: spec(M) = union over lambda in spec(L_i) \
+         \\ {0} of spec(A + lambda K), for all real f and g.",
         "For f != 0, 0 is not in spec(M), so that the union is spec(M) \\ {0} too.",
         "spec(L_i) \\ {0} equals spec(P_i).",
     ])

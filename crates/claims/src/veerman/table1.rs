@@ -112,7 +112,7 @@ pub fn theory_columns() -> Record<ColumnsVariant> {
     .repaired(Fault::Typo, "", ColumnsVariant { columns: [NFREQ, NAMP], offsets: [0, 0], f: -1 })
     .repaired_clauses(&[
         "Column NFREQ is the second order approximation of the frequency (Theorem 1, f = g = -1, with N in the place of N + 1), to within one unit of the last printed digit.",
-        "Column NAMP is that of the amplitude.",
+        "Column NAMP is that of the amplitude, in the same sense.",
     ])
     .altered("NFREQ, NAMP for N + 1 followers", |v| v.offsets = [1, 1])
     .altered("NFREQ with TAMP", |v| v.columns = [NFREQ, TAMP])
@@ -202,7 +202,6 @@ pub fn numeric_columns() -> Record<NumericVariant> {
         },
     )
     .reading("Every cell is the resonance to the digits printed (the text: \"we show only the relevant digits\").")
-    .repaired_reading("")
     .clauses(&[
         "Column NFREQ is the resonance frequency of the last member obtained through numerical simulations (f = g = -1).",
         "Column NAMP is its amplitude.",
@@ -235,8 +234,8 @@ pub fn size() -> Record<i64> {
     .reading("A row refers to a flock whose resonance, and Theorem 1 for it, are near the printed numbers.")
     .repaired(
         Fault::Typo,
-        "The rows of Table 1 refer to flocks of size N+1 (including the leader), that is, N followers, with N the \
-         first column.",
+        "The rows of Table 1 refer to flocks of size N+1 (including the leader), that is, N followers, with N the first column: the \
+         resonance of such a flock, and Theorem 1 for it, are near the printed numbers.",
         0,
     )
     .control("N - 1 followers", -1)

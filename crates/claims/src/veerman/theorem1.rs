@@ -245,8 +245,8 @@ pub fn epsilon() -> Record<EpsilonVariant> {
     .reading("eps = sqrt(gamma^2 - 1), the principal root, for w > 0.")
     .repaired_by(
         Fault::Slip,
-        "For w > 0 and f, g < 0, eps = sqrt(gamma^2 - 1) = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- (3/4) \
-         g^2/f^2 - 1/(2|f|)) ) + O(w^4).",
+        "For w > 0 and f, g < 0, eps = sqrt(gamma^2 - 1), the principal root, = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- \
+         (3/4) g^2/f^2 - 1/(2|f|)) ) + O(w^4).",
         |v| v.damping = (-3, 4),
     )
     .altered("+ 3/4 g²/f²", |v| v.damping = (3, 4))
@@ -355,7 +355,8 @@ pub fn exponent() -> Record<ExponentVariant> {
     ])
     .repaired_by(Fault::Typo, "", |v| v.power = 1)
     .repaired_clauses(&[
-        "For f, g < 0 and x := pi^2 |g|/(8 sqrt(2) sqrt(|f|)), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal resonance.",
+        "For f, g < 0 and x := pi^2 |g|/(8 sqrt(2) sqrt(|f|)), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal resonance of \
+         system (2), for fixed f and g and a leader of amplitude 1.",
         "For f, g < 0 and the same x, A = |a_{N+1}| = (N+1)/x + O(N^{-1}) there.",
     ])
     .altered("4 sqrt2 instead of 8 sqrt2", |v| v.divisor = 4)

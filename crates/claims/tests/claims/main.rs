@@ -7,3 +7,4 @@ mod attempts;
 mod motion_attempts;
 mod paley_runs;
 mod recorded;
+mod statements;

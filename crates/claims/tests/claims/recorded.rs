@@ -31,6 +31,7 @@ fn every_claim_is_as_recorded() {
     let document: serde_json::Value = serde_json::from_str(&to_json(&report, &options)).unwrap();
     assert_eq!(document["schema"], "flockproof.ledger/2");
     assert_eq!(document["claims"].as_array().map(Vec::len), Some(ids.len()));
+    assert_eq!(super::statements::incomplete(&report.entries), Vec::<String>::new());
     // A proof on paper stands in a note.
     for evidence in report.entries.iter().flat_map(|entry| &entry.evidence).filter(|e| e.grade == Grade::Argued) {
         let note = evidence.detail.split("notes/").nth(1).and_then(|rest| rest.split(".md").next());

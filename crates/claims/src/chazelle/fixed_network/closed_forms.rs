@@ -222,9 +222,12 @@ pub fn with_gamma() -> Record<ClosedFormVariant> {
     )
     .repaired(
         Fault::Typo,
-        "If G_t is invariant during [t_1, t-1], and m, Gamma, y, lambda_k and Phi_k belong to the flock of bird i as in \
-         chazelle.xi.closed: x_i(t) = x_i(t_1) + ((chi(i)^T Gamma) kron I_d) v(t_1+1) + (t-t_1) y - sum_{k=2}^m \
-         lambda_k^{t-t_1} Phi_k/(1-lambda_k).",
+        "In model D with birds in R^d let G_t be invariant during [t_1, t-1], t >= t_1. On the flock of bird i let m be the number of \
+         birds, P = I - C L the matrix, C the diagonal matrix of the c_j > 0, pi the stationary distribution, u_1, ..., u_m orthonormal \
+         eigenvectors of C^{-1/2} P C^{1/2} for its eigenvalues 1 = lambda_1 > lambda_2 >= ... >= lambda_m, chi(i) the unit vector of i, \
+         v(s) the velocities of its birds, Gamma = lim_s (I + P + ... + P^{s-1} - s 1 pi^T), y = (pi^T kron I_d) v(t_1+1) and Phi_k = \
+         ((chi(i)^T C^{1/2} u_k u_k^T C^{-1/2}) kron I_d) v(t_1+1); an isolated bird has m = 1, P = 1 and Gamma = 0. With 0^0 = 1: x_i(t) = \
+         x_i(t_1) + ((chi(i)^T Gamma) kron I_d) v(t_1+1) + (t-t_1) y - sum_{k=2}^m lambda_k^{t-t_1} Phi_k/(1-lambda_k).",
         PRINTED,
     )
     .altered("the sum from k = 1", |v| v.first = 1)

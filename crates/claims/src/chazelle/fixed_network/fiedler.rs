@@ -83,10 +83,12 @@ pub fn fiedler_rate() -> Record<FiedlerVariant> {
     ])
     .repaired_by(Fault::Typo, "", |v| v.sign = -1)
     .repaired_clauses(&[
-        "When the graph is connected the Fiedler number is at least 4/(n(n-1)), for n >= 2 birds.",
-        "On a fixed connected graph, with weights of denominators up to n^a, differences between velocities are at \
-         most n^{O(1)} 2^{-t/n^c} times the largest of the first ones, for some constant c > 0.",
-        "For lazy weights and for c_i = 1/(d_i+1) they are at most n 2^{-t/n^3} times it after t steps.",
+        "When the graph of n >= 2 birds is connected the Fiedler number, the second smallest eigenvalue of its Laplacian, is at least 4/(n(n-1)).",
+        "For every a there are constants b and c > 0 so that in model D on any fixed connected graph of n >= 2 birds, with weights c_i that \
+         are fractions of denominators up to n^a, differences between velocities after t steps are at most n^b 2^{-t/n^c} times the largest \
+         of the first ones, in any norm.",
+        "For the lazy weights c_i = 2/(3 d_i) and for c_i = 1/(d_i+1), on a fixed connected graph, they are at most n 2^{-t/n^3} times it \
+         after t steps.",
     ])
     .altered("a Fiedler number of 4.04/(n(n-1))", |v| v.factor = (101, 100))
     .altered("c = 2", |v| v.gap_shift = -1)

@@ -35,8 +35,9 @@ pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
     )
     .repaired_by(Fault::False, "", |v| v.columns_only = true)
     .repaired_clauses(&[
-        "If e^{i theta} is, up to a common rotation, a column m of F other than the first, then the phasors form the symmetric pattern of N/gcd(N, m - 1) clusters.",
-        "Other eigenvectors of a repeated eigenvalue need not be symmetric.",
+        "On an undirected circulant graph on N >= 2 nodes, if e^{i theta} is, up to a common rotation and a positive factor, a column m of \
+         the Fourier matrix F other than the first, then the phasors form the symmetric pattern of N/gcd(N, m - 1) clusters.",
+        "Other eigenvectors e^{i theta}, for a repeated eigenvalue, need not be symmetric patterns.",
     ])
     .altered("N clusters in every column", |v| v.clusters = |nodes, _| nodes)
     .altered("gcd(N, m - 1) clusters", |v| v.clusters = |nodes, m| nodes.gcd(&m))
@@ -227,10 +228,11 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
     ])
     .repaired(Fault::False, "", right)
     .repaired_clauses(&[
-        "On C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of W_1.",
-        "Up to rotation e^{i theta} is then a column of F or (u, v, -u, -v) three times over with u, v of modulus one.",
-        "Each column of F is a symmetric pattern.",
-        "Each (u, v, -u, -v, ...) with any u, v of modulus one is an eigenvector with eigenvalue 2.",
+        "On C_12, if e^{i theta}, theta real, is an eigenvector of the Laplacian L, then theta is a stationary point of W_1.",
+        "Then e^{i theta} is, up to rotation and a positive factor, a column of the Fourier matrix F or (u, v, -u, -v) three times over \
+         with u, v of modulus one.",
+        "Each column of F is, up to a positive factor, a symmetric pattern.",
+        "Each (u, v, -u, -v) three times over with any u, v of modulus one is an eigenvector with eigenvalue 2.",
     ])
     .altered("more eigenvectors at eigenvalue 1 too", |v| v.rhombi = |n, m| 4 * m == n || 6 * m == n)
     .altered("twelve clusters in every column", |v| v.clusters = |n, m| if m == 0 { 1 } else { n })

@@ -120,7 +120,7 @@ pub fn incidence() -> Record<IncidenceVariant> {
     .repaired(Fault::Slip, "", IncidenceVariant { tail: -1, once: Some((1, 1)), twice: Some((1, 2)) })
     .repaired_clauses(&[
         "For undirected G, L = B B^T if B has one column for each undirected edge, directed either way.",
-        "With one column for each directed edge in E, L = (1/2) B B^T.",
+        "With one column for each directed edge in E, for the same G, L = (1/2) B B^T.",
     ])
     .altered("half of B B^T with a column for each undirected edge", |v| v.once = Some((1, 2)))
     .altered("both entries 1", |v| v.tail = 1)

@@ -79,14 +79,13 @@ pub fn scale() -> Record<ScaleVariant> {
         examine_scale,
     )
     .reading("The factor is that of the labels of Figure S3, 2/(n+1); with that of the text, 2/n + 1, it fails for two fish already")
-    .repaired_reading("")
     .repaired(
         Fault::False,
         "",
         ScaleVariant(vec![(|n, fish| n == 1 || n + 1 == fish, figure_scale), (|_, _| true, |n, _| rational(1, n))]),
     )
     .repaired_clauses(&[
-        "2/(n+1) W_1 lies in [0,1] for n = 1.",
+        "With W_1 of the network of the n nearest neighbours of each of N >= 2 fish, 2/(n+1) W_1 lies in [0,1] for n = 1.",
         "2/(n+1) W_1 lies in [0,1] for n = N - 1.",
         "It is 4/3 for four fish on a square, n = 2, each opposite to both neighbours.",
         "For all n the scaled potential W_1/n lies in [0,1].",

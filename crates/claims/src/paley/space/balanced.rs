@@ -80,8 +80,8 @@ pub fn balanced_stable() -> Record<BalancedVariant> {
     )
     .repaired(Fault::False, "", BalancedVariant { set: BalancedSet::Largest, gain: 1, complete: true })
     .repaired_clauses(&[
-        "If G is undirected, circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular \
-         formations whose phases maximise W_1 is asymptotically stable.",
+        "If G is undirected, circulant and connected, N >= 2, then under (22) with w0 != 0 and K_0, K_1 > 0 the set of circular formations \
+         whose phases maximise W_1 is asymptotically stable.",
         "All of them are balanced: L e^{i theta} = lambda_max e^{i theta}.",
         "It is the set of all balanced circular formations if G is complete.",
     ])
@@ -187,10 +187,10 @@ pub fn larger_gain() -> Record<GainVariant> {
     .reading("The increase is what leads from the formation of Figure 3(c) to the pattern: the gain is raised on that formation.")
     .repaired(Fault::False, "", GainVariant { offset: 5, destroyed: false, moved: 0 })
     .repaired_clauses(&[
-        "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) is exponentially \
-         stable up to symmetry for every K_1 > 0 and K_0 > 0.",
+        "Under (22) on C_12 with w0 != 0 the splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) is exponentially \
+         stable up to rotation and translation for every K_1 > 0 and K_0 > 0.",
         "The (2,12)-pattern in which neighbours are opposite is too.",
-        "The formation of Figure 3(c) is an equilibrium at every K_1, so that a change of the gain leaves it where it is.",
+        "The formation of Figure 3(c) is an equilibrium, up to rotation, at every K_1 and K_0, so that a change of the gain leaves it where it is.",
     ])
     .altered("neighbours one twelfth apart are stable", |v| v.offset = 1)
     .altered("a quarter turn apart", |v| v.offset = 3)

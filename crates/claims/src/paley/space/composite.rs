@@ -214,7 +214,8 @@ pub fn pattern_composite() -> Record<WeightVariant> {
     .reading("V proves Theorem 3 by Lyapunov's method only if it does not increase.")
     .repaired(
         Fault::Slip,
-        "V^{M,N}(r, theta) = K_0 S(r, theta) + w0^-2 U^{M,N}(theta), with Vdot = -w0^-2 sum_k (u_k - w0)^2 along (5) with (20) and minus the gradient of (25), on any undirected graph.",
+        "For w0 != 0, V^{M,N}(r, theta) = K_0 S(r, theta) + w0^-2 U^{M,N}(theta) has Vdot = -w0^-2 sum_k (u_k - w0)^2 along (5) with (20) \
+         and minus the gradient of (25), on any undirected graph, for any gains: it does not increase.",
         right,
     )
     .control("U/w0", WeightVariant { exponent: -1, ..printed })

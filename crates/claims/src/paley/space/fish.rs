@@ -51,8 +51,8 @@ pub fn euler_step() -> Record<StepVariant> {
     .reading("u_k is one and the same steering in (26) and in (2).")
     .repaired(
         Fault::Slip,
-        "r_k(q+1) = r_k(q) + T e^{i th_k(q)}, th_k(q+1) = th_k(q) + T u_k(q) is the forward Euler method \
-         with step T for (1), (2).",
+        "For T > 0 and one and the same steering u_k in both, r_k(q+1) = r_k(q) + T e^{i th_k(q)}, th_k(q+1) = th_k(q) + T u_k(q) is the \
+         forward Euler method with step T for (1), (2).",
         StepVariant { position: 1, phase: 1 },
     )
     .altered("T^2 u", |v| v.phase = 2)
@@ -131,10 +131,10 @@ pub fn repulsion_field() -> Record<BehaviourVariant> {
     )
     .repaired(Fault::Slip, "", right)
     .repaired_clauses(&[
-        "Moving along v_k^rep = sum_{j in N_k^rep} rhat_kj, rhat_kj = (r_k - r_j)/|r_k - r_j|, lengthens \
-         the sum of the distances to these neighbours at the rate |v_k^rep|^2.",
-        "With K_rep > 0 the steering K_rep <i e^{i th_k}, v_k^rep> of (27) turns the heading towards it: \
-         <e^{i th_k}, v_k^rep> does not decrease at a fixed v_k^rep.",
+        "Where no neighbour is at r_k, and while the neighbours rest, moving fish k along v_k^rep = sum_{j in N_k^rep} rhat_kj, rhat_kj = \
+         (r_k - r_j)/|r_k - r_j|, r_k' = v_k^rep, lengthens the sum of the distances to these neighbours at the rate |v_k^rep|^2.",
+        "With K_rep > 0 the steering th_k' = K_rep <i e^{i th_k}, v_k^rep>, the term of (27) in continuous time, turns the heading towards \
+         it: <e^{i th_k}, v_k^rep> does not decrease at a fixed v_k^rep.",
     ])
     .altered("the field turned by a quarter", |v| v.turns = 1)
     .altered("K_rep < 0", |v| v.gain = -1)
@@ -162,10 +162,10 @@ pub fn attraction_field() -> Record<BehaviourVariant> {
     )
     .repaired(Fault::Slip, "", right)
     .repaired_clauses(&[
-        "Moving along v_k^att = - sum_{j in N_k^att} rhat_kj, rhat_kj = (r_k - r_j)/|r_k - r_j|, shortens \
-         the sum of the distances to these neighbours at the rate |v_k^att|^2.",
-        "With K_att > 0 the steering K_att <i e^{i th_k}, v_k^att> of (27) turns the heading towards it: \
-         <e^{i th_k}, v_k^att> does not decrease at a fixed v_k^att.",
+        "Where no neighbour is at r_k, and while the neighbours rest, moving fish k along v_k^att = - sum_{j in N_k^att} rhat_kj, rhat_kj = \
+         (r_k - r_j)/|r_k - r_j|, r_k' = v_k^att, shortens the sum of the distances to these neighbours at the rate |v_k^att|^2.",
+        "With K_att > 0 the steering th_k' = K_att <i e^{i th_k}, v_k^att>, the term of (27) in continuous time, turns the heading towards \
+         it: <e^{i th_k}, v_k^att> does not decrease at a fixed v_k^att.",
     ])
     .altered("the field turned by a quarter", |v| v.turns = 1)
     .altered("K_att < 0", |v| v.gain = -1)

@@ -96,12 +96,12 @@ pub fn laplacian_form() -> Record<FormVariant> {
     .reading("\"Approximated\" means r_kj in the place of rhat_kj.")
     .repaired(Fault::Slip, "", FormVariant { orientation: -1, attraction: -1, field: -1, units: false })
     .repaired_clauses(&[
-        "If the repulsion zone of fish k is empty, with r_kj in the place of rhat_kj and v_k^att = - sum r_kj, (27) is u_k = w_k - K_ori <i e^{i \
-         th_k}, L_k^ori e^{i th}> - K_att <i e^{i th_k}, L_k^att r>.",
+        "If the repulsion zone of fish k is empty, with r_kj = r_k - r_j in the place of rhat_kj and v_k^att = - sum r_kj, (27) is u_k = \
+         w_k - K_ori <i e^{i th_k}, L_k^ori e^{i th}> - K_att <i e^{i th_k}, L_k^att r>.",
         "For K_att > 0 its K_att term steers towards the sum of the r_j - r_k over the neighbours in the zone of attraction.",
         "For K_ori > 0 its K_ori term steers towards the sum of the headings of the neighbours in the zone of orientation.",
-        "With an empty zone of repulsion and v_k^att = - sum rhat_kj in (27) it is (27) itself where every neighbour in the zone of \
-         attraction is at the distance 1, and in general it is not.",
+        "With an empty zone of repulsion, no neighbour at r_k and v_k^att = - sum rhat_kj in (27) this law is (27) itself where every \
+         neighbour in the zone of attraction is at the distance 1, and in general it is not.",
     ])
     .altered("(28) with -K_att from the printed (27)", |v| v.field = 1)
     .altered("+K_ori", |v| v.orientation = 1)

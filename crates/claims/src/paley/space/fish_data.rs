@@ -106,8 +106,8 @@ pub fn difference_inference() -> Record<ScaleVariant> {
     )
     .repaired(Fault::False, "", ScaleVariant { name: "1/n", scale: |n| Scale::PerArc.ratio(n) })
     .repaired_clauses(&[
-        "The difference of W_1/n for n = N-1 and n = 1 is positive if and only if nearest neighbours are on \
-         average more synchronised than all pairs (mean of 1 - cos th_kj over arcs).",
+        "With W_1 of the network of the n nearest neighbours of each of N >= 2 fish, W_1/n for n = N-1 minus W_1/n for n = 1 is positive if \
+         and only if nearest neighbours are on average more synchronised than all pairs (mean of 1 - cos th_kj over arcs).",
         "For independent uniform headings that do not depend on the positions it has mean zero.",
     ])
     .altered("unscaled", |v| (v.name, v.scale) = ("1", |_| (1, 1)))
