@@ -38,7 +38,15 @@ Check (@chazelle_worked.angle_bounds :
   chazelle_worked.norm d v <= B ->
   chazelle_worked.norm d w <= B ->
   / (1 + B ^ 2) <= chazelle_worked.angle d v w / chazelle_worked.norm d (chazelle_worked.diff v w) <= 5 / 2).
-(* beyond.chazelle.angle, clause 1: the angle of (v, 1) and (w, 1), w = x/t; chazelle.eq3.15 *)
+(* beyond.chazelle.angle, clause 1: the angle of (x, t) and (v, 1) in R^(d+1) *)
+Check (eq_refl : chazelle_angle.lifted = fun d x h k => if Nat.eqb k d then h else x k).
+Check (@chazelle_angle.lifted_birds :
+  forall (d : nat) (x v : nat -> R) (t : R), 0 < t ->
+  acos (chazelle_worked.dotp (S d) (chazelle_angle.lifted d x t) (chazelle_angle.lifted d v 1) /
+    (chazelle_worked.norm (S d) (chazelle_angle.lifted d x t) * chazelle_worked.norm (S d) (chazelle_angle.lifted d v 1))) <=
+    chazelle_worked.norm d (fun k => v k - x k / t) /\
+  chazelle_worked.norm d (fun k => v k - x k / t) = chazelle_worked.norm d (fun k => x k - t * v k) / t).
+(* chazelle.eq3.15 from above, with the best constant *)
 Check (@chazelle_angle.angle_le :
   forall (d : nat) (v w : nat -> R),
   acos ((chazelle_worked.dotp d v w + 1) / (sqrt (chazelle_worked.dotp d v v + 1) * sqrt (chazelle_worked.dotp d w w + 1))) <=
@@ -453,11 +461,12 @@ Check (@chazelle_network.fiedler_rate :
    (forall i0 : 'I_n, n%:R ^- a <= transition G c i0 i0) ->
    (forall t0 : nat, (0 < t0)%N -> v t0.+1 = transition G c *m v t0) ->
    norm2 (row i (v t.+1) - row j (v t.+1)) <= n%:R ^+ a.+1 * 2^-1 ^+ (t %/ n ^ (2 * a + 4)) * tau2 (v 1%N))).
-(* chazelle.fiedler.rate, corrected, clause 1: an eigenvalue of the Laplacian other than 0 *)
+(* chazelle.fiedler.rate, corrected, clause 1: 0 is simple, and every other eigenvalue of the Laplacian is at least 4/(n (n-1)) *)
 Check (@chazelle_sharp.fiedler_sharp :
-  forall (R : realFieldType) (n : nat) (G : rel 'I_n) (lam : R) (f : 'I_n -> R),
+  forall (R : realFieldType) (n : nat) (G : rel 'I_n),
   network G -> (forall i j, connect G i j) ->
-  (forall i, \sum_j laplacian R G i j * f j = lam * f i) -> (exists i, f i != 0) -> lam != 0 ->
+  (forall f : 'I_n -> R, (forall i, \sum_j laplacian R G i j * f j = 0) <-> exists c, forall i, f i = c) /\
+  forall (lam : R) (f : 'I_n -> R), (forall i, \sum_j laplacian R G i j * f j = lam * f i) -> (exists i j, f i != f j) ->
   4%:R <= lam * (n * n.-1)%:R).
 
 (* chazelle.fiedler.rate, corrected, clause 3: differences are at most n 2^(-t/n^3) times the largest of the first ones, both sides
@@ -476,8 +485,9 @@ Check (@chazelle_losses.origins_stay :
   (forall t i j, (0 < t)%N -> 0 < transition (G t) (c t) i j -> (n%:R ^+ a)^-1 <= transition (G t) (c t) i j) ->
   (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, c t.+1 i = c t i) ->
   (forall t, x t.+1 = x t + v t.+1) -> (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
-  (forall t i j, (0 < t)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R) ->
-  forall (q : 'I_d) (t : nat) (i : 'I_n) (M : R), (0 < t)%N -> (forall j, `|x 0%N j q| <= M) ->
+  forall T : nat,
+  (forall t i j, (0 < t < T)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R) ->
+  forall (q : 'I_d) (t : nat) (i : 'I_n) (M : R), (0 < t <= T)%N -> (forall j, `|x 0%N j q| <= M) ->
   `|x t i q - t%:R * v t i q| <=
     M + 4%:R * (chazelle_stabilisers.N (changes G) t.-1 1).+1%:R * n%:R ^+ (2 * a + 3)).
 (* beyond.chazelle.entries (part) *)

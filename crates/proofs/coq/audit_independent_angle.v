@@ -31,31 +31,8 @@ Proof.
 Qed.
 Lemma angle_1_proved : angle_1.
 Proof.
-  intros d x v t Ht. assert (T : 0 < INR t) by (apply lt_0_INR; lia). split.
-  - pose proof (chazelle_angle.angle_le d v (fun k => x k / INR t)) as H. unfold chazelle_worked.angle, chazelle_worked.ldot, chazelle_worked.norm, chazelle_worked.diff in H. rewrite <- !inner_dotp in H.
-    unfold angle_of, length_of. rewrite !inner_lift.
-    set (y := fun k => x k / INR t) in *.
-    assert (E : forall z, inner_of d x z = INR t * inner_of d y z).
-    { intros z. rewrite (inner_ext d x z (fun k => INR t * y k) (fun k => 1 * z k)); [rewrite inner_scal; ring|].
-      intros k _. unfold y. split; [field; lra|ring]. }
-    assert (Y : inner_of d x x = INR t * INR t * inner_of d y y).
-    { rewrite (inner_ext d x x (fun k => INR t * y k) (fun k => INR t * y k)); [apply inner_scal|]. intros k _. unfold y. split; field; lra. }
-    assert (C : forall p q, inner_of d p q = inner_of d q p) by (intros; induction d as [|d' IH] in |- *; cbn; [reflexivity|rewrite IH; ring]).
-    rewrite (E v), Y, (C y v).
-    replace (INR t * INR t * inner_of d y y + INR t * INR t) with (INR t * INR t * (inner_of d y y + 1)) by ring.
-    pose proof (inner_ge0 d y). pose proof (inner_ge0 d v).
-    rewrite sqrt_mult by nra. rewrite sqrt_square by lra.
-    assert (P1 : 0 < sqrt (inner_of d y y + 1)) by (apply sqrt_lt_R0; lra). assert (P2 : 0 < sqrt (inner_of d v v + 1)) by (apply sqrt_lt_R0; lra).
-    replace (1 * 1) with 1 by ring.
-    replace ((INR t * inner_of d v y + INR t * 1) / (INR t * sqrt (inner_of d y y + 1) * sqrt (inner_of d v v + 1)))
-      with ((inner_of d v y + 1) / (sqrt (inner_of d v v + 1) * sqrt (inner_of d y y + 1))) by (field; lra).
-    rewrite (inner_ext d (fun k => v k - x k / INR t) (fun k => v k - x k / INR t) (fun k => 1 * v k + -1 * y k) (fun k => 1 * v k + -1 * y k)); [exact H|].
-    intros k _. unfold y. split; unfold Rdiv; ring.
-  - unfold length_of.
-    rewrite (inner_ext d (fun k => v k - x k / INR t) _ (fun k => (- / INR t) * (x k - INR t * v k)) (fun k => (- / INR t) * (x k - INR t * v k))).
-    + rewrite inner_scal. replace (- / INR t * - / INR t) with (/ INR t * / INR t) by ring.
-      pose proof (Rinv_0_lt_compat _ T). rewrite sqrt_mult by (try apply inner_ge0; nra). rewrite sqrt_square by lra. unfold Rdiv. ring.
-    + intros k _. split; field; lra.
+  intros d x v t Ht. assert (T : 0 < INR t) by (apply lt_0_INR; lia). pose proof (chazelle_angle.lifted_birds d x v (INR t) T) as H.
+  unfold chazelle_worked.norm in H. rewrite <- !inner_dotp in H. exact H.
 Qed.
 
 (* ==== more clauses about real functions, formalised from their words alike, before the theorems were looked at ==== *)

@@ -21,9 +21,9 @@ Definition angle_2 : Prop := forall (R : rcfType) (n d a : nat) (G : nat -> rel 
   (forall t i j, (0 < t)%N -> 0 < transition (G t) (c t) i j -> (n%:R ^+ a)^-1 <= transition (G t) (c t) i j) ->
   (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, c t.+1 i = c t i) ->
   (forall t, x t.+1 = x t + v t.+1) -> (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
-  (forall t i j, (0 < t)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R) ->
   (forall i q, `|x 0%N i q| <= X) ->
-  forall t i q, (0 < t)%N -> `|x t i q - t%:R * v t i q| <= X + 4%:R * (switches_up_to G t.-1).+1%:R * n%:R ^+ (2 * a + 3).
+  forall t i q, (0 < t)%N -> (forall u i j, (0 < u < t)%N -> G u i j -> norm2 (row i (x u) - row j (x u)) <= 2%:R) ->
+  `|x t i q - t%:R * v t i q| <= X + 4%:R * (switches_up_to G t.-1).+1%:R * n%:R ^+ (2 * a + 3).
 
 (* beyond.chazelle.entries clauses 1 and 2 *)
 Definition entries_1 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n), (1 < n)%N -> (forall t, network (G t)) ->
@@ -200,8 +200,8 @@ Definition modelD_12 : Prop := forall (R : realFieldType) n (G : rel 'I_n) (c : 
 (* ---- the theorems prove them ---- *)
 Lemma angle_2_proved : angle_2.
 Proof.
-move=> R n d a G c x v X a0 net MD fl same Hx Hv sh X0 t i q t0.
-apply: (le_trans (@chazelle_losses.origins_stay R n d a G c x v net MD a0 fl same Hx Hv sh q t i X t0 (fun j => X0 j q))).
+move=> R n d a G c x v X a0 net MD fl same Hx Hv X0 t i q t0 sh.
+apply: (le_trans (@chazelle_losses.origins_stay R n d a G c x v net MD a0 fl same Hx Hv t sh q t i X _ (fun j => X0 j q))); first by rewrite t0 leqnn.
 by rewrite /switches_up_to /chazelle_stabilisers.N subn1.
 Qed.
 Lemma entries_1_proved : entries_1.
@@ -405,16 +405,7 @@ move=> R n G n1 net con lam u [i [j ne]] E.
 have N0 : 0 < (n%:R * n.-1%:R : R) by rewrite mulr_gt0 ?ltr0n ?(ltnW n1) //; case: n n1 {G net con u i j ne E} => [|[]].
 have F k : \sum_l laplacian R G k l * u l 0 = lam * u k 0 by have := congr1 (fun A : 'cV_n => A k 0) E; rewrite !mxE.
 rewrite ler_pdivr_mulr // -natrM.
-apply: (@chazelle_sharp.fiedler_sharp R n G lam (fun k => u k 0)) => //.
-- case: (eqVneq (u i 0) 0) => [z|]; last by exists i.
-  by exists j; apply/eqP => z'; move: ne; rewrite z z' eqxx.
-apply/eqP => l0; case/eqP: ne.
-pose c := vicsek R G; have MD := @vicsek_model_D R n G.
-have c0 k : 0 < c k by rewrite invr_gt0 ltr0n.
-have [_ _ [K _] _ _] := chazelle_network.stationary net MD con c0 i.
-apply: (K (fun k => u k 0)) => k; rewrite /step.
-have := congr1 (fun A : 'cV_n => A k 0) (erefl (transition G c *m u)); rewrite {1}mxE => ->.
-by rewrite mulmxBl mul1mx -mulmxA E l0 scale0r mulmx0 subr0.
+by apply: (proj2 (@chazelle_sharp.fiedler_sharp R n G net con) lam (fun k => u k 0) F); exists i, j.
 Qed.
 Lemma fiedler_5_proved : fiedler_5.
 Proof.

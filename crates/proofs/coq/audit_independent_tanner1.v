@@ -37,28 +37,46 @@ Definition two_agents_3 : Prop := forall adj V V' r v a d, undirected adj -> adj
 (* tanner1.Vt_inv clauses 3, 4 and tanner1.propIV3b clause 2; whatever the law takes for the differences of headings *)
 Definition Vt_inv_3 : Prop := forall n adj V V' r v a, undirected adj -> symmetric_V V -> (forall t, 0 <= t -> loop n adj V V' r v a t) ->
   forall t, 0 <= t -> kinetic_plus_V n adj V (fun i => r i t) (fun i => v i t) = kinetic_plus_V n adj V (fun i => r i 0) (fun i => v i 0).
+(* the same through jumps of headings, stated after the theorems had been seen: clauses 2, 3 of beyond.tanner1.two_agents too *)
+Definition jumping n adj (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) a (J : list R) t :=
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ continuity_pt (fun s => fst (v i s)) t /\ continuity_pt (fun s => snd (v i s)) t /\
+     forall j, (j < n)%nat -> adj i j = true -> r i t <> r j t /\ is_derive (V i j) (Cmod (r i t - r j t)%C) (V' i j (Cmod (r i t - r j t)%C))) /\
+  (~ In t J -> loop n adj V V' r v a t).
+Definition Vt_inv_3_jumps : Prop := forall n adj V V' r v a J t, undirected adj -> symmetric_V V -> 0 <= t -> (forall s, 0 <= s <= t -> jumping n adj V V' r v a J s) ->
+  kinetic_plus_V n adj V (fun i => r i t) (fun i => v i t) = kinetic_plus_V n adj V (fun i => r i 0) (fun i => v i 0).
+Definition two_agents_2_jumps : Prop := forall adj V V' r v a d (ph : nat -> R -> R) J s t, undirected adj -> adj 0%nat 1%nat = true ->
+  symmetric_V V -> pair_of a d -> s <= t -> (forall x, s <= x <= t -> jumping 2 adj V V' r v a J x) ->
+  (forall x i, s <= x <= t -> v i x = (RtoC (Cmod (v i x)) * expi (ph i x))%C) ->
+  (forall x, s <= x <= t -> - PI < d x <= PI /\ exists k : Z, d x = ph 0%nat x - ph 1%nat x + 2 * PI * IZR k) ->
+  Cmod (v 0%nat s + v 1%nat s)%C <= Cmod (v 0%nat t + v 1%nat t)%C.
 (* tanner1.anyV clauses 3, 4: as long as the motion lasts, until T; that no linked agents meet is the conclusion *)
 Definition loop_apart n adj (V' : nat -> nat -> R -> R) (r v : nat -> R -> C) a t :=
   forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\
     ((forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
      is_velocity (v i) t (law n adj V' (fun i j => a i j t) (fun i => r i t) (fun i => v i t) i)).
+(* the same with jumps of headings at the times in J, where the velocities are continuous *)
+Definition loop_jumps n adj (V' : nat -> nat -> R -> R) (r v : nat -> R -> C) a (J : list R) t :=
+  forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\
+    ((forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+     continuity_pt (fun s => fst (v i s)) t /\ continuity_pt (fun s => snd (v i s)) t /\
+     (~ In t J -> is_velocity (v i) t (law n adj V' (fun i j => a i j t) (fun i => r i t) (fun i => v i t) i))).
 Definition start_apart n (adj : graph) (r : nat -> R -> C) := forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i 0 <> r j 0.
 Definition repels (V V' : R -> R) := (forall s, 0 < s -> is_derive V s (V' s) /\ 0 <= V s) /\
   forall c, exists d, 0 < d /\ forall s, 0 < s < d -> c < V s.
 Definition binds (V : R -> R) := forall c, exists D, forall s, D < s -> c < V s.
-Definition anyV_3 : Prop := forall n adj V V' r v a T, undirected adj -> no_loops adj -> symmetric_V V ->
+Definition anyV_3 : Prop := forall n adj V V' r v a T J, undirected adj -> no_loops adj -> symmetric_V V ->
   (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> repels (V i j) (V' i j)) -> start_apart n adj r ->
-  (forall t, 0 <= t <= T -> loop_apart n adj V' r v a t) ->
+  (forall t, 0 <= t <= T -> loop_jumps n adj V' r v a J t) ->
   forall t i j, 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t.
 Definition anyV_4 : Prop := forall n adj V V' r v a, undirected adj -> no_loops adj -> symmetric_V V -> strongly_connected n adj ->
   (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> repels (V i j) (V' i j) /\ binds (V i j)) -> start_apart n adj r ->
-  exists B, forall T, (forall t, 0 <= t <= T -> loop_apart n adj V' r v a t) ->
+  exists B, forall T J, (forall t, 0 <= t <= T -> loop_jumps n adj V' r v a J t) ->
     forall t i j, 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> Cmod (r i t - r j t)%C <= B.
 (* tanner1.collision clause 4, with the potential of Figure 2 *)
 Definition fig2 (i j : nat) (s : R) := / s ^ 2 + ln (s ^ 2).
 Definition fig2' (i j : nat) (s : R) := - 2 / s ^ 3 + 2 / s.
-Definition collision_4 : Prop := forall n adj r v a T, undirected adj -> no_loops adj -> start_apart n adj r ->
-  (forall t, 0 <= t <= T -> loop_apart n adj fig2' r v a t) ->
+Definition collision_4 : Prop := forall n adj r v a T J, undirected adj -> no_loops adj -> start_apart n adj r ->
+  (forall t, 0 <= t <= T -> loop_jumps n adj fig2' r v a J t) ->
   (forall t i j, 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) /\
   ((forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> adj i j = true) ->
    forall t i j, 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> i <> j -> r i t <> r j t).
@@ -140,10 +158,10 @@ Qed.
 Lemma Vt_inv_3_proved : Vt_inv_3.
 Proof.
   intros n adj V V' r v a S VS L t Ht. rewrite !energy_is.
-  refine (turning_constant n adj V (both V') r v (rate n adj a r) S (both_sym V') t Ht _). intros s Hs.
+  refine (turning_constant n adj V (both V') r v (rate n adj a r) S (both_sym V') nil t Ht _). intros s Hs.
   pose proof (loop_both n adj V V' r v a s S VS (L s ltac:(lra))) as Ls. split; [split|split].
   - intros i Hi. now apply (Ls i Hi).
-  - intros _ i Hi. rewrite <- law_turned. now apply (Ls i Hi).
+  - intros _ i Hi. destruct (Ls i Hi) as (_ & Lw & _). split; [|split]; [..|intros _; rewrite <- law_turned; exact Lw]; apply derivable_continuous_pt, ex_derive_Reals_0; eexists; apply Lw.
   - intros i j Hi Hj A. now apply (Ls i Hi).
   - intros i j Hi Hj A. now apply (Ls i Hi).
 Qed.
@@ -172,6 +190,29 @@ Proof.
   - intros x Hx _. split; [apply steered_is, (loop_pair adj V (both V') r v a d x P), loop_both, L; [assumption|assumption|lra]|]. right.
     destruct (W x ltac:(lra)) as [W1 [k Wk]]. cbn [as_headings]. rewrite Rminus_0_r. split; [lra|]. exists k. rewrite Wk. ring.
 Qed.
+Lemma Vt_inv_3_jumps_proved : Vt_inv_3_jumps.
+Proof.
+  intros n adj V V' r v a J t S VS Ht L. rewrite !energy_is.
+  refine (turning_constant n adj V (both V') r v (rate n adj a r) S (both_sym V') J t Ht _). intros s Hs. destruct (L s Hs) as [C Ls].
+  assert (Q : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (Cmod (r i s - r j s)%C) (both V' i j (Cmod (r i s - r j s)%C))).
+  { intros i j Hi Hj A. destruct (C i Hi) as (_ & _ & _ & Ci). destruct (C j Hj) as (_ & _ & _ & Cj). apply both_slope; [exact VS|now apply Ci|].
+    replace (Cmod (r i s - r j s)%C) with (Cmod (r j s - r i s)%C) by apply norm_sym. apply Cj; [exact Hi|now rewrite S]. }
+  split; [split|split].
+  - intros i Hi. now apply (C i Hi).
+  - intros _ i Hi. split; [now apply (C i Hi)|]. split; [now apply (C i Hi)|]. intros NJ. rewrite <- law_turned.
+    now apply (loop_both n adj V V' r v a s S VS (Ls NJ) i Hi).
+  - intros i j Hi Hj A. now apply (C i Hi).
+  - exact Q.
+Qed.
+Lemma two_agents_2_jumps_proved : two_agents_2_jumps.
+Proof.
+  intros adj V V' r v a d ph J s t S A VS P Hst L E W.
+  apply (tanner1_pair.two_agents_gather adj V (both V') r v (as_headings d) ph (fun i x => Cmod (v i x)) S (both_sym V') A J s t); [exact Hst| | |].
+  - intros x i Hx Hi. destruct (L x Hx) as [C _]. split; now apply (C i Hi).
+  - intros x i Hx Hi. split; [apply Cmod_ge_0|]. now apply E.
+  - intros x Hx NJ. destruct (L x ltac:(lra)) as [_ Lx]. split; [apply steered_is, (loop_pair adj V (both V') r v a d x P), loop_both, Lx; assumption|]. right.
+    destruct (W x ltac:(lra)) as [W1 [k Wk]]. cbn [as_headings]. rewrite Rminus_0_r. split; [lra|]. exists k. rewrite Wk. ring.
+Qed.
 Lemma two_agents_1_proved : two_agents_1.
 Proof.
   intros adj V V' r v a d ph S A VS P t L E.
@@ -184,13 +225,14 @@ Proof.
     cbn [as_headings]. rewrite Rminus_0_r. rewrite (E 0%nat), (E 1%nat) at 1. rewrite sin_minus. unfold cross, expi. cbn. ring.
 Qed.
 (* a motion of the clauses is one of the theorems *)
-Lemma turning_is n adj V V' r v a t : undirected adj -> symmetric_V V ->
+Lemma turning_is n adj V V' r v a J t : undirected adj -> symmetric_V V ->
   (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> repels (V i j) (V' i j)) ->
-  loop_apart n adj V' r v a t -> turning n adj (both V') r v (rate n adj a r) t.
+  loop_jumps n adj V' r v a J t -> turning n adj (both V') r v (rate n adj a r) J t.
 Proof.
-  intros S VS Rp L. split; [intros i Hi; now apply (L i Hi)|]. intros D i Hi. rewrite <- law_turned.
+  intros S VS Rp L. split; [intros i Hi; now apply (L i Hi)|]. intros D i Hi. destruct (L i Hi) as [_ Li]. destruct (Li D) as (C1 & C2 & Lw).
+  split; [exact C1|]. split; [exact C2|]. intros NJ. specialize (Lw NJ). rewrite <- law_turned.
   replace (law n adj (both V') (fun i j => a i j t) (fun i => r i t) (fun i => v i t) i)
-    with (law n adj V' (fun i j => a i j t) (fun i => r i t) (fun i => v i t) i); [now apply (L i Hi)|].
+    with (law n adj V' (fun i j => a i j t) (fun i => r i t) (fun i => v i t) i); [exact Lw|].
   unfold law. f_equal. f_equal. apply Csum_ext. intros j Hj. destruct (adj i j) eqn:E; [|reflexivity].
   pose proof (norm_neq _ _ (D i j Hi Hj E)) as N. unfold norm in N.
   rewrite (proj2 (both_slope V V' i j (Cmod (r i t - r j t)%C) VS (proj1 (proj1 (Rp i j Hi Hj E) _ N))
@@ -208,9 +250,9 @@ Proof.
 Qed.
 Lemma anyV_3_proved : anyV_3.
 Proof.
-  intros n adj V V' r v a T S _ VS Rp St L t i j Ht Hi Hj A E. destruct (repels_both n adj V V' S VS Rp) as [F1 F2].
+  intros n adj V V' r v a T J S _ VS Rp St L t i j Ht Hi Hj A E. destruct (repels_both n adj V V' S VS Rp) as [F1 F2].
   destruct (turning_apart n adj V (both V') r v (rate n adj a r) S (both_sym V') F1 St F2) as [d [Hd Q]].
-  specialize (Q T (fun s Hs => turning_is n adj V V' r v a s S VS Rp (L s Hs)) t i j Ht Hi Hj A). rewrite E in Q.
+  specialize (Q T J (fun s Hs => turning_is n adj V V' r v a J s S VS Rp (L s Hs)) t i j Ht Hi Hj A). rewrite E in Q.
   replace (r j t - r j t)%C with (RtoC 0) in Q by ring. unfold norm in Q. rewrite Cmod_0 in Q. lra.
 Qed.
 Lemma anyV_4_proved : anyV_4.
@@ -220,7 +262,7 @@ Proof.
   destruct (repels_both n adj V V' S VS Rp') as [F1 F2].
   destruct (turning_cohesion n adj V (both V') r v (rate n adj a r) S (both_sym V') F1 St F2 SC) as [B Q].
   - intros i j M Hi Hj A. now apply (Rp i j Hi Hj A).
-  - exists B. intros T L. exact (Q T (fun s Hs => turning_is n adj V V' r v a s S VS Rp' (L s Hs))).
+  - exists B. intros T J L. exact (Q T J (fun s Hs => turning_is n adj V V' r v a J s S VS Rp' (L s Hs))).
 Qed.
 Lemma fig2_repels : repels (fig2 0 0) (fig2' 0 0).
 Proof.
@@ -243,9 +285,9 @@ Proof.
 Qed.
 Lemma collision_4_proved : collision_4.
 Proof.
-  intros n adj r v a T S NL St L.
+  intros n adj r v a T J S NL St L.
   assert (Q : forall t i j, 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t).
-  { apply (anyV_3_proved n adj fig2 fig2' r v a T S NL); [intros i j s; reflexivity|intros; exact fig2_repels|exact St|exact L]. }
+  { apply (anyV_3_proved n adj fig2 fig2' r v a T J S NL); [intros i j s; reflexivity|intros; exact fig2_repels|exact St|exact L]. }
   split; [exact Q|]. intros K t i j Ht Hi Hj N. apply Q; try assumption. now apply K.
 Qed.
 Lemma eq6_123_proved : eq6_123.

@@ -2,6 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
+From Flockproof Require tanner2_connectivity.
 From Flockproof Require Import RealSums tanner_rates tanner_components tanner1_pair paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner1_motion tanner2_examples tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
 
@@ -67,11 +68,9 @@ Check (paley_gradient.lap_ones :
   forall (n : nat) (adj : graph) (c : R) (k : nat), (k < n)%nat -> lmul n adj (fun _ : nat => c) k = 0).
 
 (* tanner1.L.ones *)
-Check (paley_gradient.lap_kernel :
-  forall (n : nat) (adj : graph) (y : nat -> R),
-       (1 <= n)%nat ->
-       strongly_connected n adj ->
-       (forall k : nat, (k < n)%nat -> lmul n adj y k = 0) -> exists c : R, forall k : nat, (k < n)%nat -> y k = c).
+Check (tanner2_connectivity.null_vectors :
+  forall (n : nat) (adj : graph) (x : nat -> R), (1 <= n)%nat -> strongly_connected n adj ->
+       ((forall k, (k < n)%nat -> Sum n (fun j => lap n adj k j * x j) = 0) <-> exists c, forall k, (k < n)%nat -> x k = c)).
 
 (* tanner1.L.ones *)
 Check (tanner_graph.L_ones_fails :
@@ -299,18 +298,20 @@ Check (tanner1_motion.mechanical_constant :
        forall t : R, 0 <= t < T ->
        mechanical n adj V (fun i => r i t) (fun i => v i t) = mechanical n adj V (fun i => r i 0) (fun i => v i 0)).
 
-(* the velocity is turned at any rates q; the law is demanded only where no linked agents are in one place *)
+(* the velocity is turned at any rates q; the law is demanded only where no linked agents are in one place, and not at the times in J, at
+   which headings may jump and velocities are continuous *)
 Check (eq_refl : turned = fun n adj V' r v q i => (- grad_i n adj V' r i + RtoC (q i) * (Ci * v i))%C).
-Check (eq_refl : turning = fun n adj V' r v q t =>
+Check (eq_refl : turning = fun n adj V' r v q J t =>
   (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) /\
   ((forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
-   forall i, (i < n)%nat -> is_velocity (v i) t (turned n adj V' (fun i => r i t) (fun i => v i t) (fun i => q i t) i))).
+   forall i, (i < n)%nat -> continuity_pt (fun s => fst (v i s)) t /\ continuity_pt (fun s => snd (v i s)) t /\
+     (~ In t J -> is_velocity (v i) t (turned n adj V' (fun i => r i t) (fun i => v i t) (fun i => q i t) i)))).
 (* beyond.tanner1.two_agents, tanner1.Vt_inv, tanner1.propIV3b *)
 Check (tanner1_motion.turning_constant :
   forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (q : nat -> R -> R),
        undirected adj -> (forall i j, V' i j = V' j i) ->
-       forall t, 0 <= t ->
-       (forall s, 0 <= s <= t -> turning n adj V' r v q s /\
+       forall (J : list R) t, 0 <= t ->
+       (forall s, 0 <= s <= t -> turning n adj V' r v q J s /\
           (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i s <> r j s) /\
           (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
              is_derive (V i j) (norm (r i s - r j s)%C) (V' i j (norm (r i s - r j s)%C)))) ->
@@ -322,7 +323,7 @@ Check (tanner1_motion.turning_apart :
        (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s) /\ 0 <= V i j s) ->
        (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i 0 <> r j 0) ->
        (forall i j M, (i < n)%nat -> (j < n)%nat -> adj i j = true -> exists d, 0 < d /\ forall s, 0 < s < d -> M < V i j s) ->
-       exists d, 0 < d /\ forall T, (forall t, 0 <= t <= T -> turning n adj V' r v q t) ->
+       exists d, 0 < d /\ forall T J, (forall t, 0 <= t <= T -> turning n adj V' r v q J t) ->
          forall t i j, 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> d <= norm (r i t - r j t)%C).
 (* tanner1.anyV *)
 Check (tanner1_motion.turning_cohesion :
@@ -333,7 +334,7 @@ Check (tanner1_motion.turning_cohesion :
        (forall i j M, (i < n)%nat -> (j < n)%nat -> adj i j = true -> exists d, 0 < d /\ forall s, 0 < s < d -> M < V i j s) ->
        strongly_connected n adj ->
        (forall i j M, (i < n)%nat -> (j < n)%nat -> adj i j = true -> exists D, forall s, D < s -> M < V i j s) ->
-       exists B, forall T, (forall t, 0 <= t <= T -> turning n adj V' r v q t) ->
+       exists B, forall T J, (forall t, 0 <= t <= T -> turning n adj V' r v q J t) ->
          forall t i j, 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> norm (r i t - r j t)%C <= B).
 
 (* tanner1.collision, corrected, first clause *)
@@ -415,9 +416,9 @@ Check (tanner_rates.equal_headings_ratios :
        forall i, (i < n)%nat -> let a := accel n adj V' r v (fun j => th j t) i in let g := grad_i n adj V' r i in
        fst (v i) <> 0 -> fst a <> 0 -> fst g <> 0 -> snd a / fst a = snd (v i) / fst (v i) /\ snd g / fst g = snd (v i) / fst (v i)).
 Check (tanner_rates.sublevel_invariant :
-  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (q : nat -> R -> R) (c t : R),
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (q : nat -> R -> R) (J : list R) (c t : R),
        undirected adj -> (forall i j, V' i j = V' j i) -> 0 <= t ->
-       (forall x, 0 <= x <= t -> turning n adj V' r v q x /\ distinct n adj (fun i => r i x) /\
+       (forall x, 0 <= x <= t -> turning n adj V' r v q J x /\ distinct n adj (fun i => r i x) /\
          forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (norm (r i x - r j x)%C) (V' i j (norm (r i x - r j x)%C))) ->
        (mechanical n adj V (fun i => r i 0) (fun i => v i 0) <= c <-> mechanical n adj V (fun i => r i t) (fun i => v i t) <= c)).
 Check (tanner_rates.Omega_bounded :

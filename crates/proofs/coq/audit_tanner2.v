@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums tanner_rates tanner_components tanner_saturated tanner_trees tanner2_switching tanner2_distance paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_path tanner2_facts tanner2_motion tanner_paths tanner_graph paley_stability.
-From Flockproof Require tanner2_filippov.
+From Flockproof Require tanner2_filippov tanner2_connectivity.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -35,11 +35,9 @@ Check (paley_gradient.lap_psd :
        0 <= Sum n (fun k : nat => inner (x k) (row n (lap n adj) k x))).
 
 (* tanner2.L *)
-Check (paley_gradient.lap_kernel :
-  forall (n : nat) (adj : graph) (y : nat -> R),
-       (1 <= n)%nat ->
-       strongly_connected n adj ->
-       (forall k : nat, (k < n)%nat -> lmul n adj y k = 0) -> exists c : R, forall k : nat, (k < n)%nat -> y k = c).
+Check (tanner2_connectivity.null_vectors :
+  forall (n : nat) (adj : graph) (x : nat -> R), (1 <= n)%nat -> strongly_connected n adj ->
+       ((forall k, (k < n)%nat -> Sum n (fun j => lap n adj k j * x j) = 0) <-> exists c, forall k, (k < n)%nat -> x k = c)).
 
 (* tanner2.L *)
 Check (tanner2_facts.second_positive :
@@ -108,14 +106,18 @@ Check (tanner2_facts.S_config_fails :
         qform (2 * n) (kron2 (lap n adj)) (stack v) = 0 ->
         forall i j : nat, (i < n)%nat -> (j < n)%nat -> (r i - r j)%C = 0)).
 
-(* tanner2.S_config *)
-Check (tanner2_facts.S_config_corrected :
-  forall (n : nat) (adj : graph) (v : nat -> C),
-       (1 <= n)%nat ->
-       undirected adj ->
+(* tanner2.S_config: the rate of W is 0 *)
+Check (tanner2_connectivity.rest_of_energy :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (t : R),
+       undirected adj -> (forall i j, V' i j = V' j i) ->
+       (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+          is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) ->
+       (forall i, (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
        strongly_connected n adj ->
-       qform (2 * n) (kron2 (lap n adj)) (stack v) = 0 <->
-       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> v i = v j)).
+       is_derive (fun s => Wenergy n adj V (fun i => r i s) (fun i => v i s)) t 0 ->
+       forall i j, (i < n)%nat -> (j < n)%nat -> v i t = v j t /\ is_velocity (fun s => r i s - r j s)%C t (RtoC 0)).
 
 (* tanner2.appA_uniq *)
 Check (tanner_nonsmooth.two_solutions :
@@ -217,6 +219,31 @@ Check (tanner2_facts.more_edges :
        (forall x : nat -> R, qform n (lap n adj) x <= qform n (lap n adj') x) /\
        (forall lam : R, below_second n adj lam -> below_second n adj' lam)).
 
+(* lambda_2: the second smallest eigenvalue counted with multiplicity, that is the least one with an eigenvector off span 1 *)
+Check (eq_refl : tanner2_connectivity.eigen = fun n adj lam x =>
+  forall i, (i < n)%nat -> Sum n (fun j => lap n adj i j * x j) = lam * x i).
+Check (eq_refl : tanner2_connectivity.second_eigenvalue = fun n adj lam =>
+  (exists x, tanner2_connectivity.eigen n adj lam x /\ exists i j, (i < n)%nat /\ (j < n)%nat /\ x i <> x j) /\
+  forall mu x, tanner2_connectivity.eigen n adj mu x -> (exists i j, (i < n)%nat /\ (j < n)%nat /\ x i <> x j) -> lam <= mu).
+Check (tanner2_connectivity.second_exists :
+  forall (n : nat) (adj : graph), (2 <= n)%nat -> undirected adj -> exists lam, tanner2_connectivity.second_eigenvalue n adj lam).
+(* tanner2.L *)
+Check (tanner2_connectivity.others_positive :
+  forall (n : nat) (adj : graph) (mu : R) (x : nat -> R), undirected adj -> strongly_connected n adj -> tanner2_connectivity.eigen n adj mu x ->
+       (exists i j, (i < n)%nat /\ (j < n)%nat /\ x i <> x j) -> 0 < mu).
+(* tanner2.cor2_rate *)
+Check (tanner2_connectivity.second_rate :
+  forall (n : nat) (adj : graph) (lam : R) (v : nat -> R -> C), (2 <= n)%nat -> undirected adj -> tanner2_connectivity.second_eigenvalue n adj lam ->
+       (forall t i, 0 <= t -> (i < n)%nat -> is_velocity (v i) t (- Csum n (fun j => RtoC (w adj i j) * (v i t - v j t)))%C) ->
+       forall t, 0 <= t -> deviation n (fun i => v i t) <= exp (- lam * t) * deviation n (fun i => v i 0) /\
+         ((forall i, (i < n)%nat -> Csum n (fun j => RtoC (lap n adj i j) * (v j 0%R - centre n (fun k => v k 0%R)))%C =
+             (RtoC lam * (v i 0%R - centre n (fun k => v k 0%R)))%C) ->
+          deviation n (fun i => v i t) = exp (- lam * t) * deviation n (fun i => v i 0))).
+Check (tanner2_connectivity.second_grows :
+  forall (n : nat) (adj adj' : graph) (lam mu : R), (2 <= n)%nat -> undirected adj -> undirected adj' ->
+       (forall i j, adj i j = true -> adj' i j = true) ->
+       tanner2_connectivity.second_eigenvalue n adj lam -> tanner2_connectivity.second_eigenvalue n adj' mu -> lam <= mu).
+
 (* tanner2.cor2_sub *)
 Check (tanner2_facts.cor2_sub_fails :
   forall (n : nat) (adj : graph) (lam : R),
@@ -229,15 +256,20 @@ Check (tanner2_facts.cor2_sub_fails :
         - lam * (INR n * mean n (fun j : nat => fst (v j)) ^ 2 + INR n * mean n (fun j : nat => snd (v j)) ^ 2))).
 
 (* tanner2.cor2_sub *)
-Check (tanner2_facts.cor2_corrected :
-  forall (n : nat) (adj : graph) (lam : R) (v : nat -> C),
-       (1 <= n)%nat ->
-       undirected adj ->
-       below_second n adj lam ->
-       - qform (2 * n) (kron2 (lap n adj)) (stack v) <=
-       - lam *
-       (Sum n (fun i : nat => (fst (v i) - mean n (fun j : nat => fst (v j))) ^ 2) +
-        Sum n (fun i : nat => (snd (v i) - mean n (fun j : nat => snd (v j))) ^ 2))).
+Check (tanner2_connectivity.energy_below_second :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (t : R),
+       undirected adj -> (forall i j, V' i j = V' j i) ->
+       (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+          is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) ->
+       (forall i, (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
+       forall (lam : R) (xp xn yp yn : nat -> R), (2 <= n)%nat -> tanner2_connectivity.second_eigenvalue n adj lam ->
+       (forall i, (i < n)%nat -> fst (v i t) = xp i + xn i /\ snd (v i t) = yp i + yn i) ->
+       (exists c, forall i, (i < n)%nat -> xp i = c) -> (exists c, forall i, (i < n)%nat -> yp i = c) ->
+       Sum n xn = 0 -> Sum n yn = 0 ->
+       exists d, is_derive (fun s => Wenergy n adj V (fun i => r i s) (fun i => v i s)) t d /\
+         d <= - lam * (Sum n (fun i => xn i ^ 2) + Sum n (fun i => yn i ^ 2))).
 
 (* tanner2.cor3, tanner2.thm1b: a motion of (1) with (4) from a start without coincident linked agents; (4) is demanded where it has a value *)
 Check (eq_refl : distinct = fun n adj r => forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j).
@@ -449,17 +481,19 @@ Check (tanner2_examples.thm1c_not_local :
          norm (q 0%nat - line3 0)%C < e /\
          V_i 3 complete (fun _ _ : nat => VA) q 0 < V_i 3 complete (fun _ _ : nat => VA) line3 0).
 
-(* tanner2.vdotB *)
-Check (tanner_graph.B_gradients :
-  forall (n : nat) (adj : graph) (O : list (nat * nat)) (V' : nat -> nat -> R -> R) (r : nat -> C) (k : nat),
-       undirected adj ->
-       (forall i j : nat, V' i j = V' j i) ->
-       oriented n adj O ->
-       (k < n)%nat ->
-       applyB O (fun f : nat * nat => fst (grad (V' (fst f) (snd f)) (r (fst f)) (r (snd f)))) k =
-       - fst (grad_i n adj V' r k) /\
-       applyB O (fun f : nat * nat => snd (grad (V' (fst f) (snd f)) (r (fst f)) (r (snd f)))) k =
-       - snd (grad_i n adj V' r k)).
+(* tanner2.vdotB: g is the gradient of V_ij in r_ij *)
+Check (tanner2_connectivity.vdot_incidence :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (t : R),
+       undirected adj -> (forall i j, V' i j = V' j i) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+          is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) ->
+       (forall i, (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
+       forall O : list (nat * nat), oriented n adj O -> (forall i j, (i < n)%nat -> (j < n)%nat -> v i t = v j t) ->
+       exists g : nat * nat -> C,
+         (forall i j, In (i, j) O -> forall (z : R -> C) s u, is_velocity z s u -> z s = (r i t - r j t)%C ->
+            is_derive (fun x => V i j (norm (z x))) s (inner (g (i, j)) u)) /\
+         forall k, (k < n)%nat -> is_velocity (v k) t (applyB O (fun f => fst (g f)) k, applyB O (fun f => snd (g f)) k)).
 
 (* tanner2.bound_r, corrected: D is at least V_e^{-1}(c) for every edge e *)
 Check (tanner_paths.bound_r_corrected :

@@ -67,3 +67,35 @@ Proof.
   destruct (Rle_lt_dec (acos c) n) as [L|L]; [exact L|exfalso].
   pose proof (acos_bound c) as [T0 T1]. pose proof (cos_decreasing_1 n (acos c) N0 ltac:(lra) T0 T1 L) as K. rewrite cos_acos in K by lra. lra.
 Qed.
+(* beyond.chazelle.angle, clause 1: the lifted birds (x, t) and (v, 1) of R^(d+1), and |v - x/t| = |x - t v|/t *)
+Definition lifted (d : nat) (x : nat -> R) (h : R) (k : nat) : R := if Nat.eqb k d then h else x k.
+Lemma dotp_ext d x y x' y' : (forall k, (k < d)%nat -> x k = x' k /\ y k = y' k) -> dotp d x y = dotp d x' y'.
+Proof. induction d as [|d IH]; intros H; [reflexivity|]. cbn. rewrite IH by (intros; apply H; lia). destruct (H d ltac:(lia)) as [-> ->]. reflexivity. Qed.
+Lemma dotp_scal d a b x y : dotp d (fun k => a * x k) (fun k => b * y k) = a * b * dotp d x y.
+Proof. induction d as [|d IH]; cbn; [ring|rewrite IH; ring]. Qed.
+Lemma dotp_lifted d x y h g : dotp (S d) (lifted d x h) (lifted d y g) = dotp d x y + h * g.
+Proof.
+  cbn. unfold lifted at 3 4. rewrite Nat.eqb_refl. f_equal. apply dotp_ext. intros k Hk. unfold lifted. destruct (Nat.eqb_spec k d); [lia|split; reflexivity].
+Qed.
+Lemma scaled_by d a b x y z w : (forall k, (k < d)%nat -> x k = a * z k /\ y k = b * w k) -> dotp d x y = a * b * dotp d z w.
+Proof. intros H. rewrite <- dotp_scal. now apply dotp_ext. Qed.
+Theorem lifted_birds d x v t : 0 < t ->
+  acos (dotp (S d) (lifted d x t) (lifted d v 1) / (chazelle_worked.norm (S d) (lifted d x t) * chazelle_worked.norm (S d) (lifted d v 1)))
+    <= chazelle_worked.norm d (fun k => v k - x k / t) /\
+  chazelle_worked.norm d (fun k => v k - x k / t) = chazelle_worked.norm d (fun k => x k - t * v k) / t.
+Proof.
+  intros T. pose proof (Rinv_0_lt_compat _ T). split.
+  - set (y := fun k => x k / t). pose proof (angle_le d v y) as H0. unfold angle, ldot in H0. unfold chazelle_worked.norm. rewrite !dotp_lifted.
+    assert (C : forall p q, dotp d p q = dotp d q p) by (intros; induction d as [|d' IH] in |- *; cbn; [reflexivity|rewrite IH; ring]).
+    rewrite (scaled_by d t 1 x v y v), (scaled_by d t t x x y y), (C y v) by (intros k _; unfold y; split; field; lra).
+    pose proof (dotp_sq d y). pose proof (dotp_sq d v).
+    replace (t * t * dotp d y y + t * t) with (t * t * (dotp d y y + 1)) by ring. replace (1 * 1) with 1 by ring.
+    rewrite (sqrt_mult (t * t)), sqrt_square by nra.
+    assert (P1 : 0 < sqrt (dotp d y y + 1)) by (apply sqrt_lt_R0; lra). assert (P2 : 0 < sqrt (dotp d v v + 1)) by (apply sqrt_lt_R0; lra).
+    replace ((t * 1 * dotp d v y + t * 1) / (t * sqrt (dotp d y y + 1) * sqrt (dotp d v v + 1)))
+      with ((dotp d v y + 1) / (sqrt (dotp d v v + 1) * sqrt (dotp d y y + 1))) by (field; lra).
+    unfold chazelle_worked.norm in H0. rewrite (dotp_ext d (diff v y) (diff v y) (fun k => v k - x k / t) (fun k => v k - x k / t)) in H0; [exact H0|].
+    intros k _. unfold diff, y. split; unfold Rdiv; ring.
+  - unfold chazelle_worked.norm. rewrite (scaled_by d (- / t) (- / t) _ _ (fun k => x k - t * v k) (fun k => x k - t * v k)) by (intros k _; split; field; lra).
+    replace (- / t * - / t) with (/ t * / t) by ring. rewrite sqrt_mult, sqrt_square by (try apply dotp_sq; nra). unfold Rdiv. ring.
+Qed.

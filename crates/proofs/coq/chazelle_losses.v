@@ -281,15 +281,16 @@ Hypothesis floor : forall t i j, (0 < t)%N -> 0 < P t i j -> (n%:R ^+ a)^-1 <= P
 Hypothesis st : steady G c.
 Hypothesis Hx : forall t, x t.+1 = x t + v t.+1.
 Hypothesis Hv : forall t, (0 < t)%N -> v t.+1 = P t *m v t.
-Hypothesis short : forall t i j, (0 < t)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R.
+Variable T : nat.
+Hypothesis short : forall t i j, (0 < t < T)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R.
 Variable q : 'I_d.
 Notation origin := (origin x v q).
 Notation taken := (taken G c x q).
 
-Lemma stretch_bound t0 s M : (0 < t0)%N -> (forall r, (r < s)%N -> forall i j, G (t0 + r)%N i j = G t0 i j) ->
+Lemma stretch_bound t0 s M : (0 < t0)%N -> (t0 + s <= T)%N -> (forall r, (r < s)%N -> forall i j, G (t0 + r)%N i j = G t0 i j) ->
   0 <= M -> (forall i, `|origin t0 i| <= M) -> forall i, `|origin (t0 + s) i| <= M + span_bound R n a.
 Proof.
-move=> p H M0 HM i; have Hc := steady_run st p H.
+move=> p sT H M0 HM i; have Hc := steady_run st p H.
 have dgr r : (r < s)%N -> forall j, degree (G (t0 + r)%N) j = degree (G t0) j.
   by move=> h j; apply: eq_card => k; rewrite !inE H.
 have cnn r : (r < s)%N -> forall k l, connect (G (t0 + r)%N) k l = connect (G t0) k l.
@@ -305,7 +306,7 @@ have ok r : (r < s)%N -> [/\ forall k, `|taken (t0 + r) k| <= 2%:R,
    forall i0, (0 < degree (G t0) i0)%N -> centred (c t0) (connect (G t0) i0) (taken (t0 + r)) &
    forall k, degree (G t0) k = 0%N -> taken (t0 + r) k = 0].
   move=> h; have pr : (0 < t0 + r)%N by rewrite addn_gt0 p.
-  split=> [k|i0 d0|k d0]; first exact: (taken_le net MD short).
+  split=> [k|i0 d0|k d0]; first by apply: (taken_le net MD short); rewrite pr; apply: leq_trans sT; rewrite ltn_add2l.
     have := @taken_centred _ _ _ _ _ x net MD q (t0 + r)%N i0 pr; rewrite dgr // => /(_ d0); rewrite /centred => Z; rewrite -[RHS]Z.
     by apply: eq_bigr => k _; rewrite /weigh cnn // Hc.
   by apply: (taken_alone c x net); rewrite // dgr.
@@ -318,28 +319,28 @@ have b r : (r < s)%N -> `|after (G t0) (c t0) (s.-1 - r) (taken (t0 + r)) i| <= 
   by apply: (after_bound (net p) (MD p) a1) => // k l; exact: floor.
 apply: (@le_trans _ _ (\sum_(r < s) bound R n a (s.-1 - r))); first by apply: ler_sum => r _; exact: b.
 rewrite (reindex_inj rev_ord_inj) /= (eq_bigr (fun r : 'I_s => bound R n a r)) => [|r _]; last by rewrite (rev_index (ltn_ord r)).
-case: s b ok {H Hc dgr cnn HP} => [|s] b ok; first by rewrite big_ord0 mulr_ge0 ?exprn_ge0 ?ler0n.
+case: s b ok {H Hc dgr cnn HP sT} => [|s] b ok; first by rewrite big_ord0 mulr_ge0 ?exprn_ge0 ?ler0n.
 have [le ce al] := ok 0%N (ltn0Sn s).
 by apply: (bound_sum (net p) (MD p) a1 _ le ce s.+1 di) => k l; exact: floor.
 Qed.
 (* beyond.chazelle.angle: the coordinates of the virtual origins *)
-Theorem origins_stay t i M : (0 < t)%N -> (forall j, `|x 0%N j q| <= M) ->
+Theorem origins_stay t i M : (0 < t <= T)%N -> (forall j, `|x 0%N j q| <= M) ->
   `|x t i q - t%:R * v t i q| <= M + 4%:R * (N (changes G) t.-1 1).+1%:R * n%:R ^+ (2 * a + 3).
 Proof.
-move=> tp HM; have M0 : 0 <= M by exact: le_trans (normr_ge0 _) (HM i).
+move=> /andP[tp tT] HM; have M0 : 0 <= M by exact: le_trans (normr_ge0 _) (HM i).
 set S := span_bound R n a; have B0 : 0 <= S by rewrite mulr_ge0 ?exprn_ge0 ?ler0n.
 (* the start of the stretch that holds t - 1 *)
 suff [t0 [/andP[p le] run H]] : exists t0, [/\ (0 < t0 <= t)%N, (forall r, (t0 <= r < t)%N -> forall i j, G r i j = G t0 i j) &
     forall i, `|origin t0 i| <= M + S *+ N (changes G) t.-1 1].
-  have := @stretch_bound t0 (t - t0) (M + S *+ N (changes G) t.-1 1) p; rewrite subnKC // => h.
+  have := @stretch_bound t0 (t - t0) (M + S *+ N (changes G) t.-1 1) p; rewrite subnKC // => /(_ tT) h.
   apply: (le_trans (h _ _ H i)).
   - by move=> r hr; apply: run; rewrite leq_addr /= -ltn_subRL.
   - by rewrite addr_ge0 ?mulrn_wge0.
   by rewrite -addrA -mulrSr ler_add2l -[_ *+ _]mulr_natr /S /span_bound mulrAC lexx.
-elim: t tp => // -[|t] IH _.
+elim: t tp tT => // -[|t] IH _ tT.
   exists 1%N; split=> //; first by move=> r /andP[h1 h2]; move: (leq_trans h2 h1); rewrite ltnn.
   by move=> k; rewrite (origin_first Hx) N_empty // mulr0n addr0.
-have {IH} [t0 [/andP[p le] run H]] := IH isT; rewrite [t.+2.-1]/= [t.+1.-1]/= in H *.
+have {IH} [t0 [/andP[p le] run H]] := IH isT (ltnW tT); rewrite [t.+2.-1]/= [t.+1.-1]/= in H *.
 have next : (N (changes G) t.+1 1 = N (changes G) t 1 + ((0 < t) && changes G t.+1))%N.
   by case: (posnP t) => [->|t0p]; [rewrite !N_empty | rewrite changes_next].
 case ch: ((0 < t)%N && changes G t.+1); last first.
@@ -350,7 +351,7 @@ case ch: ((0 < t)%N && changes G t.+1); last first.
   by rewrite (still _ _ (_ : changes G t.+1 = false)) ?run ?leqnn ?andbT //; move: ch; rewrite t0p.
 exists t.+1; split; [by rewrite leqnSn | | move=> k].
   by move=> r; rewrite ltnS -eqn_leq => /eqP <-.
-have := @stretch_bound t0 (t.+1 - t0) (M + S *+ N (changes G) t 1) p; rewrite subnKC // => h.
+have := @stretch_bound t0 (t.+1 - t0) (M + S *+ N (changes G) t 1) p; rewrite subnKC // => /(_ (ltnW tT)) h.
 rewrite next ch addn1 mulrSr addrA; apply: (h _ _ H k).
 - by move=> r hr; apply: run; rewrite leq_addr /= -ltn_subRL.
 by rewrite addr_ge0 ?mulrn_wge0.
@@ -499,8 +500,8 @@ Proof.
 have [_ _ MD Hx Hv] := F; move=> t0; set m := N (changes G) t.-1 1.
 apply: le_trans (_ : _ <= n%:R * (n + 4 * m.+1 * n ^ 7)%:R) _; last first.
   by rewrite -natrM -natrX ler_nat; apply: origin_estimate => //; exact: few_switches.
-apply: norm2_le => // q; rewrite !mxE natrD natrM natrX natrM.
-exact: (@origins_stay R n d 2 G w x v (fun u _ => flock_network F u) (fun u _ => @MD u) isT floor2 st Hx Hv edges_short2 q t i n%:R t0 (fun k => first k q)).
+apply: norm2_le => // q; rewrite !mxE natrD natrM natrX natrM; have tt : (0 < t <= t)%N by rewrite t0 leqnn.
+exact: (@origins_stay R n d 2 G w x v (fun u _ => flock_network F u) (fun u _ => @MD u) isT floor2 st Hx Hv t (fun u i j h => @edges_short2 u i j (proj1 (andP h))) q t i n%:R tt (fun k => first k q)).
 Qed.
 Lemma no_loss t i j : (n ^ (n ^ 4 + 2 * (n - 1) ^ 2 + 10 * (n - 1) + 17) <= t.+1)%N -> G t i j -> G t.+1 i j.
 Proof.

@@ -204,7 +204,8 @@ Hypothesis a1 : (0 < a)%N.
 Hypothesis floor : forall t i j, (0 < t)%N -> 0 < P t i j -> (n%:R ^+ a)^-1 <= P t i j.
 Hypothesis Hx : forall t, x t.+1 = x t + v t.+1.
 Hypothesis Hv : forall t, (0 < t)%N -> v t.+1 = P t *m v t.
-Hypothesis short : forall t i j, (0 < t)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R.
+Variable T : nat.
+Hypothesis short : forall t i j, (0 < t < T)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R.
 Variable q : 'I_d.
 
 (* the virtual origins: E_i(t) = x_i(t) - t v_i(t) *)
@@ -223,16 +224,16 @@ Proof.
 move=> t0 d0; rewrite taken_sum // big1 ?mulr0 // => j _; case h: (G t i j); last by rewrite mul0r.
 by have := edge_degree h; rewrite d0.
 Qed.
-Lemma taken_le t i : (0 < t)%N -> `|taken t i| <= 2%:R.
+Lemma taken_le t i : (0 < t < T)%N -> `|taken t i| <= 2%:R.
 Proof.
-move=> t0; case: (posnP (degree (G t) i)) => [d0|dp]; first by rewrite taken_alone // normr0 ler0n.
+move=> tT; have /andP[t0 _] := tT; case: (posnP (degree (G t) i)) => [d0|dp]; first by rewrite taken_alone // normr0 ler0n.
 have /andP[cd0 cd1] := MD t0 dp; have ci : 0 < c t i by rewrite pmulr_lgt0 ?ltr0n in cd0.
 rewrite taken_sum // normrM gtr0_norm //.
 apply: (@le_trans _ _ (c t i * ((degree (G t) i)%:R * 2%:R))).
   apply: ler_wpmul2l; first exact: ltW.
   rewrite degree_sum mulr_suml; apply: le_trans (ler_norm_sum _ _ _) _; apply: ler_sum => j _.
   case h: (G t i j); last by rewrite !mul0r normr0.
-  rewrite !mul1r; apply: le_trans (short t0 h); have := coordinate (row i (x t) - row j (x t)); by rewrite !mxE.
+  rewrite !mul1r; apply: le_trans (short tT h); have := coordinate (row i (x t) - row j (x t)); by rewrite !mxE.
 by rewrite mulrA -[X in _ <= X]mul1r; apply: ler_wpmul2r; [rewrite ler0n | exact: ltW].
 Qed.
 Lemma taken_centred t i0 : (0 < t)%N -> (0 < degree (G t) i0)%N -> centred (c t) (connect (G t) i0) (taken t).

@@ -396,8 +396,8 @@ Qed.
 End Connected.
 
 (* ---- chazelle.fiedler.rate, corrected ---- *)
-(* clause 1: an eigenvalue of the Laplacian other than 0 is at least 4/(n (n-1)) *)
-Theorem fiedler_sharp (R : realFieldType) n (G : rel 'I_n) lam (f : 'I_n -> R) : network G -> (forall i j, connect G i j) ->
+(* an eigenvalue of the Laplacian other than 0 is at least 4/(n (n-1)) *)
+Lemma fiedler_nonzero (R : realFieldType) n (G : rel 'I_n) lam (f : 'I_n -> R) : network G -> (forall i j, connect G i j) ->
   (forall i, \sum_j laplacian R G i j * f j = lam * f i) -> (exists i, f i != 0) -> lam != 0 -> 4%:R <= lam * (n * n.-1)%:R.
 Proof.
 move=> net conn E [i0 fi] l0; have [sym irr] := net; pose c (_ : 'I_n) : R := 1.
@@ -426,6 +426,41 @@ have -> : form c predT f f - form c predT f (drive G c f) = lam * form c predT f
 have -> : total c predT = n%:R.
   by rewrite /total /weigh /= (eq_bigr (fun=> 1)) => [|i _]; rewrite ?invr1 // sumr_const card_ord.
 rewrite mulrA -[_ *+ 4]mulr_natl ler_pmul2r // => h; by rewrite natrM mulrC.
+Qed.
+(* clause 1: 0 is simple, only the constant vectors belong to it; so the Fiedler number, the second smallest eigenvalue counted with
+   multiplicity, is the least one that has an eigenvector other than the constant ones *)
+Theorem fiedler_sharp (R : realFieldType) n (G : rel 'I_n) : network G -> (forall i j, connect G i j) ->
+  (forall f : 'I_n -> R, (forall i, \sum_j laplacian R G i j * f j = 0) <-> exists c, forall i, f i = c) /\
+  forall lam (f : 'I_n -> R), (forall i, \sum_j laplacian R G i j * f j = lam * f i) -> (exists i j, f i != f j) -> 4%:R <= lam * (n * n.-1)%:R.
+Proof.
+move=> net conn; have [sym irr] := net; pose c (_ : 'I_n) : R := (n%:R)^-1.
+have [n0|n0] := posnP n.
+  move: G net conn sym irr c; rewrite n0 => G _ _ _ _ _; split; first by move=> f; split=> [_|_ []//]; exists 0; case.
+  by move=> lam f _ [[]].
+have drop (f : 'I_n -> R) i : f i - drive G c f i = (n%:R)^-1 * \sum_j laplacian R G i j * f j.
+  rewrite /drive mulr_sumr (eq_bigr (fun j => (i == j)%:R * f j - (n%:R)^-1 * (laplacian R G i j * f j))) => [|j _]; last first.
+    have -> : transition G c i j = (i == j)%:R - (n%:R)^-1 * laplacian R G i j.
+      rewrite transitionE // !mxE /c; case: (i == j); first by [].
+      by case: (G i j); rewrite ?mulrN1 ?mulr0 ?sub0r ?opprK ?oppr0.
+    by rewrite mulrBl mulrA.
+  rewrite sumrB (bigD1 i) //= eqxx mul1r big1 ?addr0 ?subKr // => j ji; by rewrite eq_sym (negbTE ji) mul0r.
+have c0 i : 0 < c i by rewrite invr_gt0 ltr0n.
+have MD : model_D G c.
+  move=> i di; rewrite mulr_gt0 ?c0 ?ltr0n //= /c mulrC ltr_pdivr_mulr ?ltr0n // mul1r ltr_nat.
+  by rewrite -[X in (_ < X)%N]card_ord; apply: (leq_trans (n := #|predC1 i|.+1)); rewrite ?ltnS; [apply: subset_leq_card; apply/subsetP => j; rewrite !inE; apply: contraTneq => ->; rewrite irr | rewrite cardC1 card_ord prednK].
+have simple (f : 'I_n -> R) : (forall i, \sum_j laplacian R G i j * f j = 0) -> forall i j, f i = f j.
+  move=> Z i j; have [_ _ [K _] _ _] := stationary net MD conn c0 i; apply: K => k.
+  by have /eqP := drop f k; rewrite Z mulr0 subr_eq0 => /eqP.
+split=> [f|lam f E [i [j ne]]].
+  split=> [Z|[b fb] i]; first by exists (f (Ordinal n0)) => i; exact: simple.
+  rewrite (eq_bigr (fun j => b * laplacian R G i j)) => [|j _]; last by rewrite fb mulrC.
+  have := drop (fun _ => 1) i; rewrite (_ : drive G c _ i = 1) ?subrr => [/esym/eqP|].
+    rewrite mulf_eq0 invr_eq0 pnatr_eq0 (gtn_eqF n0) /= => /eqP Z; rewrite -mulr_sumr.
+    by rewrite -(eq_bigr _ (fun j _ => mulr1 (laplacian R G i j))) Z mulr0.
+  by rewrite /drive; have [[_ A1] _] := model_D_stochastic net MD; rewrite (eq_bigr _ (fun j _ => mulr1 (transition G c i j))) A1.
+apply: (fiedler_nonzero net conn E).
+  by case: (eqVneq (f i) 0) => [z|]; [exists j; rewrite -z eq_sym | exists i].
+by apply: contraNneq ne => l0; apply/eqP/simple => k; rewrite E l0 mul0r.
 Qed.
 
 (* clause 3: weights with 1 <= 1/c_i <= 2n and 1 - c_i d_i >= n^-3 *)

@@ -21,27 +21,6 @@ Proof.
   - replace (d * sin d) with (- d * sin (- d)) by (rewrite sin_neg; ring). apply Rmult_le_pos; [lra|]. apply sin_ge_0; lra.
 Qed.
 
-(* a continuous function with a rate that is not negative, but for finitely many instants *)
-Lemma increasing_inside (f : R -> R) a b : a <= b -> (forall x, a <= x <= b -> continuity_pt f x) ->
-  (forall x, a < x < b -> exists l, is_derive f x l /\ 0 <= l) -> f a <= f b.
-Proof.
-  intros Hab C D. destruct (Req_dec a b) as [->|N]; [lra|].
-  assert (P : forall x, a < x < b -> derivable_pt f x) by (intros x Hx; apply ex_derive_Reals_0; destruct (D x Hx) as [l [Dl _]]; now exists l).
-  destruct (MVT f id a b P (fun c _ => derivable_pt_id c) ltac:(lra) C) as [c [Hc E]].
-  { intros c _. apply derivable_continuous_pt, derivable_pt_id. }
-  rewrite derive_pt_id in E. destruct (D c Hc) as [l [Dl Hl]]. apply is_derive_Reals in Dl.
-  rewrite (derive_pt_eq_0 f c l (P c Hc) Dl) in E. unfold id in E. assert (0 <= (b - a) * l) by (apply Rmult_le_pos; lra). lra.
-Qed.
-Lemma increasing_but (f : R -> R) L : forall a b, a <= b -> (forall x, a <= x <= b -> continuity_pt f x) ->
-  (forall x, a < x < b -> ~ In x L -> exists l, is_derive f x l /\ 0 <= l) -> f a <= f b.
-Proof.
-  induction L as [|y L IH]; intros a b Hab C D; [now apply increasing_inside; [| |intros x Hx; apply D]|].
-  destruct (Rlt_dec a y) as [A|A]; [destruct (Rlt_dec y b) as [B|B]|].
-  - apply Rle_trans with (f y); apply IH; try lra; intros x Hx; try (apply C; lra); intros N; (apply D; [lra|intros [E|E]; [lra|contradiction]]).
-  - apply IH; try assumption. intros x Hx N. apply D; [exact Hx|intros [E|E]; [lra|contradiction]].
-  - apply IH; try assumption. intros x Hx N. apply D; [exact Hx|intros [E|E]; [lra|contradiction]].
-Qed.
-
 Section Pair.
 Variables (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th phi s : nat -> R -> R).
 Hypothesis S : undirected adj.

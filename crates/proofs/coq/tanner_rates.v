@@ -85,11 +85,11 @@ Proof.
 Qed.
 
 (* ---- sublevel sets of the mechanical energy, whatever rates of turning the law takes ---- *)
-Theorem sublevel_invariant n adj (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (q : nat -> R -> R) c t : undirected adj -> (forall i j, V' i j = V' j i) -> 0 <= t ->
-  (forall x, 0 <= x <= t -> turning n adj V' r v q x /\ distinct n adj (fun i => r i x) /\
+Theorem sublevel_invariant n adj (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (q : nat -> R -> R) J c t : undirected adj -> (forall i j, V' i j = V' j i) -> 0 <= t ->
+  (forall x, 0 <= x <= t -> turning n adj V' r v q J x /\ distinct n adj (fun i => r i x) /\
     forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (norm (r i x - r j x)%C) (V' i j (norm (r i x - r j x)%C))) ->
   (mechanical n adj V (fun i => r i 0) (fun i => v i 0) <= c <-> mechanical n adj V (fun i => r i t) (fun i => v i t) <= c).
-Proof. intros S VS Ht H. pose proof (turning_constant n adj V V' r v q S VS t Ht H) as E. cbv beta in E. rewrite E. reflexivity. Qed.
+Proof. intros S VS Ht H. pose proof (turning_constant n adj V V' r v q S VS J t Ht H) as E. cbv beta in E. rewrite E. reflexivity. Qed.
 
 (* ---- the first equation of (8): the product rule; Vdot_i is whatever the rate of V_i is ---- *)
 Theorem eq8_product n adj (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (dV : nat -> R) (t : R) :

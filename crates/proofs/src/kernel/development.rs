@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 114] = sources![
+const SOURCES: [(&str, &str); 119] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -75,6 +75,7 @@ const SOURCES: [(&str, &str); 114] = sources![
     "tanner_graph",
     "tanner_components",
     "tanner_rates",
+    "tanner2_connectivity",
     "veerman_complex",
     "veerman_front",
     "veerman_chain",
@@ -122,9 +123,13 @@ const SOURCES: [(&str, &str); 114] = sources![
     "audit_independent_phases",
     "audit_independent_tanner1",
     "audit_independent_tanner2",
+    "audit_independent_connectivity",
     "audit_independent_veerman",
     "audit_independent_corrected",
     "audit_independent_corrected_more",
+    "audit_independent_hessian",
+    "audit_independent_inertia",
+    "audit_independent_links",
     "audit_independent_chazelle_more",
 ];
 
