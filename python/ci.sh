@@ -19,7 +19,7 @@ CARGO_TARGET_DIR=$target "$bin/maturin" build --release --locked --out "$work/wh
 step "the source distribution"
 # It has every file that a build reads, also those that lie outside of the packages.
 "$bin/maturin" sdist --out "$work/sdist" 2>/dev/null
-read_by_builds=(crates src notes assets proofs_checks/checker)
+read_by_builds=(crates src notes assets proofs_checks/src proofs_checks/coq proofs_checks/checker)
 missing=$(LC_ALL=C comm -23 <(cd .. && git ls-files "${read_by_builds[@]}" | LC_ALL=C sort) \
   <(tar tzf "$work"/sdist/*.tar.gz | sed 's#^[^/]*/##' | LC_ALL=C sort))
 if [ -n "$missing" ]; then

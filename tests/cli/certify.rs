@@ -35,7 +35,7 @@ fn certificates_and_theorems_are_those_that_are_committed() {
         assert_eq!(text(&out.join(&name)), text(&corpus.join(&name)), "{name}");
     }
     for name in names(&coq) {
-        assert_eq!(text(&coq.join(&name)), text(&committed("../crates/proofs/coq").join(&name)), "{name}");
+        assert_eq!(text(&coq.join(&name)), text(&committed("coq").join(&name)), "{name}");
     }
 }
 

@@ -275,7 +275,7 @@ pub fn recurrent() -> Record<RecurrentVariant> {
          and for networks at least alpha^(n-1) however long the windows are, because a closed set of birds keeps its \
          smallest entry. tau_1 <= 1 - overlap, and tau_1 of a product is at most the product of tau_1. Later \
          velocities are averages of earlier ones, so the bounds give one Cauchy sequence \
-         (crates/proofs/coq/chazelle_recurrent.v, chazelle_agreement.v, chazelle_reals.v).",
+         (proofs_checks/coq/chazelle_recurrent.v, chazelle_agreement.v, chazelle_reals.v).",
         printed,
         |variant, run| Run::all([variant.exhaustive(run), variant.sampled(run)]),
     )

@@ -256,7 +256,7 @@ fn theorems(entry: &Entry, links: Links) -> Markup {
                     summary { code { (theorem.path()) } ", axioms: " (theorem.axioms.words()) }
                     pre tabindex="0" { code { (statement) } }
                     p.small {
-                        "Proved in " (links.link(&path, html! { "crates/proofs/coq/" (theorem.file) ".v" }))
+                        "Proved in " (links.link(&path, html! { "proofs_checks/coq/" (theorem.file) ".v" }))
                         ", stated again in " (links.link(&format!("coq/{}.html", audit.name), html! { (audit.name) ".v" })) "."
                     }
                 }

@@ -18,7 +18,7 @@ pub(super) fn body(file: &Source) -> Markup {
     }
     html! {
         h1 { (file.name) ".v" }
-        p { "crates/proofs/coq/" (file.name) ".v" @if !file.needs.is_empty() { ", which needs "
+        p { "proofs_checks/coq/" (file.name) ".v" @if !file.needs.is_empty() { ", which needs "
             @for (k, need) in file.needs.iter().enumerate() { @if k > 0 { ", " } (Links::Folder.link(&format!("coq/{need}.html"), html! { (need) })) } } "." }
         p.small { "SHA-256 with what it needs: " code.digest { (file.digest) } ". Checked by " code { "flockproof prove" } "." }
         pre.source tabindex="0" { (PreEscaped(text)) }

@@ -1,4 +1,4 @@
-//! The Coq development in `crates/proofs/coq`: which theorems close which claims, and what coqc said of them.
+//! The Coq development in `proofs_checks/coq`: which theorems close which claims, and what coqc said of them.
 //!
 //! The program carries the sources, the table `theorems.tsv` and the transcript that `flockproof prove` writes. A theorem
 //! counts as checked only where the transcript holds the digest of its file, of everything that file needs and of the
