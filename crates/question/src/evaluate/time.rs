@@ -1,5 +1,7 @@
-//! Time operators: `always[a, b]`, `eventually[a, b]`, `p until[a, b] q`, decided on pieces of time on which everything is enclosed.
+//! Time operators: `always[a, b]`, `eventually[a, b]`, `p until[a, b] q`, decided on pieces of time on which everything is enclosed; in discrete time by
+//! [`super::steps`].
 
+use super::steps::over_steps;
 use super::{Evaluator, Judged};
 use crate::error::Problem;
 use crate::failure::Failure;
@@ -18,24 +20,34 @@ const DEPTH: u32 = 14;
 impl Evaluator<'_, '_> {
     /// A property with a time operator, at time 0 or at the time of the evaluator.
     pub(super) fn over_time(&self, node: &Node) -> Judged {
+        if let Some(known) = self.moment.and_then(|moment| moment.known(node)) {
+            return known;
+        }
         let timeline = self.case.timeline()?;
-        let now = Piece { from: rational(0, 1), to: Some(rational(0, 1)) };
+        if timeline.is_discrete() {
+            return over_steps(timeline, self, node);
+        }
         if self.piece.is_none() {
             timeline.prepare(&horizon(self, node)?)?;
         }
-        over_time(timeline, self, node, self.piece.unwrap_or(&now))
+        over_time(timeline, self, node, self.piece.unwrap_or(&now()))
     }
 
     /// A quantity at time 0.
     pub(super) fn initially(&self, node: &Node) -> Result<Measured, Failure> {
         let timeline = self.case.timeline()?;
-        let now = Piece { from: rational(0, 1), to: Some(rational(0, 1)) };
+        let now = now();
         if self.piece.is_none() {
             timeline.prepare(&now.from)?;
         }
         let moment = timeline.moment(&now)?;
         Evaluator { moment: Some(moment.as_ref()), piece: Some(&now), ..*self }.measured(node)
     }
+}
+
+/// The time 0.
+pub(super) fn now() -> Piece {
+    Piece { from: rational(0, 1), to: Some(rational(0, 1)) }
 }
 
 /// The last time that a property looks at, bounded times only.
@@ -82,13 +94,13 @@ fn over_time(timeline: &dyn Timeline, evaluator: &Evaluator, node: &Node, at: &P
 }
 
 /// The times of an operator, from its own time on.
-struct Span {
-    from: Rational,
-    to: Option<Rational>,
+pub(super) struct Span {
+    pub from: Rational,
+    pub to: Option<Rational>,
 }
 
 impl Span {
-    fn read(evaluator: &Evaluator, from: &Node, to: &Node) -> Result<Self, Failure> {
+    pub fn read(evaluator: &Evaluator, from: &Node, to: &Node) -> Result<Self, Failure> {
         let exact = |node: &Node| match evaluator.number(node)? {
             Number::Exact(q) if q >= rational(0, 1) => Ok(q),
             other => Err(Failure::Refused(
@@ -132,7 +144,7 @@ struct Operator<'a, 'c, 'q> {
 }
 
 /// The moving quantities in an expression.
-fn moving_names<'n>(evaluator: &Evaluator, node: &'n Node) -> Vec<&'n str> {
+pub(super) fn moving_names<'n>(evaluator: &Evaluator, node: &'n Node) -> Vec<&'n str> {
     let mut names = Vec::new();
     node.visit(&mut |node| {
         if let Kind::Name { name, .. } = &node.kind
@@ -230,7 +242,7 @@ fn at_time(truth: Truth, piece: &Piece) -> Doubt {
     }
 }
 
-/// Whether there is a time in the span at which `second` holds, and `first` does from now until then.
+/// Whether there is a time in the span at which `second` holds, and `first` does from now until before then.
 fn until(
     timeline: &dyn Timeline,
     evaluator: &Evaluator,
@@ -239,29 +251,25 @@ fn until(
     second: &Node,
     at: &Piece,
 ) -> Judged {
-    let (begin, end) = (at.from.clone(), span.possible(at).1);
-    let (begin, end) = timeline.inside(begin, end);
-    let (from, to) = span.possible(at);
-    let possible = timeline.inside(from, to);
-    let sure = span.sure(at).map(|(from, to)| timeline.inside(from, to));
+    let possible = span.possible(at);
+    let sure = span.sure(at);
     let mut names = moving_names(evaluator, first);
     names.extend(moving_names(evaluator, second));
-    let covered = timeline.pieces(&begin, end.as_ref(), &names)?;
+    let covered = timeline.pieces(&at.from, possible.1.as_ref(), &names)?;
     let [keeps, comes] = [first, second].map(|body| Operator { timeline, evaluator, body, negated: false });
-    // Cut where now may be at the latest.
-    let cut = |piece: Piece| match &at.to {
-        Some(now) if piece.from < *now && piece.to.as_ref().is_none_or(|end| now < end) => {
-            vec![Piece { to: Some(now.clone()), ..piece.clone() }, Piece { from: now.clone(), ..piece }]
-        }
-        _ => vec![piece],
-    };
-    let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().flat_map(cut).map(|piece| (piece, DEPTH)).collect();
+    // Where the meaning of a time changes: where now may be at the latest, where the window may begin and end.
+    let ends = |span: &(Rational, Option<Rational>)| std::iter::once(span.0.clone()).chain(span.1.clone());
+    let mut changes: Vec<Rational> = ends(&possible).chain(sure.iter().flat_map(ends)).chain(at.to.clone()).collect();
+    changes.sort();
+    changes.dedup();
+    let cut = covered.pieces.into_iter().flat_map(|piece| cut(piece, &changes));
+    let mut queue: Vec<(Piece, u32)> = cut.map(|piece| (piece, DEPTH)).collect();
     queue.reverse();
     let (mut kept, mut may_have_come, mut doubt, mut judged) = (true, false, None, 0);
     let mut margin = LargestUntil::new(covered.rest.is_some());
     while let Some((piece, depth)) = queue.pop() {
         let (keeping, keeps_by) = keeps.judge(&piece)?;
-        let is_possible = meets(&piece, &possible);
+        let is_possible = overlaps(&piece, &possible);
         let (coming, comes_by) =
             if is_possible { comes.judge(&piece)? } else { (Truth::False, Margin::of_truth(false)) };
         judged += 1;
@@ -269,7 +277,8 @@ fn until(
         // Only after the last time of `at` does the piece lie between now and then whatever now is.
         let after = at.to.as_ref().is_some_and(|now| piece.from >= *now);
         let keeps_by = if after { keeps_by } else { Margin { hi: f64::INFINITY, ..keeps_by } };
-        if coming == Truth::True && kept && inside && keeping == Truth::True {
+        if coming == Truth::True && kept && inside {
+            // It has come when the piece begins.
             margin.include(keeps_by, comes_by, inside);
             return Ok((Truth::True, margin.so_far()));
         }
@@ -303,13 +312,39 @@ fn until(
     }
 }
 
+/// A piece cut at some times in order, each of which becomes a piece of its own.
+fn cut(piece: Piece, times: &[Rational]) -> Vec<Piece> {
+    let mut parts = Vec::new();
+    let mut from = piece.from.clone();
+    for time in times.iter().filter(|time| **time >= piece.from && piece.to.as_ref().is_none_or(|to| *time <= to)) {
+        if from < *time {
+            parts.push(Piece { from, to: Some(time.clone()) });
+        }
+        parts.push(Piece { from: time.clone(), to: Some(time.clone()) });
+        from = time.clone();
+    }
+    if piece.to.as_ref().is_none_or(|to| from < *to) || parts.is_empty() {
+        parts.push(Piece { from, ..piece });
+    }
+    parts
+}
+
+/// Whether a piece has times of a stretch in its inside, or is one of them; the ends of the stretch are pieces of their own.
+fn overlaps(piece: &Piece, span: &(Rational, Option<Rational>)) -> bool {
+    if piece.to.as_ref() == Some(&piece.from) {
+        return lies_in(piece, span);
+    }
+    let (from, to) = span;
+    piece.to.as_ref().is_none_or(|end| from < end) && to.as_ref().is_none_or(|to| piece.from < *to)
+}
+
 /// Whether all times of a piece are meant.
 fn lies_in(piece: &Piece, (from, to): &(Rational, Option<Rational>)) -> bool {
     piece.from >= *from && to.as_ref().is_none_or(|to| piece.to.as_ref().is_some_and(|end| end <= to))
 }
 
 /// The margin of `p until q`: the largest, over the times at which `q` may come, of the smaller one of the margin of `q` there and the
-/// smallest of `p` until then.
+/// smallest of `p` before then.
 struct LargestUntil {
     /// Of `p` so far.
     kept: Margin,
@@ -326,10 +361,10 @@ impl LargestUntil {
 
     /// The next piece; `inside` where all its times are meant.
     fn include(&mut self, keeps: Margin, comes: Margin, inside: bool) {
-        // Up to a time inside the piece `p` is at most what it is up to the piece.
-        let most = self.kept.hi.min(keeps.hi).min(comes.hi);
-        self.kept = self.kept.least(keeps);
+        // At its first time `p` is not asked for on the piece.
+        let most = self.kept.hi.min(comes.hi);
         let least = if inside { self.kept.lo.min(comes.lo) } else { f64::NEG_INFINITY };
+        self.kept = self.kept.least(keeps);
         self.found = self.found.largest(Margin { lo: least, hi: most });
     }
 

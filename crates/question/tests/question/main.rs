@@ -6,6 +6,7 @@ mod examples;
 mod families;
 mod language;
 mod motions;
+mod traces;
 
 use arithmetic::Unwatched;
 use question::{Answer, Question, QuestionError, Verdict, decide};
