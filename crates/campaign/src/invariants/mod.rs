@@ -12,6 +12,7 @@ mod oscillators;
 mod readers;
 mod spectra;
 mod symmetries;
+mod traces;
 
 pub use readers::{READERS, Reader};
 
@@ -78,6 +79,7 @@ pub fn table() -> impl Iterator<Item = &'static Invariant> {
         motions::TABLE,
         readers::TABLE,
         certificates::TABLE,
+        traces::TABLE,
     ]
     .into_iter()
     .flatten()

@@ -25,6 +25,31 @@ pub(super) fn over_steps(timeline: &dyn Timeline, evaluator: &Evaluator, node: &
     Operator::read(timeline, evaluator, node, &range)?.at(&start)
 }
 
+/// Goes through the stretches of a part of a time operator in order, with its truth there, as long as it is told to go on.
+pub(super) fn each_stretch(
+    timeline: &dyn Timeline,
+    evaluator: &Evaluator,
+    node: &Node,
+    part: usize,
+    visit: &mut dyn FnMut(&Piece, Truth, Margin) -> bool,
+) -> Result<(), Failure> {
+    let start = evaluator.piece.map_or_else(now, Clone::clone).from.ceil().to_integer();
+    let range = Stretch { from: start.clone(), to: Some(start.clone()) };
+    let operator = Operator::read(timeline, evaluator, node, &range)?;
+    let Some(body) = operator.bodies.get(part) else { return Ok(()) };
+    // Of `until` the first part is asked for from now on.
+    let is_first = operator.meaning == Meaning::Until && part == 0;
+    let begin = if is_first { start } else { start + &operator.window.from };
+    for (place, stretch) in body.stretches.iter().enumerate().skip(containing(&body.stretches, &begin)) {
+        let (truth, margin) = body.value(place)?;
+        let from = begin.clone().max(stretch.from.clone());
+        if !visit(&Stretch { from, to: stretch.to.clone() }.piece(), truth, margin) {
+            break;
+        }
+    }
+    Ok(())
+}
+
 /// Steps from one to another, or on for ever.
 #[derive(Debug, Clone)]
 struct Stretch {

@@ -1,7 +1,7 @@
 //! Time operators: `always[a, b]`, `eventually[a, b]`, `p until[a, b] q`, decided on pieces of time on which everything is enclosed; in discrete time by
 //! [`super::steps`].
 
-use super::steps::over_steps;
+use super::steps::{each_stretch, over_steps};
 use super::{Evaluator, Judged};
 use crate::error::Problem;
 use crate::failure::Failure;
@@ -31,6 +31,48 @@ impl Evaluator<'_, '_> {
             timeline.prepare(&horizon(self, node)?)?;
         }
         over_time(timeline, self, node, self.piece.unwrap_or(&now()))
+    }
+
+    /// Goes through the times of a part of a time operator in order, with its truth there, as long as it is told to go on.
+    pub(crate) fn each_time(
+        &self,
+        node: &Node,
+        part: usize,
+        visit: &mut dyn FnMut(&Piece, Truth, Margin) -> bool,
+    ) -> Result<(), Failure> {
+        let timeline = self.case.timeline()?;
+        if timeline.is_discrete() {
+            return each_stretch(timeline, self, node, part, visit);
+        }
+        let (from, to, bodies) = match &node.kind {
+            Kind::Always(_, parts) => (&parts[0], &parts[1], &parts[2..]),
+            Kind::Until(parts) => (&parts[0], &parts[1], &parts[2..]),
+            _ => return Ok(()),
+        };
+        if self.piece.is_none() {
+            timeline.prepare(&horizon(self, node)?)?;
+        }
+        let start = now();
+        let at = self.piece.unwrap_or(&start);
+        let (begin, end) = Span::read(self, from, to)?.possible(at);
+        // Of `until` the first part is asked for from now on.
+        let begin = if bodies.len() == 2 && part == 0 { at.from.clone() } else { begin };
+        let Some(body) = bodies.get(part) else { return Ok(()) };
+        let covered = timeline.pieces(&begin, end.as_ref(), &moving_names(self, body))?;
+        let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
+        let operator = Operator { timeline, evaluator: self, body, negated: false };
+        let mut judged = 0;
+        while let Some((piece, depth)) = queue.pop().filter(|_| judged < MOST_JUDGED) {
+            let (truth, margin) = operator.judge(&piece)?;
+            judged += 1;
+            let halves = timeline.halves(&piece).filter(|_| matches!(truth, Truth::Unknown(_)) && depth > 0);
+            match halves {
+                Some([first, second]) => queue.extend([(second, depth - 1), (first, depth - 1)]),
+                None if !visit(&piece, truth, margin) => break,
+                None => {}
+            }
+        }
+        Ok(())
     }
 
     /// A quantity at time 0.
@@ -128,6 +170,11 @@ impl Span {
         (&at.from + &self.from, at.to.as_ref().zip(self.to.as_ref()).map(|(end, to)| end + to))
     }
 
+    /// The first times that are meant at the times of a piece.
+    fn first(&self, at: &Piece) -> Option<Piece> {
+        Some(Piece { from: &at.from + &self.from, to: Some(at.to.as_ref()? + &self.from) })
+    }
+
     /// The times that are meant at every time of the piece.
     fn sure(&self, at: &Piece) -> Option<(Rational, Option<Rational>)> {
         let from = at.to.as_ref()? + &self.from;
@@ -179,6 +226,12 @@ impl Operator<'_, '_, '_> {
             return Err(Failure::Refused(self.body.at, Problem::Empty(why)));
         }
         let sure = span.sure(at).map(|(from, to)| self.timeline.inside(from, to));
+        if sure.is_none()
+            && let Some(first) = span.first(at)
+            && let Some(margin) = self.fails_throughout(&first)?
+        {
+            return Ok((Truth::False, margin));
+        }
         let covered = self.timeline.pieces(&from, to.as_ref(), &moving_names(self.evaluator, self.body))?;
         let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
         let (mut margin, mut doubt, mut judged) = (Margin::of_truth(true), None, 0);
@@ -214,6 +267,27 @@ impl Operator<'_, '_, '_> {
             None => (Truth::True, margin),
             Some(doubt) => (Truth::Unknown(doubt), margin),
         })
+    }
+
+    /// A bound of the margins, if the body is false at all times of a piece: of short windows no time is meant at every time of a piece, but each of its times
+    /// has a time of its own.
+    fn fails_throughout(&self, times: &Piece) -> Result<Option<Margin>, Failure> {
+        const HALVINGS: u32 = 5;
+        let covered = self.timeline.pieces(&times.from, times.to.as_ref(), &moving_names(self.evaluator, self.body))?;
+        if covered.rest.is_some() {
+            return Ok(None);
+        }
+        let mut margin = Margin { lo: f64::NEG_INFINITY, hi: f64::NEG_INFINITY };
+        let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().map(|piece| (piece, HALVINGS)).collect();
+        while let Some((piece, depth)) = queue.pop() {
+            let (truth, own) = self.judge(&piece)?;
+            match (truth, self.timeline.halves(&piece)) {
+                (Truth::False, _) => margin.hi = margin.hi.max(own.hi),
+                (Truth::Unknown(_), Some(halves)) if depth > 0 => queue.extend(halves.map(|half| (half, depth - 1))),
+                _ => return Ok(None),
+            }
+        }
+        Ok(Some(margin))
     }
 
     /// A lower bound of the margins in pieces that were not looked at yet.
@@ -256,6 +330,12 @@ fn until(
     let mut names = moving_names(evaluator, first);
     names.extend(moving_names(evaluator, second));
     let covered = timeline.pieces(&at.from, possible.1.as_ref(), &names)?;
+    if sure.is_none()
+        && let Some(margin) =
+            comes_at_once(span, [first, second].map(|body| Operator { timeline, evaluator, body, negated: true }), at)?
+    {
+        return Ok((Truth::True, margin));
+    }
     let [keeps, comes] = [first, second].map(|body| Operator { timeline, evaluator, body, negated: false });
     // Where the meaning of a time changes: where now may be at the latest, where the window may begin and end.
     let ends = |span: &(Rational, Option<Rational>)| std::iter::once(span.0.clone()).chain(span.1.clone());
@@ -310,6 +390,16 @@ fn until(
         None => Ok((Truth::False, margin.whole())),
         Some(doubt) => Ok((Truth::Unknown(doubt), margin.whole())),
     }
+}
+
+/// A bound of the margins, if at all times of a piece `q` comes at the first time that is meant, and `p` holds until then. Both are given negated.
+fn comes_at_once(span: &Span, [keeps, comes]: [Operator; 2], at: &Piece) -> Result<Option<Margin>, Failure> {
+    let Some(first) = span.first(at) else { return Ok(None) };
+    let Some(coming) = comes.fails_throughout(&first)? else { return Ok(None) };
+    let Some(keeping) = keeps.fails_throughout(&Piece { from: at.from.clone(), to: first.to })? else {
+        return Ok(None);
+    };
+    Ok(Some(coming.largest(keeping).negated()))
 }
 
 /// A piece cut at some times in order, each of which becomes a piece of its own.

@@ -3,7 +3,8 @@
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
-use crate::number::Number;
+use crate::number::{Number, Obstacle};
+use crate::subject::distances::{disagreement, least_distance};
 use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
 use crate::truth::Doubt;
 use algebra::graph::Graph;
@@ -253,11 +254,8 @@ impl At<'_, '_> {
 impl Moment for At<'_, '_> {
     fn measure(&self, quantity: &Quantity, _: &[Number], precision: u32) -> Result<Measured, Failure> {
         let number = |n: usize| Ok(Measured::Number(Number::integer(n as i64)));
-        let root = |q: Rational| {
-            Number::Exact(q)
-                .sqrt(precision)
-                .map(Measured::Number)
-                .map_err(|_| Failure::open("a root of a negative number", None))
+        let rooted = |found: Result<Number, Obstacle>| {
+            found.map(Measured::Number).map_err(|_| Failure::open("a root of a negative number", None))
         };
         // Early networks need no look at the whole future.
         let early = self.time < BigInt::from(EARLY);
@@ -265,21 +263,10 @@ impl Moment for At<'_, '_> {
         match quantity.name {
             "components" => number(network()?.components().len()),
             "links" => number(network()?.edges().len()),
-            "disagreement" => {
-                let velocities = self.state()?.velocities;
-                let count = rational(velocities.len().max(1) as i64, 1);
-                let dimension = velocities.first().map_or(0, Vec::len);
-                let mean = |k: usize| velocities.iter().map(|v| &v[k]).sum::<Rational>() / &count;
-                let means: Vec<Rational> = (0..dimension).map(mean).collect();
-                let squares = velocities.iter().flat_map(|v| v.iter().zip(&means).map(|(x, m)| (x - m) * (x - m)));
-                root(squares.sum())
-            }
+            "disagreement" => rooted(disagreement(&self.state()?.velocities, precision)),
             _ => {
-                let places = self.state()?.positions;
-                let square = |a: &[Rational], b: &[Rational]| a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
-                let pairs = (0..places.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
-                let least: Option<Rational> = pairs.map(|(i, j)| square(&places[i], &places[j])).min();
-                root(least.ok_or_else(|| Failure::open("one bird has no distance to others", None))?)
+                let least = least_distance(&self.state()?.positions, precision);
+                rooted(least.ok_or_else(|| Failure::open("one bird has no distance to others", None))?)
             }
         }
     }

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod decisions;
+mod exact_facts;
 mod examples;
 mod families;
 mod language;
