@@ -57,8 +57,13 @@ fn found(evaluator: &Evaluator, node: &Node, wanted: bool) -> Result<Option<Deci
         Kind::Not(body) => found(evaluator, body, !wanted),
         Kind::And(list) => one_of(evaluator, list.iter().map(|node| (node, wanted)), !wanted),
         Kind::Or(list) => one_of(evaluator, list.iter().map(|node| (node, wanted)), wanted),
+        // It fails by what it says, not by what it supposes.
+        Kind::Implies(first, second) if !wanted => match found(evaluator, second, false)? {
+            None => found(evaluator, first, true),
+            decisive => Ok(decisive),
+        },
         Kind::Implies(first, second) => {
-            one_of(evaluator, [(first.as_ref(), !wanted), (second.as_ref(), wanted)].into_iter(), wanted)
+            one_of(evaluator, [(first.as_ref(), false), (second.as_ref(), true)].into_iter(), true)
         }
         Kind::Always(always, parts) => {
             let best = best_time(evaluator, node, 0, wanted, *always != wanted)?;

@@ -318,7 +318,7 @@ fn told(judged: Judged, stretch: &Stretch) -> Result<Judged, Failure> {
     }
 }
 
-/// That all of some properties hold: false if one is false, whatever the others are; without a value if one has none.
+/// That all of some properties hold: false if one is false, whatever the others are; without a value if one has none and all others are true.
 struct All {
     margin: Margin,
     is_false: bool,
@@ -351,10 +351,11 @@ impl All {
     }
 
     fn judged(&self) -> Judged {
-        match (self.is_false, &self.failure, &self.doubt) {
+        match (self.is_false, &self.doubt, &self.failure) {
             (true, ..) => Ok((Truth::False, self.margin)),
-            (false, Some(failure), _) => Err(failure.clone()),
-            (false, None, Some(doubt)) => Ok((Truth::Unknown(doubt.clone()), self.margin)),
+            // What is not known may still be false.
+            (false, Some(doubt), _) => Ok((Truth::Unknown(doubt.clone()), self.margin)),
+            (false, None, Some(failure)) => Err(failure.clone()),
             (false, None, None) => Ok((Truth::True, self.margin)),
         }
     }

@@ -6,7 +6,7 @@ use super::{Evaluator, Judged};
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::number::Number;
-use crate::syntax::{Kind, Node};
+use crate::syntax::{Kind, Node, Relation};
 use crate::timeline::{Measured, Piece, Timeline, clock};
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::{Rational, rational};
@@ -234,11 +234,19 @@ impl Operator<'_, '_, '_> {
         }
         let covered = self.timeline.pieces(&from, to.as_ref(), &moving_names(self.evaluator, self.body))?;
         let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
-        let (mut margin, mut doubt, mut judged) = (Margin::of_truth(true), None, 0);
+        let (mut margin, mut doubt, mut missing, mut judged) = (Margin::of_truth(true), None, None, 0);
         while let Some((piece, depth)) = queue.pop() {
-            let (truth, own) = self.judge(&piece)?;
             judged += 1;
             let is_sure = sure.as_ref().is_some_and(|sure| meets(&piece, sure));
+            let (truth, own) = match self.judge(&piece) {
+                // It may still be false at another time.
+                Err(failure @ Failure::Refused(..)) if is_sure => {
+                    margin.lo = f64::NEG_INFINITY;
+                    missing.get_or_insert(failure);
+                    continue;
+                }
+                judged => judged?,
+            };
             // What happens at times that may not be meant bounds the smallest margin from below only.
             let own = if is_sure { own } else { Margin { hi: f64::INFINITY, ..own } };
             match truth {
@@ -263,10 +271,11 @@ impl Operator<'_, '_, '_> {
         if covered.rest.is_some() {
             margin.lo = f64::NEG_INFINITY;
         }
-        Ok(match doubt.or(covered.rest) {
-            None => (Truth::True, margin),
-            Some(doubt) => (Truth::Unknown(doubt), margin),
-        })
+        match (doubt.or(covered.rest), missing) {
+            (Some(doubt), _) => Ok((Truth::Unknown(doubt), margin)),
+            (None, Some(failure)) => Err(failure),
+            (None, None) => Ok((Truth::True, margin)),
+        }
     }
 
     /// A bound of the margins, if the body is false at all times of a piece: of short windows no time is meant at every time of a piece, but each of its times
@@ -346,6 +355,8 @@ fn until(
     let mut queue: Vec<(Piece, u32)> = cut.map(|piece| (piece, DEPTH)).collect();
     queue.reverse();
     let (mut kept, mut may_have_come, mut doubt, mut judged) = (true, false, None, 0);
+    // Where `q` is that `p` fails, `p` holds in the window until `q` comes for the first time.
+    let waits = is_closed_opposite(evaluator, first, second);
     let mut margin = LargestUntil::new(covered.rest.is_some());
     while let Some((piece, depth)) = queue.pop() {
         let (keeping, keeps_by) = keeps.judge(&piece)?;
@@ -354,6 +365,7 @@ fn until(
             if is_possible { comes.judge(&piece)? } else { (Truth::False, Margin::of_truth(false)) };
         judged += 1;
         let inside = sure.as_ref().is_some_and(|sure| lies_in(&piece, sure));
+        let keeping = if waits && inside { Truth::True } else { keeping };
         // Only after the last time of `at` does the piece lie between now and then whatever now is.
         let after = at.to.as_ref().is_some_and(|now| piece.from >= *now);
         let keeps_by = if after { keeps_by } else { Margin { hi: f64::INFINITY, ..keeps_by } };
@@ -390,6 +402,21 @@ fn until(
         None => Ok((Truth::False, margin.whole())),
         Some(doubt) => Ok((Truth::Unknown(doubt), margin.whole())),
     }
+}
+
+/// Whether `second` says that `first` does not hold, and of continuous quantities with `<=` or `>=`: then its times are a closed set, and there is a first one
+/// if there are any.
+fn is_closed_opposite(evaluator: &Evaluator, first: &Node, second: &Node) -> bool {
+    /// What jumps where links change.
+    const JUMPING: [&str; 3] = ["components", "potential", "energy"];
+    let (Kind::Relation(a, before), Kind::Relation(c, after)) = (&first.kind, &second.kind) else { return false };
+    let ([(keeping, b)], [(coming, d)]) = (before.as_slice(), after.as_slice()) else { return false };
+    let is_same = |x: &Node, y: &Node| x.to_string() == y.to_string();
+    matches!(coming, Relation::AtMost | Relation::AtLeast)
+        && keeping.turned() == *coming
+        && is_same(a, c)
+        && is_same(b, d)
+        && moving_names(evaluator, second).iter().all(|name| !JUMPING.contains(name))
 }
 
 /// A bound of the margins, if at all times of a piece `q` comes at the first time that is meant, and `p` holds until then. Both are given negated.

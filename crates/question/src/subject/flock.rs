@@ -20,6 +20,7 @@ pub(crate) struct FlockSubject<'c> {
     start: Start,
     progress: &'c dyn Progress,
     future: OnceCell<Result<Future, Failure>>,
+    rests: OnceCell<Result<Option<usize>, Failure>>,
     stepped: RefCell<Option<Stepped>>,
 }
 
@@ -57,7 +58,7 @@ const OF_NETWORK: [&str; 2] = ["components", "links"];
 
 impl<'c> FlockSubject<'c> {
     pub fn new(start: Start, progress: &'c dyn Progress) -> Self {
-        FlockSubject { start, progress, future: OnceCell::new(), stepped: RefCell::new(None) }
+        FlockSubject { start, progress, future: OnceCell::new(), rests: OnceCell::new(), stepped: RefCell::new(None) }
     }
 
     fn flock(&self) -> Result<Flock, Failure> {
@@ -137,13 +138,16 @@ impl FlockSubject<'_> {
     /// The first early time at which all velocities are equal: averages of equal velocities are these velocities, so that neither they nor the
     /// differences of positions change any more.
     fn rest(&self) -> Result<Option<usize>, Failure> {
-        for time in 0..EARLY as usize {
-            let velocities = self.state(time)?.velocities;
-            if velocities.windows(2).all(|pair| pair[0] == pair[1]) {
-                return Ok(Some(time));
+        let found = self.rests.get_or_init(|| {
+            for time in 0..EARLY as usize {
+                let velocities = self.state(time)?.velocities;
+                if velocities.windows(2).all(|pair| pair[0] == pair[1]) {
+                    return Ok(Some(time));
+                }
             }
-        }
-        Ok(None)
+            Ok(None)
+        });
+        found.clone()
     }
 }
 
@@ -233,7 +237,8 @@ struct At<'f, 'c> {
 impl At<'_, '_> {
     fn network(&self) -> Result<Graph, Failure> {
         let future = self.flock.future()?;
-        if let Some(doubt) = self.flock.beyond(future).filter(|_| self.time > future.settlement.last_switch) {
+        let is_known = future.networks.last().is_some_and(|(last, _)| self.time <= *last);
+        if let Some(doubt) = self.flock.beyond(future).filter(|_| !is_known) {
             return Err(Failure::Open(doubt));
         }
         let in_force = future.networks.iter().rev().find(|(time, _)| *time <= self.time);

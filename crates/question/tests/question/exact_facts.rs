@@ -124,6 +124,12 @@ fn until_of_a_motion_asks_for_its_first_part_before_the_second_one_comes() {
         ("min_distance < 2 until[3/2, 2] min_distance > 2", Verdict::False),
         ("min_distance < 3 until[1/3, 1/3] min_distance > 5/4", Verdict::Holds),
         ("min_distance < 3 until[1/3, 1/3] min_distance > 3/2", Verdict::False),
+        // Until it fails: at the first time at which it does.
+        ("min_distance < 2 until[0, 2] min_distance >= 2", Verdict::Holds),
+        ("min_distance < 2 until[1/2, 2] min_distance >= 2", Verdict::Holds),
+        ("min_distance < 2 until[3/2, 2] min_distance >= 2", Verdict::False),
+        ("min_distance < 7 until[0, 2] min_distance >= 7", Verdict::False),
+        ("always[0, 1/2](min_distance < 2 until[0, 2] min_distance >= 2)", Verdict::Holds),
         // At time 0 alone: nothing is asked of the first part.
         ("min_distance > 5 until[0, 0] min_distance = 1", Verdict::Holds),
         ("min_distance > 5 until[0, 2] min_distance < 2", Verdict::Holds),
@@ -171,6 +177,8 @@ fn a_counterexample_shows_both_sides() {
     assert_eq!((inequality.as_str(), left, time.as_deref()), ("min_distance > 1", (1.0, 1.0), Some("0")));
     let (inequality, left, right, time) = shown("1 < 2 and initial(min_distance) < 1/2");
     assert_eq!((inequality.as_str(), left, right, time), ("initial(min_distance) < 1/2", (1.0, 1.0), (0.5, 0.5), None));
+    let (inequality, left, right, _) = shown("initial(min_distance) >= 1 implies initial(kinetic) > 2");
+    assert_eq!((inequality.as_str(), left, right), ("initial(kinetic) > 2", (0.5, 0.5), (2.0, 2.0)));
     let (inequality, ..) = shown("not eventually[0, 1](1/2 < min_distance < 3/2)");
     assert!(inequality.contains("min_distance"), "{inequality}");
 }
