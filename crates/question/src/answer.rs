@@ -1,6 +1,7 @@
 //! What is said about a question: verdict, evidence, counterexample, in words and as JSON.
 
 use crate::bindings::Bindings;
+use crate::decisive::Decisive;
 use crate::error::QuestionError;
 use crate::names::Subject;
 use crate::outcome::Outcome;
@@ -61,6 +62,8 @@ pub struct Answer {
     pub grades: Vec<&'static str>,
     /// The counterexample, simplified.
     pub counterexample: Option<Bindings>,
+    /// The inequality that fails there, with the values of its sides; `None` where no inequality decides.
+    pub decisive: Option<Decisive>,
     /// A weaker property that fails there already, because it looks at shorter times; `None` where there is none.
     pub shorter: Option<String>,
     /// A question of this one instance, as the text of a file; `None` where there is no counterexample, or the question is that already.
@@ -119,6 +122,7 @@ impl Answer {
             verdict,
             grades,
             counterexample,
+            decisive: None,
             shorter,
             replay,
             margin,
@@ -139,6 +143,7 @@ impl Answer {
         };
         let enclosed =
             |margin: Option<&Margin>| margin.and_then(Margin::decimals).map(|(lo, hi)| json!({"lo": lo, "hi": hi}));
+        let sides = |own: &Decisive| json!({"inequality": own.inequality, "left": own.left, "right": own.right, "time": own.time});
         let own = |(text, margin): &(String, Option<Margin>)| json!({"inequality": text, "margin": enclosed(margin.as_ref())});
         json!({
             "schema": "flockproof.check/1",
@@ -146,6 +151,7 @@ impl Answer {
             "verdict": self.verdict.word(),
             "grades": self.grades,
             "counterexample": self.counterexample.as_ref().map(named),
+            "decisive": self.decisive.as_ref().map(sides),
             "replay": replay,
             "margin": enclosed(self.margin.as_ref()),
             "inequalities": self.inequalities.iter().map(own).collect::<Vec<_>>(),
@@ -169,6 +175,10 @@ impl Answer {
         let _ = write!(text, "\n{}\n", self.why);
         if let Some(bindings) = self.counterexample.as_ref().filter(|bindings| bindings.iter().next().is_some()) {
             let _ = writeln!(text, "counterexample: {bindings}");
+        }
+        if let Some(Decisive { inequality, left, right, time }) = &self.decisive {
+            let at = time.as_ref().map_or(String::new(), |time| format!(", at t = {time}"));
+            let _ = writeln!(text, "there {inequality} has {left} on its left and {right} on its right{at}");
         }
         if let Some(shorter) = &self.shorter {
             let _ = writeln!(text, "fails already: {shorter}");

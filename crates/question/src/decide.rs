@@ -135,7 +135,12 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
         }
         None => None,
     };
+    let decisive = match &shrunk {
+        Some((simpler, _)) => question.decisive(&simpler.property, &simpler.bindings, progress)?,
+        None => None,
+    };
     let mut answer = Answer::new(question, outcome, shrunk, refuted);
+    answer.decisive = decisive.filter(|_| answer.counterexample.is_some());
     if answer.verdict == Verdict::Undecided
         && let Some(first) = question.case(0, progress)?
         && let Some(opinion) = question.float_opinion(&first, progress)

@@ -1,5 +1,6 @@
 //! Values and truth of expressions in one case.
 
+mod steps;
 mod time;
 
 pub(crate) use time::horizon;

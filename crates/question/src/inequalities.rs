@@ -51,7 +51,7 @@ fn parts(node: &Node, positive: bool) -> Vec<Node> {
 
 impl Relation {
     /// The relation that holds where this one does not.
-    fn turned(self) -> Self {
+    pub(crate) fn turned(self) -> Self {
         match self {
             Relation::Equal => Relation::Different,
             Relation::Different => Relation::Equal,

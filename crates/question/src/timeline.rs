@@ -3,7 +3,8 @@
 use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::number::Number;
-use crate::truth::Doubt;
+use crate::syntax::Node;
+use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::Rational;
 
 /// A quantity that was measured.
@@ -16,6 +17,11 @@ pub(crate) enum Measured {
 /// What moving quantities are measured on: a moment, or all moments of a short time at once.
 pub(crate) trait Moment {
     fn measure(&self, quantity: &Quantity, arguments: &[Number], precision: u32) -> Result<Measured, Failure>;
+
+    /// The truth of a time operator at the moment, where it was found before.
+    fn known(&self, _: &Node) -> Option<Result<(Truth, Margin), Failure>> {
+        None
+    }
 }
 
 /// All times from one to another, or on for ever.
@@ -44,6 +50,11 @@ pub(crate) trait Timeline {
 
     /// Follows the motion at least up to a time, before pieces of it are asked for.
     fn prepare(&self, until: &Rational) -> Result<(), Failure>;
+
+    /// Whether only integers are times. Then what moves is constant on each piece.
+    fn is_discrete(&self) -> bool {
+        false
+    }
 
     /// The times that count in a stretch: of discrete time, the integers.
     fn inside(&self, from: Rational, to: Option<Rational>) -> (Rational, Option<Rational>);

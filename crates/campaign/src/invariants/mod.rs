@@ -13,6 +13,7 @@ mod readers;
 mod simulated;
 mod spectra;
 mod symmetries;
+mod traces;
 
 pub use readers::{READERS, Reader};
 
@@ -80,6 +81,7 @@ pub fn table() -> impl Iterator<Item = &'static Invariant> {
         simulated::TABLE,
         readers::TABLE,
         certificates::TABLE,
+        traces::TABLE,
     ]
     .into_iter()
     .flatten()

@@ -4,7 +4,7 @@ use super::theorem1::scaled_error_is_bounded;
 use super::{enclosed, gains, theorem1, unit, within};
 use crate::prelude::*;
 use arithmetic::{Dyadic, Sign, Signed};
-use models::platoon::modes::{Mode, mode_eigenvalue};
+use models::platoon::modes::{Mode, Roots, mode_eigenvalue};
 use models::platoon::time_domain::{HarmonicStart, Modes, StopAndGo};
 use models::platoon::{Gains, amplitudes_two_sided, resonance};
 
@@ -173,7 +173,10 @@ fn examine_figure3(variant: &Figure3Variant, run: &mut Run) -> Result<Outcome, C
     let error = |gains: &Gains<Rational>, m: u64| {
         let (found, gains) = theorem1::enclosed(gains, m)?;
         let mode = Mode::new(&gains, &mode_eigenvalue(&gains.f, m, 1)?)?;
-        let ratio = mode.frequency.over(&found.omega)?;
+        let Roots::Complex(frequency) = mode.roots else {
+            return Err(ArithmeticError::Domain("modes that oscillate").into());
+        };
+        let ratio = frequency.over(&found.omega)?;
         Ok(ratio.clone() - ratio.integer(variant.multiple))
     };
     let slowest = scaled_error_is_bounded(32, run, "slowest_mode_over_resonance", variant.order, error)?;

@@ -26,37 +26,54 @@ pub fn mode_eigenvalue<T: Real>(like: &T, followers: u64, k: u64) -> Result<T, A
     Ok(half.sin()?.square() * like.integer(2))
 }
 
-/// The free motion of one mode, `z'' = lambda (f z + g z')`, whose characteristic roots are `-decay ± i frequency`, or
-/// `-decay ± frequency` where it is overdamped.
+/// The free motion of one mode, `z'' = lambda (f z + g z')`, whose characteristic roots are `-decay ± sqrt(d)` with the discriminant
+/// `d = lambda² g²/4 - lambda |f|`.
 #[derive(Debug, Clone)]
 pub struct Mode<T> {
     /// `lambda |g|/2`, 1/s.
     pub decay: T,
-    /// `sqrt|lambda² g²/4 - lambda |f||`, rad/s.
-    pub frequency: T,
-    /// Whether the roots are real.
-    pub overdamped: bool,
-    /// The slower of the two rates at which it decays, 1/s.
+    /// What is known of the roots.
+    pub roots: Roots<T>,
+    /// The slower of the two rates at which it decays, 1/s; half of `decay`, which is below both, where the roots may coincide.
     pub rate: T,
+}
+
+/// What is known of the characteristic roots of a mode.
+#[derive(Debug, Clone)]
+pub enum Roots<T> {
+    /// `-decay ± i w`: it oscillates with this angular frequency `w`, rad/s.
+    Complex(T),
+    /// `-decay ± w`: it is overdamped, with this `w`.
+    Real(T),
+    /// They coincide, or may: this discriminant is 0, or encloses 0, and is at most `decay²/16` in size.
+    Close(T),
 }
 
 impl<T: Real + Signed> Mode<T> {
     /// The mode of the eigenvalue `lambda > 0`, for `f, g < 0`.
     ///
     /// # Errors
-    /// [`ArithmeticError::Domain`] where it cannot be told whether the mode oscillates, as in the case of a double root.
+    /// [`ArithmeticError::Domain`] where too little is known of the roots.
     pub fn new(gains: &Gains<T>, lambda: &T) -> Result<Self, ArithmeticError> {
         let (decay, discriminant) = decay_and_discriminant(gains, lambda);
-        let (overdamped, size) = match discriminant.sign() {
-            Some(Sign::Positive) => (true, discriminant),
-            Some(Sign::Negative) => (false, -discriminant),
-            _ => return Err(ArithmeticError::Domain("modes with distinct roots")),
-        };
-        let frequency = size.sqrt()?;
-        // decay - frequency without the cancellation: the product of the two rates is lambda |f|.
-        let faster = decay.clone() + &frequency;
-        let rate = if overdamped { (-(lambda.clone() * &gains.f)).over(&faster)? } else { decay.clone() };
-        Ok(Mode { decay, frequency, overdamped, rate })
+        match discriminant.sign() {
+            Some(Sign::Positive) => {
+                let apart = discriminant.sqrt()?;
+                // decay - sqrt(d) without the cancellation: the product of the two rates is lambda |f|.
+                let faster = decay.clone() + &apart;
+                let rate = (-(lambda.clone() * &gains.f)).over(&faster)?;
+                Ok(Mode { decay, roots: Roots::Real(apart), rate })
+            }
+            Some(Sign::Negative) => {
+                let frequency = (-discriminant).sqrt()?;
+                Ok(Mode { rate: decay.clone(), decay, roots: Roots::Complex(frequency) })
+            }
+            _ if is_within(&discriminant, &(decay.square() * decay.ratio(1, 16))) => {
+                let rate = decay.clone() * decay.ratio(1, 2);
+                Ok(Mode { decay, roots: Roots::Close(discriminant), rate })
+            }
+            _ => Err(ArithmeticError::Domain("modes whose roots are known to be distinct, or close to each other")),
+        }
     }
 
     /// `(c, s)` such that the free motion is `z(t) = c z(0) + s z'(0)`.
@@ -64,20 +81,90 @@ impl<T: Real + Signed> Mode<T> {
     /// # Errors
     /// [`ArithmeticError`] of the elementary functions.
     pub fn propagator(&self, t: &T) -> Result<(T, T), ArithmeticError> {
-        let angle = self.frequency.clone() * t;
-        if self.overdamped && (angle.clone() - t.one()).is_certainly_positive() {
-            // Both exponentials decrease; their difference is far from zero here.
-            let slow = (-(self.rate.clone() * t)).exp()?;
-            let fast = (-((self.decay.clone() + &self.frequency) * t)).exp()?;
-            let half = t.ratio(1, 2);
-            let s = (slow.clone() - &fast).over(&self.frequency)? * &half;
-            return Ok(((slow + fast) * half + self.decay.clone() * &s, s));
-        }
+        let ((sine, cosine), apart) = match &self.roots {
+            Roots::Close(discriminant) => return self.of_close_roots(discriminant, t),
+            Roots::Complex(frequency) => ((frequency.clone() * t).sin_cos()?, frequency),
+            Roots::Real(apart) => {
+                let angle = apart.clone() * t;
+                if (angle.clone() - t.one()).is_certainly_positive() {
+                    // Both exponentials decrease; their difference is far from zero here.
+                    let slow = (-(self.rate.clone() * t)).exp()?;
+                    let fast = (-((self.decay.clone() + apart) * t)).exp()?;
+                    let half = t.ratio(1, 2);
+                    let s = (slow.clone() - &fast).over(apart)? * &half;
+                    return Ok(((slow + fast) * half + self.decay.clone() * &s, s));
+                }
+                (angle.sinh_cosh()?, apart)
+            }
+        };
         let envelope = (-(self.decay.clone() * t)).exp()?;
-        let (sine, cosine) = if self.overdamped { angle.sinh_cosh()? } else { angle.sin_cos()? };
-        let s = sine.over(&self.frequency)?;
+        let s = sine.over(apart)?;
         Ok((envelope.clone() * (cosine + self.decay.clone() * &s), envelope * s))
     }
+
+    /// The same by power series in the discriminant `d`, which encloses 0: `e^(-decay t) (C + decay t S, t S)` with `C = cosh sqrt(d t²)` and
+    /// `S = sinh sqrt(d t²)/sqrt(d t²)`. The time is halved until `d t²` is small, and then the motion is doubled as often.
+    fn of_close_roots(&self, discriminant: &T, t: &T) -> Result<(T, T), ArithmeticError> {
+        const MOST_HALVINGS: usize = 4096;
+        let (mut time, mut halvings) = (t.clone(), 0);
+        let mut x = discriminant.clone() * time.square();
+        while !is_within(&x, &t.ratio(1, 16)) {
+            if halvings == MOST_HALVINGS {
+                return Err(ArithmeticError::Domain("times at which the motion of close roots can be told"));
+            }
+            time = time * t.ratio(1, 2);
+            x = discriminant.clone() * time.square();
+            halvings += 1;
+        }
+        let [c, s] = near_one(&x)?;
+        let envelope = (-(self.decay.clone() * &time)).exp()?;
+        let s = s * &time;
+        let mut moved = (envelope.clone() * (c + self.decay.clone() * &s), envelope * s);
+        // lambda f = d - decay² and lambda g = -2 decay.
+        let stiffness = discriminant.clone() - self.decay.square();
+        for _ in 0..halvings {
+            let (c, s) = moved;
+            let twice = (c.clone() - self.decay.clone() * &s) * &s * t.integer(2);
+            moved = (c.square() + stiffness.clone() * s.square(), twice);
+        }
+        Ok(moved)
+    }
+
+    /// Upper bounds of `|c|` and `|s|` for all `t >= 0`, each to be multiplied by `e^(-rate t)`.
+    ///
+    /// # Errors
+    /// [`ArithmeticError`] of the divisions.
+    pub fn bounds(&self) -> Result<(T, T), ArithmeticError> {
+        let one = self.decay.one();
+        match &self.roots {
+            Roots::Complex(apart) | Roots::Real(apart) => Ok((self.decay.over(apart)? + &one, one.over(apart)?)),
+            // With sqrt(d) <= decay/4, C <= e^(decay t/4) and S <= e^(decay t/4), so that t S e^(-decay t) <= (4/decay) (decay t/4) e^(-decay t/4) e^(-rate t),
+            // which is at most (2/decay) e^(-rate t).
+            Roots::Close(_) => Ok((one.integer(3), one.integer(2).over(&self.decay)?)),
+        }
+    }
+}
+
+/// Whether `|x| <= bound` is certain.
+fn is_within<T: Real + Signed>(x: &T, bound: &T) -> bool {
+    (bound.clone() - x).is_certainly_positive() && (bound.clone() + x).is_certainly_positive()
+}
+
+/// `cosh sqrt(x)` and `sinh sqrt(x)/sqrt(x)` for `|x| < 1/16`, where `x` is 0 or encloses 0.
+fn near_one<T: Real>(x: &T) -> Result<[T; 2], ArithmeticError> {
+    const TERMS: i64 = 9;
+    let mut power = x.one();
+    let (mut sums, mut factorial) = ([x.zero(), x.zero()], 1);
+    for k in 0..TERMS {
+        let [even, odd] = &mut sums;
+        *even = even.clone() + power.clone() * x.ratio(1, factorial);
+        *odd = odd.clone() + power.clone() * x.ratio(1, factorial * (2 * k + 1));
+        factorial *= (2 * k + 1) * (2 * k + 2);
+        power = power * x;
+    }
+    // The rest is `power` times a number between 0 and 2/(2 TERMS)!; `power` encloses 0, so that its multiple encloses all of these.
+    let rest = power * x.ratio(2, factorial);
+    Ok(sums.map(|sum| sum + &rest))
 }
 
 /// `lambda |g|/2` and its square less `lambda |f|`, whose roots are the imaginary or real distances of the characteristic roots from `-lambda |g|/2`.

@@ -42,7 +42,7 @@ impl<T: Real + Signed> Modes<T> {
     /// The modes of `followers >= 1` cars.
     ///
     /// # Errors
-    /// [`ArithmeticError`] where a mode may have a double root.
+    /// [`ArithmeticError`] where too little is known of the roots of a mode.
     pub fn new(gains: &Gains<T>, followers: u64) -> Result<Self, ArithmeticError> {
         let like = &gains.f;
         let followers = followers.max(1);
@@ -185,8 +185,8 @@ impl<T: Real + Signed> HarmonicStart<T> {
     pub fn transient_bound(&self, t: &T) -> Result<T, ArithmeticError> {
         let share = t.ratio(2, self.periodic.len() as i64);
         self.modes.parts.iter().zip(&self.periodic).try_fold(t.zero(), |sum, (Part { mode, .. }, periodic)| {
-            // |c| <= e^(-rate t) (1 + decay/frequency), |s| <= e^(-rate t)/frequency.
-            let factor = (mode.decay.clone() + &self.w).over(&mode.frequency)? + t.one();
+            let (c, s) = mode.bounds()?;
+            let factor = c + s * &self.w;
             Ok(sum + periodic.norm_squared().sqrt()? * &share * factor * (-(mode.rate.clone() * t)).exp()?)
         })
     }

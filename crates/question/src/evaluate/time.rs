@@ -1,10 +1,12 @@
-//! Time operators: `always[a, b]`, `eventually[a, b]`, `p until[a, b] q`, decided on pieces of time on which everything is enclosed.
+//! Time operators: `always[a, b]`, `eventually[a, b]`, `p until[a, b] q`, decided on pieces of time on which everything is enclosed; in discrete time by
+//! [`super::steps`].
 
+use super::steps::{each_stretch, over_steps};
 use super::{Evaluator, Judged};
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::number::Number;
-use crate::syntax::{Kind, Node};
+use crate::syntax::{Kind, Node, Relation};
 use crate::timeline::{Measured, Piece, Timeline, clock};
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::{Rational, rational};
@@ -18,24 +20,76 @@ const DEPTH: u32 = 14;
 impl Evaluator<'_, '_> {
     /// A property with a time operator, at time 0 or at the time of the evaluator.
     pub(super) fn over_time(&self, node: &Node) -> Judged {
+        if let Some(known) = self.moment.and_then(|moment| moment.known(node)) {
+            return known;
+        }
         let timeline = self.case.timeline()?;
-        let now = Piece { from: rational(0, 1), to: Some(rational(0, 1)) };
+        if timeline.is_discrete() {
+            return over_steps(timeline, self, node);
+        }
         if self.piece.is_none() {
             timeline.prepare(&horizon(self, node)?)?;
         }
-        over_time(timeline, self, node, self.piece.unwrap_or(&now))
+        over_time(timeline, self, node, self.piece.unwrap_or(&now()))
+    }
+
+    /// Goes through the times of a part of a time operator in order, with its truth there, as long as it is told to go on.
+    pub(crate) fn each_time(
+        &self,
+        node: &Node,
+        part: usize,
+        visit: &mut dyn FnMut(&Piece, Truth, Margin) -> bool,
+    ) -> Result<(), Failure> {
+        let timeline = self.case.timeline()?;
+        if timeline.is_discrete() {
+            return each_stretch(timeline, self, node, part, visit);
+        }
+        let (from, to, bodies) = match &node.kind {
+            Kind::Always(_, parts) => (&parts[0], &parts[1], &parts[2..]),
+            Kind::Until(parts) => (&parts[0], &parts[1], &parts[2..]),
+            _ => return Ok(()),
+        };
+        if self.piece.is_none() {
+            timeline.prepare(&horizon(self, node)?)?;
+        }
+        let start = now();
+        let at = self.piece.unwrap_or(&start);
+        let (begin, end) = Span::read(self, from, to)?.possible(at);
+        // Of `until` the first part is asked for from now on.
+        let begin = if bodies.len() == 2 && part == 0 { at.from.clone() } else { begin };
+        let Some(body) = bodies.get(part) else { return Ok(()) };
+        let covered = timeline.pieces(&begin, end.as_ref(), &moving_names(self, body))?;
+        let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
+        let operator = Operator { timeline, evaluator: self, body, negated: false };
+        let mut judged = 0;
+        while let Some((piece, depth)) = queue.pop().filter(|_| judged < MOST_JUDGED) {
+            let (truth, margin) = operator.judge(&piece)?;
+            judged += 1;
+            let halves = timeline.halves(&piece).filter(|_| matches!(truth, Truth::Unknown(_)) && depth > 0);
+            match halves {
+                Some([first, second]) => queue.extend([(second, depth - 1), (first, depth - 1)]),
+                None if !visit(&piece, truth, margin) => break,
+                None => {}
+            }
+        }
+        Ok(())
     }
 
     /// A quantity at time 0.
     pub(super) fn initially(&self, node: &Node) -> Result<Measured, Failure> {
         let timeline = self.case.timeline()?;
-        let now = Piece { from: rational(0, 1), to: Some(rational(0, 1)) };
+        let now = now();
         if self.piece.is_none() {
             timeline.prepare(&now.from)?;
         }
         let moment = timeline.moment(&now)?;
         Evaluator { moment: Some(moment.as_ref()), piece: Some(&now), ..*self }.measured(node)
     }
+}
+
+/// The time 0.
+pub(super) fn now() -> Piece {
+    Piece { from: rational(0, 1), to: Some(rational(0, 1)) }
 }
 
 /// The last time that a property looks at, bounded times only.
@@ -82,13 +136,13 @@ fn over_time(timeline: &dyn Timeline, evaluator: &Evaluator, node: &Node, at: &P
 }
 
 /// The times of an operator, from its own time on.
-struct Span {
-    from: Rational,
-    to: Option<Rational>,
+pub(super) struct Span {
+    pub from: Rational,
+    pub to: Option<Rational>,
 }
 
 impl Span {
-    fn read(evaluator: &Evaluator, from: &Node, to: &Node) -> Result<Self, Failure> {
+    pub fn read(evaluator: &Evaluator, from: &Node, to: &Node) -> Result<Self, Failure> {
         let exact = |node: &Node| match evaluator.number(node)? {
             Number::Exact(q) if q >= rational(0, 1) => Ok(q),
             other => Err(Failure::Refused(
@@ -116,6 +170,11 @@ impl Span {
         (&at.from + &self.from, at.to.as_ref().zip(self.to.as_ref()).map(|(end, to)| end + to))
     }
 
+    /// The first times that are meant at the times of a piece.
+    fn first(&self, at: &Piece) -> Option<Piece> {
+        Some(Piece { from: &at.from + &self.from, to: Some(at.to.as_ref()? + &self.from) })
+    }
+
     /// The times that are meant at every time of the piece.
     fn sure(&self, at: &Piece) -> Option<(Rational, Option<Rational>)> {
         let from = at.to.as_ref()? + &self.from;
@@ -132,7 +191,7 @@ struct Operator<'a, 'c, 'q> {
 }
 
 /// The moving quantities in an expression.
-fn moving_names<'n>(evaluator: &Evaluator, node: &'n Node) -> Vec<&'n str> {
+pub(super) fn moving_names<'n>(evaluator: &Evaluator, node: &'n Node) -> Vec<&'n str> {
     let mut names = Vec::new();
     node.visit(&mut |node| {
         if let Kind::Name { name, .. } = &node.kind
@@ -167,13 +226,27 @@ impl Operator<'_, '_, '_> {
             return Err(Failure::Refused(self.body.at, Problem::Empty(why)));
         }
         let sure = span.sure(at).map(|(from, to)| self.timeline.inside(from, to));
+        if sure.is_none()
+            && let Some(first) = span.first(at)
+            && let Some(margin) = self.fails_throughout(&first)?
+        {
+            return Ok((Truth::False, margin));
+        }
         let covered = self.timeline.pieces(&from, to.as_ref(), &moving_names(self.evaluator, self.body))?;
         let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
-        let (mut margin, mut doubt, mut judged) = (Margin::of_truth(true), None, 0);
+        let (mut margin, mut doubt, mut missing, mut judged) = (Margin::of_truth(true), None, None, 0);
         while let Some((piece, depth)) = queue.pop() {
-            let (truth, own) = self.judge(&piece)?;
             judged += 1;
             let is_sure = sure.as_ref().is_some_and(|sure| meets(&piece, sure));
+            let (truth, own) = match self.judge(&piece) {
+                // It may still be false at another time.
+                Err(failure @ Failure::Refused(..)) if is_sure => {
+                    margin.lo = f64::NEG_INFINITY;
+                    missing.get_or_insert(failure);
+                    continue;
+                }
+                judged => judged?,
+            };
             // What happens at times that may not be meant bounds the smallest margin from below only.
             let own = if is_sure { own } else { Margin { hi: f64::INFINITY, ..own } };
             match truth {
@@ -198,10 +271,32 @@ impl Operator<'_, '_, '_> {
         if covered.rest.is_some() {
             margin.lo = f64::NEG_INFINITY;
         }
-        Ok(match doubt.or(covered.rest) {
-            None => (Truth::True, margin),
-            Some(doubt) => (Truth::Unknown(doubt), margin),
-        })
+        match (doubt.or(covered.rest), missing) {
+            (Some(doubt), _) => Ok((Truth::Unknown(doubt), margin)),
+            (None, Some(failure)) => Err(failure),
+            (None, None) => Ok((Truth::True, margin)),
+        }
+    }
+
+    /// A bound of the margins, if the body is false at all times of a piece: of short windows no time is meant at every time of a piece, but each of its times
+    /// has a time of its own.
+    fn fails_throughout(&self, times: &Piece) -> Result<Option<Margin>, Failure> {
+        const HALVINGS: u32 = 5;
+        let covered = self.timeline.pieces(&times.from, times.to.as_ref(), &moving_names(self.evaluator, self.body))?;
+        if covered.rest.is_some() {
+            return Ok(None);
+        }
+        let mut margin = Margin { lo: f64::NEG_INFINITY, hi: f64::NEG_INFINITY };
+        let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().map(|piece| (piece, HALVINGS)).collect();
+        while let Some((piece, depth)) = queue.pop() {
+            let (truth, own) = self.judge(&piece)?;
+            match (truth, self.timeline.halves(&piece)) {
+                (Truth::False, _) => margin.hi = margin.hi.max(own.hi),
+                (Truth::Unknown(_), Some(halves)) if depth > 0 => queue.extend(halves.map(|half| (half, depth - 1))),
+                _ => return Ok(None),
+            }
+        }
+        Ok(Some(margin))
     }
 
     /// A lower bound of the margins in pieces that were not looked at yet.
@@ -230,7 +325,7 @@ fn at_time(truth: Truth, piece: &Piece) -> Doubt {
     }
 }
 
-/// Whether there is a time in the span at which `second` holds, and `first` does from now until then.
+/// Whether there is a time in the span at which `second` holds, and `first` does from now until before then.
 fn until(
     timeline: &dyn Timeline,
     evaluator: &Evaluator,
@@ -239,37 +334,43 @@ fn until(
     second: &Node,
     at: &Piece,
 ) -> Judged {
-    let (begin, end) = (at.from.clone(), span.possible(at).1);
-    let (begin, end) = timeline.inside(begin, end);
-    let (from, to) = span.possible(at);
-    let possible = timeline.inside(from, to);
-    let sure = span.sure(at).map(|(from, to)| timeline.inside(from, to));
+    let possible = span.possible(at);
+    let sure = span.sure(at);
     let mut names = moving_names(evaluator, first);
     names.extend(moving_names(evaluator, second));
-    let covered = timeline.pieces(&begin, end.as_ref(), &names)?;
+    let covered = timeline.pieces(&at.from, possible.1.as_ref(), &names)?;
+    if sure.is_none()
+        && let Some(margin) =
+            comes_at_once(span, [first, second].map(|body| Operator { timeline, evaluator, body, negated: true }), at)?
+    {
+        return Ok((Truth::True, margin));
+    }
     let [keeps, comes] = [first, second].map(|body| Operator { timeline, evaluator, body, negated: false });
-    // Cut where now may be at the latest.
-    let cut = |piece: Piece| match &at.to {
-        Some(now) if piece.from < *now && piece.to.as_ref().is_none_or(|end| now < end) => {
-            vec![Piece { to: Some(now.clone()), ..piece.clone() }, Piece { from: now.clone(), ..piece }]
-        }
-        _ => vec![piece],
-    };
-    let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().flat_map(cut).map(|piece| (piece, DEPTH)).collect();
+    // Where the meaning of a time changes: where now may be at the latest, where the window may begin and end.
+    let ends = |span: &(Rational, Option<Rational>)| std::iter::once(span.0.clone()).chain(span.1.clone());
+    let mut changes: Vec<Rational> = ends(&possible).chain(sure.iter().flat_map(ends)).chain(at.to.clone()).collect();
+    changes.sort();
+    changes.dedup();
+    let cut = covered.pieces.into_iter().flat_map(|piece| cut(piece, &changes));
+    let mut queue: Vec<(Piece, u32)> = cut.map(|piece| (piece, DEPTH)).collect();
     queue.reverse();
     let (mut kept, mut may_have_come, mut doubt, mut judged) = (true, false, None, 0);
+    // Where `q` is that `p` fails, `p` holds in the window until `q` comes for the first time.
+    let waits = is_closed_opposite(evaluator, first, second);
     let mut margin = LargestUntil::new(covered.rest.is_some());
     while let Some((piece, depth)) = queue.pop() {
         let (keeping, keeps_by) = keeps.judge(&piece)?;
-        let is_possible = meets(&piece, &possible);
+        let is_possible = overlaps(&piece, &possible);
         let (coming, comes_by) =
             if is_possible { comes.judge(&piece)? } else { (Truth::False, Margin::of_truth(false)) };
         judged += 1;
         let inside = sure.as_ref().is_some_and(|sure| lies_in(&piece, sure));
+        let keeping = if waits && inside { Truth::True } else { keeping };
         // Only after the last time of `at` does the piece lie between now and then whatever now is.
         let after = at.to.as_ref().is_some_and(|now| piece.from >= *now);
         let keeps_by = if after { keeps_by } else { Margin { hi: f64::INFINITY, ..keeps_by } };
-        if coming == Truth::True && kept && inside && keeping == Truth::True {
+        if coming == Truth::True && kept && inside {
+            // It has come when the piece begins.
             margin.include(keeps_by, comes_by, inside);
             return Ok((Truth::True, margin.so_far()));
         }
@@ -303,13 +404,64 @@ fn until(
     }
 }
 
+/// Whether `second` says that `first` does not hold, and of continuous quantities with `<=` or `>=`: then its times are a closed set, and there is a first one
+/// if there are any.
+fn is_closed_opposite(evaluator: &Evaluator, first: &Node, second: &Node) -> bool {
+    /// What jumps where links change.
+    const JUMPING: [&str; 3] = ["components", "potential", "energy"];
+    let (Kind::Relation(a, before), Kind::Relation(c, after)) = (&first.kind, &second.kind) else { return false };
+    let ([(keeping, b)], [(coming, d)]) = (before.as_slice(), after.as_slice()) else { return false };
+    let is_same = |x: &Node, y: &Node| x.to_string() == y.to_string();
+    matches!(coming, Relation::AtMost | Relation::AtLeast)
+        && keeping.turned() == *coming
+        && is_same(a, c)
+        && is_same(b, d)
+        && moving_names(evaluator, second).iter().all(|name| !JUMPING.contains(name))
+}
+
+/// A bound of the margins, if at all times of a piece `q` comes at the first time that is meant, and `p` holds until then. Both are given negated.
+fn comes_at_once(span: &Span, [keeps, comes]: [Operator; 2], at: &Piece) -> Result<Option<Margin>, Failure> {
+    let Some(first) = span.first(at) else { return Ok(None) };
+    let Some(coming) = comes.fails_throughout(&first)? else { return Ok(None) };
+    let Some(keeping) = keeps.fails_throughout(&Piece { from: at.from.clone(), to: first.to })? else {
+        return Ok(None);
+    };
+    Ok(Some(coming.largest(keeping).negated()))
+}
+
+/// A piece cut at some times in order, each of which becomes a piece of its own.
+fn cut(piece: Piece, times: &[Rational]) -> Vec<Piece> {
+    let mut parts = Vec::new();
+    let mut from = piece.from.clone();
+    for time in times.iter().filter(|time| **time >= piece.from && piece.to.as_ref().is_none_or(|to| *time <= to)) {
+        if from < *time {
+            parts.push(Piece { from, to: Some(time.clone()) });
+        }
+        parts.push(Piece { from: time.clone(), to: Some(time.clone()) });
+        from = time.clone();
+    }
+    if piece.to.as_ref().is_none_or(|to| from < *to) || parts.is_empty() {
+        parts.push(Piece { from, ..piece });
+    }
+    parts
+}
+
+/// Whether a piece has times of a stretch in its inside, or is one of them; the ends of the stretch are pieces of their own.
+fn overlaps(piece: &Piece, span: &(Rational, Option<Rational>)) -> bool {
+    if piece.to.as_ref() == Some(&piece.from) {
+        return lies_in(piece, span);
+    }
+    let (from, to) = span;
+    piece.to.as_ref().is_none_or(|end| from < end) && to.as_ref().is_none_or(|to| piece.from < *to)
+}
+
 /// Whether all times of a piece are meant.
 fn lies_in(piece: &Piece, (from, to): &(Rational, Option<Rational>)) -> bool {
     piece.from >= *from && to.as_ref().is_none_or(|to| piece.to.as_ref().is_some_and(|end| end <= to))
 }
 
 /// The margin of `p until q`: the largest, over the times at which `q` may come, of the smaller one of the margin of `q` there and the
-/// smallest of `p` until then.
+/// smallest of `p` before then.
 struct LargestUntil {
     /// Of `p` so far.
     kept: Margin,
@@ -326,10 +478,10 @@ impl LargestUntil {
 
     /// The next piece; `inside` where all its times are meant.
     fn include(&mut self, keeps: Margin, comes: Margin, inside: bool) {
-        // Up to a time inside the piece `p` is at most what it is up to the piece.
-        let most = self.kept.hi.min(keeps.hi).min(comes.hi);
-        self.kept = self.kept.least(keeps);
+        // At its first time `p` is not asked for on the piece.
+        let most = self.kept.hi.min(comes.hi);
         let least = if inside { self.kept.lo.min(comes.lo) } else { f64::NEG_INFINITY };
+        self.kept = self.kept.least(keeps);
         self.found = self.found.largest(Margin { lo: least, hi: most });
     }
 

@@ -3,7 +3,8 @@
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
-use crate::number::Number;
+use crate::number::{Number, Obstacle};
+use crate::subject::distances::{disagreement, least_distance};
 use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
 use crate::truth::Doubt;
 use algebra::graph::Graph;
@@ -19,6 +20,7 @@ pub(crate) struct FlockSubject<'c> {
     start: Start,
     progress: &'c dyn Progress,
     future: OnceCell<Result<Future, Failure>>,
+    rests: OnceCell<Result<Option<usize>, Failure>>,
     stepped: RefCell<Option<Stepped>>,
 }
 
@@ -44,12 +46,19 @@ struct State {
 /// Most steps that are taken one by one.
 const MOST_STEPS: i64 = 1000;
 
+/// Times before this are stepped to without a look at the whole future.
+const EARLY: i64 = 64;
+
+fn too_far() -> String {
+    format!("the state is followed step by step up to t = {MOST_STEPS}; only the network is known beyond")
+}
+
 /// Quantities of the network alone.
 const OF_NETWORK: [&str; 2] = ["components", "links"];
 
 impl<'c> FlockSubject<'c> {
     pub fn new(start: Start, progress: &'c dyn Progress) -> Self {
-        FlockSubject { start, progress, future: OnceCell::new(), stepped: RefCell::new(None) }
+        FlockSubject { start, progress, future: OnceCell::new(), rests: OnceCell::new(), stepped: RefCell::new(None) }
     }
 
     fn flock(&self) -> Result<Flock, Failure> {
@@ -125,10 +134,28 @@ impl<'c> FlockSubject<'c> {
     }
 }
 
+impl FlockSubject<'_> {
+    /// The first early time at which all velocities are equal: averages of equal velocities are these velocities, so that neither they nor the
+    /// differences of positions change any more.
+    fn rest(&self) -> Result<Option<usize>, Failure> {
+        let found = self.rests.get_or_init(|| {
+            for time in 0..EARLY as usize {
+                let velocities = self.state(time)?.velocities;
+                if velocities.windows(2).all(|pair| pair[0] == pair[1]) {
+                    return Ok(Some(time));
+                }
+            }
+            Ok(None)
+        });
+        found.clone()
+    }
+}
+
 impl Timeline for FlockSubject<'_> {
+    /// Pieces on which a quantity is constant, as far as it is known.
     fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure> {
         let integer = |q: &BigInt| Rational::from_integer(q.clone());
-        if moving.iter().all(|name| OF_NETWORK.contains(name)) {
+        if moving.iter().all(|name| OF_NETWORK.contains(name)) && to.is_none_or(|to| *to >= integer(&EARLY.into())) {
             let future = self.future()?;
             let mut pieces = Vec::new();
             for (k, (time, _)) in future.networks.iter().enumerate() {
@@ -151,16 +178,24 @@ impl Timeline for FlockSubject<'_> {
             let reaches = to.is_some_and(|to| known.is_some_and(|known| known >= *to));
             return Ok(Covered { pieces, rest: if reaches { None } else { self.beyond(future) } });
         }
-        let most = rational(MOST_STEPS, 1);
-        let end = to.filter(|to| **to <= most).unwrap_or(&most);
-        let first = from.to_integer().to_i64().unwrap_or(i64::MAX);
-        let last = end.to_integer().to_i64().unwrap_or(MOST_STEPS);
-        let at = |t: i64| Piece { from: rational(t, 1), to: Some(rational(t, 1)) };
-        let pieces = if first <= last { (first..=last).map(at).collect() } else { Vec::new() };
-        let rest = (to != Some(end)).then(|| Doubt {
-            why: format!("the state is followed step by step up to t = {MOST_STEPS}; only the network is known beyond"),
-            bits: None,
-        });
+        let first = from.to_integer();
+        // Once all velocities are equal nothing changes any more, which is looked for as long as steps are short.
+        let is_long = to.is_none_or(|to| *to >= integer(&EARLY.into()));
+        let rest = if is_long { self.rest()? } else { None };
+        let most = BigInt::from(rest.unwrap_or(MOST_STEPS as usize));
+        let last = to.map_or(most.clone(), |to| to.to_integer().min(most.clone()));
+        let at = |t: BigInt| Piece { from: integer(&t), to: Some(integer(&t)) };
+        let count = (&last - &first).to_i64().map_or(0, |count| count + 1).max(0);
+        let mut pieces: Vec<Piece> = (0..count).map(|k| at(&first + k)).collect();
+        if rest.is_some() {
+            let begin = from.clone().max(integer(&most) + rational(1, 1));
+            if to.is_none_or(|to| begin <= *to) {
+                pieces.push(Piece { from: begin, to: to.cloned() });
+            }
+            return Ok(Covered { pieces, rest: None });
+        }
+        let is_cut = to.is_none_or(|to| to.to_integer() > most);
+        let rest = is_cut.then(|| Doubt { why: too_far(), bits: None });
         Ok(Covered { pieces, rest })
     }
 
@@ -184,6 +219,10 @@ impl Timeline for FlockSubject<'_> {
         Ok(())
     }
 
+    fn is_discrete(&self) -> bool {
+        true
+    }
+
     fn inside(&self, from: Rational, to: Option<Rational>) -> (Rational, Option<Rational>) {
         (from.ceil(), to.map(|to| to.floor()))
     }
@@ -198,46 +237,41 @@ struct At<'f, 'c> {
 impl At<'_, '_> {
     fn network(&self) -> Result<Graph, Failure> {
         let future = self.flock.future()?;
+        let is_known = future.networks.last().is_some_and(|(last, _)| self.time <= *last);
+        if let Some(doubt) = self.flock.beyond(future).filter(|_| !is_known) {
+            return Err(Failure::Open(doubt));
+        }
         let in_force = future.networks.iter().rev().find(|(time, _)| *time <= self.time);
         Ok(in_force.map_or_else(|| future.settlement.network.clone(), |(_, network)| network.clone()))
     }
 
     fn state(&self) -> Result<State, Failure> {
+        if self.time >= BigInt::from(EARLY)
+            && let Some(rest) = self.flock.rest()?
+        {
+            return self.flock.state(rest);
+        }
         let time = self.time.to_usize().filter(|t| *t <= MOST_STEPS as usize);
-        self.flock.state(time.ok_or_else(|| Failure::open("the time is too far away to be stepped to", None))?)
+        self.flock.state(time.ok_or_else(|| Failure::open(too_far(), None))?)
     }
 }
 
 impl Moment for At<'_, '_> {
     fn measure(&self, quantity: &Quantity, _: &[Number], precision: u32) -> Result<Measured, Failure> {
         let number = |n: usize| Ok(Measured::Number(Number::integer(n as i64)));
-        let root = |q: Rational| {
-            Number::Exact(q)
-                .sqrt(precision)
-                .map(Measured::Number)
-                .map_err(|_| Failure::open("a root of a negative number", None))
+        let rooted = |found: Result<Number, Obstacle>| {
+            found.map(Measured::Number).map_err(|_| Failure::open("a root of a negative number", None))
         };
         // Early networks need no look at the whole future.
-        let early = self.time < BigInt::from(64);
+        let early = self.time < BigInt::from(EARLY);
         let network = || if early { self.state().map(|state| state.network) } else { self.network() };
         match quantity.name {
             "components" => number(network()?.components().len()),
             "links" => number(network()?.edges().len()),
-            "disagreement" => {
-                let velocities = self.state()?.velocities;
-                let count = rational(velocities.len().max(1) as i64, 1);
-                let dimension = velocities.first().map_or(0, Vec::len);
-                let mean = |k: usize| velocities.iter().map(|v| &v[k]).sum::<Rational>() / &count;
-                let means: Vec<Rational> = (0..dimension).map(mean).collect();
-                let squares = velocities.iter().flat_map(|v| v.iter().zip(&means).map(|(x, m)| (x - m) * (x - m)));
-                root(squares.sum())
-            }
+            "disagreement" => rooted(disagreement(&self.state()?.velocities, precision)),
             _ => {
-                let places = self.state()?.positions;
-                let square = |a: &[Rational], b: &[Rational]| a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
-                let pairs = (0..places.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
-                let least: Option<Rational> = pairs.map(|(i, j)| square(&places[i], &places[j])).min();
-                root(least.ok_or_else(|| Failure::open("one bird has no distance to others", None))?)
+                let least = least_distance(&self.state()?.positions, precision);
+                rooted(least.ok_or_else(|| Failure::open("one bird has no distance to others", None))?)
             }
         }
     }

@@ -1,5 +1,6 @@
 //! What quantities are measured on.
 
+pub(crate) mod distances;
 pub(crate) mod flock;
 pub(crate) mod graph;
 pub(crate) mod matrices;

@@ -2,6 +2,7 @@
 //! sum over their modes instead.
 
 mod at;
+mod exact;
 mod laws;
 mod links;
 mod modes;
@@ -15,6 +16,7 @@ use crate::timeline::{Covered, Moment, Piece, Timeline, clock};
 use crate::truth::Doubt;
 use arithmetic::{FloatInterval, Interval, Progress, Rational, Real, Ring, rational};
 use at::At;
+use exact::Holds;
 use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
 use models::double_integrator::{
     Coordinates, EnclosedFlock, FixedNetwork, HeadingDifference, Pair, Potential, State, heading, linked_within,
@@ -22,7 +24,7 @@ use models::double_integrator::{
 use models::oscillator::Neighbours;
 use modes::ModalPlatoon;
 use motion::validated::{Flow, IntervalVector, Parallelepiped, SmoothLaw, Step};
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 use numbers::{BITS, narrowed, point, widened};
 use scenario::ExactMotion;
 use std::cell::{OnceCell, RefCell};
@@ -36,6 +38,7 @@ pub(crate) struct MotionSubject<'c> {
     progress: &'c dyn Progress,
     tube: RefCell<Rc<Tube>>,
     modal: OnceCell<Option<ModalPlatoon>>,
+    rests: OnceCell<bool>,
 }
 
 /// Enclosures of the states, one after the other.
@@ -74,7 +77,14 @@ impl<'c> MotionSubject<'c> {
         wide: Vec<(Start, usize, usize, Rational, Rational)>,
         progress: &'c dyn Progress,
     ) -> Self {
-        MotionSubject { motion, wide, progress, tube: RefCell::default(), modal: OnceCell::new() }
+        MotionSubject {
+            motion,
+            wide,
+            progress,
+            tube: RefCell::default(),
+            modal: OnceCell::new(),
+            rests: OnceCell::new(),
+        }
     }
 
     /// A number of the start, or its interval.
@@ -117,6 +127,12 @@ impl<'c> MotionSubject<'c> {
             _ => None,
         });
         made.as_ref()
+    }
+
+    /// How much of the start holds at all times of a piece.
+    fn holds(&self, piece: &Piece) -> Holds {
+        let is_start = piece.from == rational(0, 1) && piece.to.as_ref() == Some(&piece.from);
+        if is_start || *self.rests.get_or_init(|| self.is_at_rest()) { Holds::All } else { Holds::Conserved }
     }
 
     /// The tube at least up to a time, or as far as it goes.
@@ -361,12 +377,15 @@ impl Timeline for MotionSubject<'_> {
         let Some(to) = to else {
             return Err(Failure::Refused(0, Problem::Unbounded));
         };
+        // At the start everything is known exactly.
+        let start = from.is_zero().then(|| Piece { from: from.clone(), to: Some(from.clone()) });
         if self.modal().is_some() {
-            return Ok(Covered { pieces: equal_parts(from, to), rest: None });
+            let pieces = start.into_iter().chain(equal_parts(from, to)).collect();
+            return Ok(Covered { pieces, rest: None });
         }
         let tube = self.tube(point(to).hi())?;
         let exact = |x: f64| Rational::from_float(x).unwrap_or_else(|| rational(0, 1));
-        let mut pieces = Vec::new();
+        let mut pieces: Vec<Piece> = start.into_iter().filter(|_| !tube.sections.is_empty()).collect();
         let mut reached = None;
         for section in &tube.sections {
             let (begin, end) = (exact(section.from).max(from.clone()), exact(section.to).min(to.clone()));
@@ -394,7 +413,14 @@ impl Timeline for MotionSubject<'_> {
         if let Some(platoon) = self.modal() {
             self.progress.checkpoint()?;
             let state = platoon.states(&piece.from, last)?;
-            return Ok(Box::new(At { motion: &self.motion, state, differences: None, pairs: None }));
+            return Ok(Box::new(At {
+                subject: self,
+                motion: &self.motion,
+                holds: self.holds(piece),
+                state,
+                differences: None,
+                pairs: None,
+            }));
         }
         let tube = self.tube.borrow().clone();
         let begin = point(&piece.from);
@@ -420,7 +446,15 @@ impl Timeline for MotionSubject<'_> {
                 (step.states(after), Some((step.clone(), after)))
             }
         };
-        Ok(Box::new(At { motion: &self.motion, state, differences, pairs: section.pairs.clone() }))
+        let holds = self.holds(piece);
+        Ok(Box::new(At {
+            subject: self,
+            motion: &self.motion,
+            holds,
+            state,
+            differences,
+            pairs: section.pairs.clone(),
+        }))
     }
 
     fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {

@@ -4,9 +4,12 @@ extern crate flockproof_question as question;
 
 mod bad_input;
 mod decisions;
+mod exact_facts;
+mod examples;
 mod families;
 mod language;
 mod motions;
+mod traces;
 
 use arithmetic::Unwatched;
 use question::{Answer, Question, QuestionError, Verdict, decide};

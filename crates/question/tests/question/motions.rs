@@ -4,7 +4,7 @@ use super::refusal_with;
 use arithmetic::Unwatched;
 use question::{Answer, Question, Verdict, decide};
 
-fn answered(scenario: &str, family: &str, property: &str, control: &str) -> Answer {
+pub(super) fn answered(scenario: &str, family: &str, property: &str, control: &str) -> Answer {
     let files = |_: &str| Ok(scenario.to_string());
     let text = asked(family, property, control);
     decide(&Question::read(&text, &files).expect("a question"), &Unwatched).expect("an answer")
@@ -17,7 +17,7 @@ fn asked(family: &str, property: &str, control: &str) -> String {
     )
 }
 
-fn verdict(scenario: &str, property: &str) -> Verdict {
+pub(super) fn verdict(scenario: &str, property: &str) -> Verdict {
     answered(scenario, "n = 1", property, "1 < 0").verdict
 }
 
@@ -37,7 +37,7 @@ fn twelve() -> String {
     )
 }
 
-fn platoon(followers: usize) -> String {
+pub(super) fn platoon(followers: usize) -> String {
     let places: Vec<String> = (0..=followers).map(|k| format!("{}", -2 * (k as i64))).collect();
     let speeds = vec!["0"; followers + 1].join(", ");
     format!(

@@ -54,10 +54,12 @@ fn motions_of_modes_double_and_begin_as_the_equation_says() {
         let ((al, ah), (bl, bh)) = (a.to_rationals(), b.to_rationals());
         al <= bh && bl <= ah && &ah - &al < rational(1, 1 << 40)
     };
-    for (f, g, lambda) in [(-1, -4, (1, 1)), (-1, -1, (1, 3)), (-3, -4, (2, 3)), (-1, -9, (7, 5))] {
+    for (f, g, lambda) in
+        [(-1, -4, (1, 1)), (-1, -1, (1, 3)), (-3, -4, (2, 3)), (-1, -9, (7, 5)), (-1, -2, (1, 1)), (-9, -6, (1, 1))]
+    {
         let gains = Gains { f: number(rational(f, 1)), g: number(rational(g, 1)) };
         let lambda = rational(lambda.0, lambda.1);
-        let mode = Mode::new(&gains, &number(lambda.clone())).expect("distinct roots");
+        let mode = Mode::new(&gains, &number(lambda.clone())).expect("a mode");
         for t in [rational(1, 64), rational(1, 5), rational(2, 3), rational(4, 1)] {
             let at = |t: &Rational| mode.propagator(&number(t.clone())).expect("a motion");
             let ((c, s), (c2, s2)) = (at(&t), at(&(&t + &t)));

@@ -3,7 +3,7 @@
 use algebra::matrix::characteristic_coefficients;
 use algebra::spectrum::Polynomial;
 use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, Signed, rational};
-use models::platoon::modes::{Mode, mode_angle, mode_eigenvalue};
+use models::platoon::modes::{Mode, Roots, mode_angle, mode_eigenvalue};
 use models::platoon::time_domain::{Followers, Modes};
 use models::platoon::vector_form::{characteristic_by_modes, motion_matrix, motion_rows};
 use models::platoon::{
@@ -262,7 +262,7 @@ fn floats_agree_with_enclosures() {
 #[test]
 fn modes_follow_the_start_behind_a_periodic_leader() {
     const STEPS: usize = 4000;
-    for (f, g, m, w) in [(-1.0, -1.0, 3usize, 0.4), (-0.5, -3.0, 4, 0.7), (-2.0, -0.3, 1, 1.1)] {
+    for (f, g, m, w) in [(-1.0, -1.0, 3usize, 0.4), (-0.5, -3.0, 4, 0.7), (-2.0, -0.3, 1, 1.1), (-1.0, -2.0, 3, 0.4)] {
         let gains = floats(f, g);
         let start = Modes::new(&gains, m as u64).unwrap().behind_harmonic_leader(&w).unwrap();
         let amplitude = amplitudes_two_sided(&gains, &w, m).unwrap().pop().unwrap();
@@ -294,7 +294,7 @@ fn modes_follow_the_start_behind_a_periodic_leader() {
 #[test]
 fn modes_follow_an_abrupt_start() {
     const STEPS: usize = 2000;
-    for (f, g, m) in [(-1.0, -1.0, 3usize), (-0.5, -3.0, 4)] {
+    for (f, g, m) in [(-1.0, -1.0, 3usize), (-0.5, -3.0, 4), (-1.0, -2.0, 1), (-1.0, -2.0, 5)] {
         let gains = floats(f, g);
         let (until, end) = (4.0, 16.0);
         let changes = [(0.0, 1.0), (until, -1.0)];
@@ -395,16 +395,40 @@ fn the_slowest_rate_is_the_least_of_all_modes() {
     }
 }
 
+/// With `lambda = 1` and `g² = 4 |f|` the double root is `g/2`: `c = (1 + d t) e^(-d t)` and `s = t e^(-d t)` with `d = |g|/2`, at any time, whether the
+/// discriminant is known to be 0 or only encloses it.
 #[test]
-fn a_double_root_is_refused() {
-    // lambda = 1 for one follower: g² = 4|f|.
-    assert!(
-        Mode::new(
-            &Gains { f: rational(-1, 1), g: rational(-2, 1) }.map(|q| Interval::from_rational(q, 60)),
-            &Interval::from_rational(&rational(1, 1), 60)
-        )
-        .is_err()
-    );
+fn a_double_root_has_its_closed_form() {
+    for (f, g) in [((-1, 1), (-2, 1)), ((-1, 4), (-1, 1)), ((-25, 9), (-10, 3))] {
+        for precision in [24, 53, 64, 300] {
+            let number = |(p, q)| Interval::from_rational(&rational(p, q), precision);
+            let gains = Gains { f: number(f), g: number(g) };
+            // The middle one of three cars.
+            let lambda = mode_eigenvalue(&gains.f, 3, 2).expect("an eigenvalue");
+            let mode = Mode::new(&gains, &lambda).expect("a mode");
+            assert!(matches!(mode.roots, Roots::Close(_)), "{:?}", mode.roots);
+            for time in [(0, 1), (1, 3), (4, 1), (30, 1), (5000, 1), (1 << 17, 1)] {
+                let t = number(time);
+                let (c, s) = mode.propagator(&t).expect("a motion");
+                let decay = number((-g.0, 2 * g.1));
+                let fall = (-(decay.clone() * &t)).exp().expect("an exponential");
+                let (exact_c, exact_s) = (fall.clone() * (decay * &t + t.one()), fall * &t);
+                for (found, exact) in [(&c, &exact_c), (&s, &exact_s)] {
+                    let ((lo, hi), (low, high)) = (found.to_rationals(), exact.to_rationals());
+                    assert!(lo <= high && low <= hi, "{f:?} {g:?} {time:?}: {found:?} {exact:?}");
+                    assert!(hi - lo < rational(1, 1 << (precision.min(100) / 2)), "{f:?} {g:?} {time:?}: {found:?}");
+                }
+                let (bound_c, bound_s) = mode.bounds().expect("bounds");
+                let envelope = (-(mode.rate.clone() * &t)).exp().expect("an exponential");
+                assert!((bound_c * &envelope - c).is_certainly_positive());
+                assert!(time.0 == 0 || (bound_s * &envelope - s).is_certainly_positive());
+            }
+        }
+    }
+    // Too wide to tell.
+    let wide = Interval::from_rational(&rational(1, 1), 4).hull(&Interval::from_rational(&rational(3, 2), 4));
+    let gains = Gains { f: wide.integer(-1), g: wide.integer(-2) };
+    assert!(Mode::new(&gains, &wide).is_err());
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! What is measured on the enclosed states of a piece of time.
 
+use super::MotionSubject;
+use super::exact::Holds;
 use super::laws::phasors_of;
 use super::numbers::{BITS, narrowed, widened};
 use crate::error::Problem;
@@ -18,15 +20,18 @@ use scenario::{ExactMotion, ExactSpacing};
 use std::rc::Rc;
 
 /// The states at all times of a piece.
-pub(super) struct At<'m> {
+pub(super) struct At<'m, 'c> {
+    pub subject: &'m MotionSubject<'c>,
     pub motion: &'m ExactMotion,
+    /// What of the start holds at these times.
+    pub holds: Holds,
     pub state: IntervalVector,
     /// For narrower differences of coordinates.
     pub differences: Option<(Step, FloatInterval)>,
     pub pairs: Option<Rc<Vec<Pair>>>,
 }
 
-impl At<'_> {
+impl At<'_, '_> {
     /// Coordinate `i` less coordinate `j`.
     fn difference(&self, i: usize, j: usize) -> FloatInterval {
         match &self.differences {
@@ -64,7 +69,7 @@ impl At<'_> {
         };
         let least =
             extreme(&squares, false).ok_or_else(|| Failure::open("one agent has no distance to others", None))?;
-        least.sqrt().map_err(unmeasured)
+        root_of_squares(least)
     }
 
     /// From the sum over pairs: `N sum |v_i - mean|² = sum over pairs of |v_i - v_j|²`.
@@ -77,7 +82,7 @@ impl At<'_> {
         let zero = Interval::from_rational(&rational(0, 1), BITS);
         let sum = squares.into_iter().fold(zero, |sum, x| sum + x);
         let mean = sum.over(&sum.integer(agents.max(1) as i64)).map_err(unmeasured)?;
-        mean.sqrt().map_err(unmeasured)
+        root_of_squares(mean)
     }
 
     /// Actual places `x_k` of the cars.
@@ -215,7 +220,7 @@ impl At<'_> {
                 order.ok_or_else(|| Failure::Refused(0, range()))?
             }
         };
-        moment(&phasors, order).and_then(|p| p.norm_squared().sqrt()).map_err(unmeasured)
+        root_of_squares(moment(&phasors, order).map_err(unmeasured)?.norm_squared())
     }
 
     /// What the spacing control and the orientation control lower together.
@@ -258,7 +263,7 @@ impl At<'_> {
         let middle = oscillator::mean(&centres).map_err(unmeasured)?;
         let squares: Vec<Interval> = centres.into_iter().map(|c| (c - &middle).norm_squared()).collect();
         let most = extreme(&squares, true).ok_or_else(|| Failure::open("there are no particles", None))?;
-        most.sqrt().map_err(unmeasured)
+        root_of_squares(most)
     }
 
     fn of_platoon(&self, name: &str, spacing: &Rational) -> Option<Interval> {
@@ -284,6 +289,13 @@ fn unmeasured(error: ArithmeticError) -> Failure {
     Failure::open(format!("it cannot be measured on the enclosure: {error}"), None)
 }
 
+/// The root of a sum of squares, which is not negative whatever rounding says.
+fn root_of_squares(sum: Interval) -> Result<Interval, Failure> {
+    let zero = Dyadic::zero();
+    let from = |end: &Dyadic| end.clone().max(zero.clone());
+    Interval::between(from(sum.lo()), from(sum.hi()), sum.precision()).sqrt().map_err(unmeasured)
+}
+
 /// `(x_i - x_j)²` of all pairs.
 fn squared_differences(list: &[Interval]) -> Vec<Interval> {
     let pairs = (0..list.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
@@ -298,9 +310,12 @@ fn extreme(list: &[Interval], largest: bool) -> Option<Interval> {
     })
 }
 
-impl Moment for At<'_> {
-    fn measure(&self, quantity: &Quantity, arguments: &[Number], _: u32) -> Result<Measured, Failure> {
+impl Moment for At<'_, '_> {
+    fn measure(&self, quantity: &Quantity, arguments: &[Number], precision: u32) -> Result<Measured, Failure> {
         let name = quantity.name;
+        if let Some(exact) = self.subject.exact(name, arguments, self.holds, precision) {
+            return Ok(Measured::Number(exact));
+        }
         let not_here = || {
             let why = format!("`{name}` is no observable of this model");
             Failure::Refused(0, Problem::Other(why))

@@ -4,7 +4,7 @@ use super::at::At;
 use arithmetic::{FloatInterval, Ring};
 use scenario::ExactMotion;
 
-impl At<'_> {
+impl At<'_, '_> {
     /// The least and the largest number of connected parts of the network in force, arcs taken as edges, as `simulate` counts them.
     pub(super) fn components(&self) -> Option<[usize; 2]> {
         let count = |order: usize, pairs: &[(usize, usize)]| algebra::graph::components(order, pairs).len();

@@ -32,8 +32,11 @@ pub(super) fn widened(x: &FloatInterval) -> Interval {
     }
 }
 
-/// An enclosure between floats.
+/// An enclosure between floats: the ends themselves where they are floats.
 pub(super) fn narrowed(x: &Interval) -> FloatInterval {
-    let (lo, hi) = x.to_rationals();
-    FloatInterval::between(point(&lo).lo(), point(&hi).hi())
+    let is_float = |end: &Dyadic| Dyadic::from_f64(end.to_f64()).is_some_and(|float| float == *end);
+    match is_float(x.lo()) && is_float(x.hi()) {
+        true => FloatInterval::between(x.lo().to_f64(), x.hi().to_f64()),
+        false => FloatInterval::from_interval(x),
+    }
 }
