@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -85,6 +85,8 @@ def _arcs(
 ) -> Given:
     if order == 0:
         raise ValueError("graph: there is no graph in it")
+    names = range(order) if labels is None else labels
+    _once([(i, j) for i, j, _ in edges], both, names)
     weights, denominator = over_common_denominator([w for _, _, w in edges], "weight")
     tails = [i for i, _, _ in edges]
     heads = [j for _, j, _ in edges]
@@ -94,6 +96,16 @@ def _arcs(
         tails, heads = tails + [heads[k] for k in mirrored], heads + [tails[k] for k in mirrored]
         weights = weights + [weights[k] for k in mirrored]
     return Given((order, tails, heads, weights, denominator), name, labels, holds_floats([w for _, _, w in edges]))
+
+
+def _once(pairs: Sequence[tuple[int, int]], both: bool, names: Sequence[Hashable]) -> None:
+    """Refuses an arc, or an edge in either direction, that is listed twice."""
+    first: dict[tuple[int, int], int] = {}
+    for number, (i, j) in enumerate(pairs, 1):
+        before = first.setdefault((min(i, j), max(i, j)) if both else (i, j), number)
+        if before != number:
+            what = f"({names[i]}, {names[j]})"
+            raise ValueError(f"graph: the edge {what} is given twice, as number {before} and number {number}")
 
 
 def _networkx(graph: Any) -> Given:
@@ -119,6 +131,7 @@ def _sparse(graph: Any) -> Given:
     order = int(graph.shape[0])
     if order == 0:
         raise ValueError("graph: there is no graph in it")
+    _once(list(zip(entries.row.tolist(), entries.col.tolist(), strict=True)), False, range(1, order + 1))
     weights, denominator = over_common_denominator(entries.data, "weight")
     native = (order, entries.row.tolist(), entries.col.tolist(), weights, denominator)
     return Given(native, f"matrix of {order} x {order}", None, holds_floats(entries.data))
@@ -137,7 +150,6 @@ def _dense(graph: Any) -> Given:
 
 def _edges(edges: list[tuple[Any, ...]]) -> Given:
     place: dict[Hashable, int] = {}
-    seen: set[tuple[int, int]] = set()
     read = []
     for edge in edges:
         if len(edge) not in (2, 3):
@@ -145,8 +157,5 @@ def _edges(edges: list[tuple[Any, ...]]) -> Given:
         i, j = (place.setdefault(label, len(place)) for label in edge[:2])
         if i == j:
             raise ValueError(f"graph: the edge from vertex {edge[0]} to itself is not allowed")
-        if (min(i, j), max(i, j)) in seen:
-            raise ValueError(f"graph: the edge ({edge[0]}, {edge[1]}) was given already")
-        seen.add((min(i, j), max(i, j)))
         read.append((i, j, edge[2] if len(edge) == 3 else 1))
     return _arcs(len(place), read, True, f"graph of {len(place)} vertices", list(place))

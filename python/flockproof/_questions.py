@@ -584,7 +584,7 @@ def _on_cluster(
                 waiting.add(again)
                 continue
             # Aside first, so that an interrupted run leaves no half shard.
-            aside = files[index].with_suffix(".new")
+            aside = files[index].with_suffix(f".{os.getpid()}-{uuid.uuid4().hex}.new")
             aside.write_bytes(cast(bytes, contents))
             aside.replace(files[index])
             done += 1

@@ -1,6 +1,7 @@
 //! Standard output, and files in and out, without ever panicking.
 
 use super::CliError;
+use flockproof::campaign::store::aside;
 use flockproof::report::{digest, folded};
 use serde_json::{Value, json};
 use std::io::{self, ErrorKind, IsTerminal, Read, Write};
@@ -96,11 +97,19 @@ fn refused(path: &Path) -> impl Fn(io::Error) -> CliError + '_ {
     move |error| CliError::file(path, sentence(&error))
 }
 
-/// The name beside a file under which it is written first.
-fn beside(path: &Path) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(".part");
-    name.into()
+/// Writes a new file of a name of its own beside another, which it leaves there.
+fn written_aside(path: &Path, contents: &[u8]) -> io::Result<PathBuf> {
+    let aside = aside(path);
+    let written = std::fs::File::create_new(&aside).and_then(|mut file| file.write_all(contents));
+    if written.is_err() {
+        let _ = std::fs::remove_file(&aside);
+    }
+    written.map(|()| aside)
+}
+
+/// Whether a file can be written there, without leaving one.
+fn probe(path: &Path) -> io::Result<()> {
+    written_aside(path, b"").and_then(std::fs::remove_file)
 }
 
 /// Refuses a file that cannot be written, before any work is done for it; nothing is left there.
@@ -118,8 +127,7 @@ pub fn check_writable(path: &Path) -> Result<(), CliError> {
     if path.is_file() {
         std::fs::OpenOptions::new().append(true).open(path).map_err(refused(path))?;
     }
-    let beside = beside(path);
-    std::fs::write(&beside, b"").and_then(|()| std::fs::remove_file(&beside)).map_err(refused(path))
+    probe(path).map_err(refused(path))
 }
 
 /// Makes a folder for files, where it is missing, and refuses one in which none can be written.
@@ -128,8 +136,7 @@ pub fn make_folder(path: &Path) -> Result<(), CliError> {
         ErrorKind::NotFound => CliError::file(path, "the folder cannot be made there"),
         _ => refused(path)(error),
     })?;
-    let probe = path.join(".flockproof.part");
-    std::fs::write(&probe, b"").and_then(|()| std::fs::remove_file(&probe)).map_err(refused(path))
+    probe(&path.join(".flockproof")).map_err(refused(path))
 }
 
 /// Writes a whole file: first beside it, then in its place, so that an interrupted run leaves no half file.
@@ -138,8 +145,11 @@ pub fn write_file(path: &Path, contents: &[u8]) -> Result<(), CliError> {
     if path.exists() && !path.is_file() {
         return std::fs::write(path, contents).map_err(refused(path));
     }
-    let beside = beside(path);
-    std::fs::write(&beside, contents).and_then(|()| std::fs::rename(&beside, path)).map_err(refused(path))
+    let aside = written_aside(path, contents).map_err(refused(path))?;
+    std::fs::rename(&aside, path).map_err(|error| {
+        let _ = std::fs::remove_file(&aside);
+        refused(path)(error)
+    })
 }
 
 /// A file that was read.

@@ -78,6 +78,8 @@ fn stamped(arguments: &Arguments, kind: LaplacianKind, found: &Found) -> Value {
 pub struct OfText {
     pub document: Value,
     pub graph: WeightedGraph,
+    /// Whether its name or its text says that it is made of arcs.
+    pub directed: bool,
     pub spectrum: Spectrum,
 }
 
@@ -98,17 +100,17 @@ pub fn of_text(name: &str, list: output::Input, kind: &str, most: usize) -> Resu
         digits: None,
         json: true,
     };
-    let (graph, found) = if name.is_empty() {
+    let (graph, directed, found) = if name.is_empty() {
         let file = read_graph_file(&list.text, false).map_err(|error| CliError::Use(error.to_string()))?;
         small(file.graph.order())?;
-        let graph = file.graph.clone();
-        (graph, of_file(&arguments, kind, file, list.origin)?)
+        let (graph, directed) = (file.graph.clone(), file.directed);
+        (graph, directed, of_file(&arguments, kind, file, list.origin)?)
     } else {
         let named: NamedGraph = name.parse().map_err(|error| wrong(&error))?;
         small(named.order())?;
-        (named.build().map_err(|error| wrong(&error))?, of_name(&arguments, kind, &named)?)
+        (named.build().map_err(|error| wrong(&error))?, named.is_directed(), of_name(&arguments, kind, &named)?)
     };
-    Ok(OfText { document: stamped(&arguments, kind, &found), graph, spectrum: found.spectrum })
+    Ok(OfText { document: stamped(&arguments, kind, &found), graph, directed, spectrum: found.spectrum })
 }
 
 /// A spectrum and what it is of.

@@ -9,6 +9,6 @@ mod files;
 mod merge;
 mod run;
 
-pub use files::{Header, Row, Shard, StoreError};
+pub use files::{Header, Row, Shard, StoreError, aside};
 pub use merge::{MERGED, Merged, merge};
 pub use run::{Run, run_in_memory, run_shard};

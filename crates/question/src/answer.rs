@@ -262,14 +262,8 @@ impl Question {
         if let Some(scenario) = self.scenario() {
             let _ = writeln!(text, "scenario = {}", quoted(&scenario.name));
         }
-        let _ = writeln!(text, "\n[for]");
-        for (name, value) in found.bindings.iter() {
-            let key = if is_place(name) { quoted(name) } else { name.to_string() };
-            let _ = writeln!(text, "{key} = {}", quoted(&value.text()));
-        }
         let property = found.property.node.to_string();
-        let _ = writeln!(text, "\n[holds]\nproperty = {}", quoted(&property));
-        let mut controls = Vec::new();
+        let (mut controls, mut nodes) = (Vec::new(), vec![&found.property.node]);
         for control in &self.controls {
             // One that makes no sense there is no control there.
             let judged = self.decide_point(control, &found.bindings, progress);
@@ -279,12 +273,20 @@ impl Question {
             let same = control.node.to_string() == property;
             if !same && judged.is_ok_and(|judged| judged.truth == Truth::False) {
                 controls.push(quoted(&control.node.to_string()));
+                nodes.push(&control.node);
             }
         }
         if controls.is_empty() {
             // False wherever the property is, so that the replay has a control that bites.
             controls.push(quoted(&format!("({property}) and 1 < 0")));
         }
+        let _ = writeln!(text, "\n[for]");
+        // Names that only made others are not needed here.
+        for (name, value) in found.bindings.iter().filter(|(name, _)| self.uses(&nodes, name)) {
+            let key = if is_place(name) { quoted(name) } else { name.to_string() };
+            let _ = writeln!(text, "{key} = {}", quoted(&value.text()));
+        }
+        let _ = writeln!(text, "\n[holds]\nproperty = {}", quoted(&property));
         let _ = writeln!(text, "controls = [{}]", controls.join(", "));
         Ok(text)
     }

@@ -27,8 +27,10 @@ pub enum Value {
 pub enum GraphValue {
     /// Undirected, all weights 1.
     Simple(Graph),
-    /// Any other.
+    /// Undirected, with weights.
     Weighted(WeightedGraph),
+    /// Of arcs; it stays directed where there is an arc back for each of them.
+    Directed(WeightedGraph),
     /// One with a name.
     Named(NamedGraph, WeightedGraph),
 }
@@ -38,7 +40,7 @@ impl GraphValue {
     pub fn weighted(&self) -> WeightedGraph {
         match self {
             GraphValue::Simple(graph) => WeightedGraph::from(graph),
-            GraphValue::Weighted(graph) | GraphValue::Named(_, graph) => graph.clone(),
+            GraphValue::Weighted(graph) | GraphValue::Directed(graph) | GraphValue::Named(_, graph) => graph.clone(),
         }
     }
 
@@ -46,15 +48,16 @@ impl GraphValue {
     pub fn order(&self) -> usize {
         match self {
             GraphValue::Simple(graph) => graph.order(),
-            GraphValue::Weighted(graph) | GraphValue::Named(_, graph) => graph.order(),
+            GraphValue::Weighted(graph) | GraphValue::Directed(graph) | GraphValue::Named(_, graph) => graph.order(),
         }
     }
 
-    /// Whether arcs have directions.
+    /// Whether it is made of arcs: as its family or its text says, whatever the arcs are.
     pub fn is_directed(&self) -> bool {
         match self {
-            GraphValue::Simple(_) => false,
-            GraphValue::Weighted(graph) | GraphValue::Named(_, graph) => !graph.is_undirected(),
+            GraphValue::Simple(_) | GraphValue::Weighted(_) => false,
+            GraphValue::Directed(_) => true,
+            GraphValue::Named(name, _) => name.is_directed(),
         }
     }
 
@@ -62,7 +65,7 @@ impl GraphValue {
     pub fn arcs(&self) -> Vec<(usize, usize)> {
         match self {
             GraphValue::Simple(graph) => graph.edges().into_iter().flat_map(|(i, j)| [(i, j), (j, i)]).collect(),
-            GraphValue::Weighted(graph) | GraphValue::Named(_, graph) => {
+            GraphValue::Weighted(graph) | GraphValue::Directed(graph) | GraphValue::Named(_, graph) => {
                 graph.adjacency().entries().map(|(i, j, _)| (i, j)).collect()
             }
         }
@@ -75,7 +78,7 @@ impl fmt::Display for GraphValue {
         let graph = match self {
             GraphValue::Named(name, _) => return write!(f, "{name}"),
             GraphValue::Simple(graph) => &WeightedGraph::from(graph),
-            GraphValue::Weighted(graph) => graph,
+            GraphValue::Weighted(graph) | GraphValue::Directed(graph) => graph,
         };
         let directed = self.is_directed();
         write!(f, "{}:{}:", if directed { "arcs" } else { "edges" }, graph.order())?;
@@ -210,10 +213,19 @@ impl Bindings {
 
     /// Every box replaced by its simplest number near the middle.
     pub(crate) fn middle(&self) -> Self {
+        self.at(Value::middle)
+    }
+
+    /// Every box replaced by its simplest number.
+    pub(crate) fn simplest(&self) -> Self {
+        self.at(|value| value.ends().map(|(lo, hi)| simplest_between(&lo, &hi)))
+    }
+
+    fn at(&self, number: impl Fn(&Value) -> Option<Rational>) -> Self {
         let mut point = self.clone();
         for (_, value) in &mut point.entries {
-            if let Some(middle) = value.middle() {
-                *value = Value::Number(middle);
+            if let Some(number) = number(value) {
+                *value = Value::Number(number);
             }
         }
         point

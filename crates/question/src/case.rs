@@ -14,7 +14,7 @@ use crate::subject::platoon::PlatoonSubject;
 use crate::subject::run::FloatRun;
 use crate::timeline::{Measured, Timeline};
 use arithmetic::Progress;
-use std::cell::{OnceCell, RefCell};
+use std::cell::{Cell, OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -22,8 +22,8 @@ use std::rc::Rc;
 pub(crate) struct Case<'q> {
     pub question: &'q Question,
     pub bindings: Bindings,
-    /// Whether this is a box as the question gives it, before it is divided.
-    pub is_first: bool,
+    /// Whether something was asked for that no box, however small, has.
+    pub points_only: Cell<bool>,
     progress: &'q dyn Progress,
     graphs: RefCell<BTreeMap<String, Rc<GraphSubject>>>,
     moving: OnceCell<Result<Moving<'q>, Failure>>,
@@ -37,13 +37,14 @@ enum Moving<'q> {
 }
 
 impl<'q> Case<'q> {
-    pub fn new(question: &'q Question, bindings: Bindings, is_first: bool, progress: &'q dyn Progress) -> Self {
-        Case { question, bindings, is_first, progress, graphs: RefCell::default(), moving: OnceCell::new() }
+    pub fn new(question: &'q Question, bindings: Bindings, progress: &'q dyn Progress) -> Self {
+        let points_only = Cell::new(false);
+        Case { question, bindings, points_only, progress, graphs: RefCell::default(), moving: OnceCell::new() }
     }
 
     /// A case whose motion is a run in floating point.
     pub fn of_floats(question: &'q Question, bindings: Bindings, run: FloatRun, progress: &'q dyn Progress) -> Self {
-        let case = Case::new(question, bindings, false, progress);
+        let case = Case::new(question, bindings, progress);
         Case { moving: OnceCell::from(Ok(Moving::Floats(run))), ..case }
     }
 
@@ -63,11 +64,13 @@ impl<'q> Case<'q> {
     ) -> Result<Measured, Failure> {
         match quantity.subject {
             Subject::Graph => self.graph(quantity, owner)?.measure(quantity.name, arguments, precision),
-            Subject::Platoon => PlatoonSubject::new(&self.bindings, self.question.communication())?.measure(
-                quantity.name,
-                arguments,
-                precision,
-            ),
+            Subject::Platoon => {
+                let platoon = PlatoonSubject::new(&self.bindings, self.question.communication())?;
+                if platoon.is_of_points_only(quantity.name) {
+                    self.points_only.set(true);
+                }
+                platoon.measure(quantity.name, arguments, precision)
+            }
             Subject::Matrices => {
                 let found = self.bindings.iter().find_map(|(name, value)| match value {
                     Value::Matrices(list) if owner.is_none_or(|owner| owner == name) => Some(list),

@@ -45,7 +45,7 @@ impl Question {
         bindings: &Bindings,
         progress: &dyn Progress,
     ) -> Result<Vec<(String, Tabulated)>, QuestionError> {
-        let case = Case::new(self, bindings.clone(), true, progress);
+        let case = Case::new(self, bindings.clone(), progress);
         let value = |(name, expression): &(String, Expression)| {
             let evaluator = Evaluator { case: &case, precision: 2 * FIRST_BITS, moment: None, piece: None };
             let value = match evaluator.measured(&expression.node) {
@@ -84,10 +84,17 @@ impl Question {
         if !bindings.boxes().is_empty() {
             return Division { question: self, expression, progress, most }.decide(bindings);
         }
-        if !self.is_kept(bindings, progress)? {
+        let kept = self.is_kept(bindings, progress);
+        if let Ok(false) = kept {
             return Ok(Decided { excluded: true, ..Decided::nothing() });
         }
-        let Judged { truth, margin, inequalities } = self.decide_point(expression, bindings, progress)?;
+        let Judged { truth, margin, inequalities } = match (kept, self.decide_point(expression, bindings, progress)) {
+            // Where the property is true it does not matter whether `where` keeps the case.
+            (Err(error @ QuestionError::At { .. }), decided) => {
+                decided.ok().filter(|judged| judged.truth == Truth::True).ok_or(error)?
+            }
+            (kept, decided) => kept.and(decided)?,
+        };
         let counterexample = (truth == Truth::False).then(|| bindings.clone());
         let open = u64::from(matches!(truth, Truth::Unknown(_)));
         Ok(Decided { truth, margin, inequalities, excluded: false, boxes: 1, open, counterexample })
@@ -172,6 +179,8 @@ fn over_family(
         boxed: false,
         counterexample: None,
     };
+    // A counterexample decides, whatever has no value elsewhere.
+    let mut missing = None;
     let (mut next, mut chunk) = (0, FIRST_CHUNK);
     while next < total {
         let end = (next + chunk).min(total);
@@ -183,7 +192,14 @@ fn over_family(
         };
         let decided = side_by_side(&numbers, decide);
         for found in decided {
-            let Some((found, boxed)) = found? else { continue };
+            let found = match found {
+                Err(error @ QuestionError::At { .. }) => {
+                    missing.get_or_insert(error);
+                    continue;
+                }
+                found => found?,
+            };
+            let Some((found, boxed)) = found else { continue };
             if found.excluded {
                 continue;
             }
@@ -202,6 +218,9 @@ fn over_family(
         progress.tell("cases", end, Some(total));
         next = end;
         chunk = (2 * chunk).min(LARGEST_CHUNK);
+    }
+    if let Some(missing) = missing {
+        return Err(missing);
     }
     if outcome.cases == 0 {
         let base = question.bounds.first().map_or(0, |bound| bound.base);

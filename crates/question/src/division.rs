@@ -3,6 +3,7 @@
 use crate::bindings::{Bindings, Value};
 use crate::case::Case;
 use crate::error::QuestionError;
+use crate::failure::Failure;
 use crate::names::Subject;
 use crate::outcome::{Decided, Judged};
 use crate::point::FIRST_BITS;
@@ -34,7 +35,16 @@ struct Open {
     inequalities: Vec<Margin>,
 }
 
-type OnBox = (Option<Truth>, Margin, Vec<Margin>);
+/// What is known on a box.
+pub(crate) struct OnBox {
+    /// `None` where `where` leaves all of it out.
+    pub truth: Option<Truth>,
+    pub margin: Margin,
+    /// Those of its inequalities.
+    pub inequalities: Vec<Margin>,
+    /// Whether something was asked for that no box has.
+    pub points_only: bool,
+}
 
 impl PartialEq for Open {
     fn eq(&self, other: &Self) -> bool {
@@ -53,56 +63,76 @@ impl Ord for Open {
     }
 }
 
+/// Boxes that are still looked at for a counterexample when a value is missing.
+const AFTER_MISSING: u64 = 1024;
+
+/// Most boxes where something is asked for that no box has.
+const POINTS_ONLY: u64 = 256;
+
 impl Division<'_> {
     pub fn decide(&self, whole: &Bindings) -> Result<Decided, QuestionError> {
         let original = whole.boxes();
         let mut found = Decided::nothing();
         let mut heap = BinaryHeap::new();
         let mut queue = vec![whole.clone()];
-        let (mut number, mut probes, mut kept) = (0, 0u64, false);
+        let (mut number, mut probes, mut kept, mut most) = (0, 0u64, false, self.most);
+        let mut missing: Option<QuestionError> = None;
         loop {
             for bindings in queue.drain(..) {
                 self.progress.checkpoint()?;
                 found.boxes += 1;
                 number += 1;
-                let (truth, margin, inequalities) = self.on_box(&bindings, number == 1)?;
-                kept |= truth.is_some();
-                if number == 1 && self.fails_at_a_corner(&bindings, &mut found)? {
+                let seen = Self::unless_missing(self.on_box(&bindings), &mut missing)?;
+                let fails = number == 1 && self.fails_at_a_corner(&bindings, &mut found, &mut missing)?;
+                if fails {
                     return Ok(found);
                 }
-                match truth {
-                    None => {}
+                // A single one without a value.
+                let Some(OnBox { truth, margin, inequalities, points_only }) = seen else { continue };
+                kept |= truth.is_some();
+                if points_only {
+                    most = most.min(POINTS_ONLY);
+                }
+                let doubt = match truth {
+                    None => continue,
                     Some(Truth::True) => {
                         found.margin = found.margin.least(margin);
                         Margin::least_of_each(&mut found.inequalities, &inequalities);
+                        continue;
                     }
                     Some(Truth::False) => {
-                        if self.fails_at(bindings.middle(), &mut found)? {
+                        if self.fails_at(bindings.middle(), &mut found, &mut missing)? {
                             return Ok(found);
                         }
-                        let doubt =
-                            Doubt { why: "a box fails, but its middle is left out by `where`".to_string(), bits: None };
-                        heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin, inequalities });
+                        Doubt { why: "a box fails, but its middle is left out by `where`".to_string(), bits: None }
                     }
-                    Some(Truth::Unknown(doubt)) => {
-                        heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin, inequalities });
-                    }
-                }
+                    Some(Truth::Unknown(doubt)) => doubt,
+                };
+                heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin, inequalities });
+            }
+            if missing.is_some() {
+                most = most.min(found.boxes + AFTER_MISSING).min(self.most);
             }
             let Some(worst) = heap.pop() else {
                 found.excluded = !kept;
-                return Ok(found);
+                return missing.map_or(Ok(found), Err);
             };
             probes += 1;
             if (probes <= PROBED || probes.is_multiple_of(PROBED_LATER))
-                && self.fails_at(worst.bindings.middle(), &mut found)?
+                && self.fails_at(worst.bindings.middle(), &mut found, &mut missing)?
             {
                 return Ok(found);
             }
-            let halves = if found.boxes < self.most { halved(&worst.bindings, &original) } else { None };
+            let halves = if found.boxes < most { halved(&worst.bindings, &original) } else { None };
             match halves {
                 Some(halves) => queue.extend(halves),
                 None => {
+                    if self.fails_at(worst.bindings.simplest(), &mut found, &mut missing)? {
+                        return Ok(found);
+                    }
+                    if let Some(missing) = missing {
+                        return Err(missing);
+                    }
                     let open = heap.iter().fold(worst.bounds, |least, open| least.least(open.bounds));
                     found.open = 1 + heap.len() as u64;
                     found.margin = found.margin.least(open);
@@ -117,36 +147,57 @@ impl Division<'_> {
         }
     }
 
-    /// The truth on a box, `None` where `where` leaves all of it out; its margin, and those of its inequalities.
-    pub fn on_box(&self, bindings: &Bindings, is_first: bool) -> Result<OnBox, QuestionError> {
+    /// What was found, or nothing where a value is missing, which is kept; the first one is told.
+    fn unless_missing<T>(
+        found: Result<T, QuestionError>,
+        missing: &mut Option<QuestionError>,
+    ) -> Result<Option<T>, QuestionError> {
+        match found {
+            Err(error @ QuestionError::At { .. }) => {
+                missing.get_or_insert(error);
+                Ok(None)
+            }
+            found => found.map(Some),
+        }
+    }
+
+    /// What is known on a box.
+    pub fn on_box(&self, bindings: &Bindings) -> Result<OnBox, QuestionError> {
         // Of a range of integers a single one is left in the end.
         if bindings.boxes().is_empty() {
-            if !self.question.is_kept(bindings, self.progress)? {
-                return Ok((None, Margin::of_truth(true), Vec::new()));
-            }
-            let Judged { truth, margin, inequalities } =
-                self.question.decide_point(self.expression, bindings, self.progress)?;
-            return Ok((Some(truth), margin, inequalities));
+            let decided = self.question.decide_expression(self.expression, bindings, 1, self.progress)?;
+            let truth = (!decided.excluded).then_some(decided.truth);
+            let (margin, inequalities) = (decided.margin, decided.inequalities);
+            return Ok(OnBox { truth, margin, inequalities, points_only: false });
         }
-        let case = Case::new(self.question, bindings.clone(), is_first, self.progress);
-        let mut kept = Truth::True;
-        if let Some(restriction) = &self.question.restriction {
-            kept = self.question.judged(&case, restriction, FIRST_BITS)?.0;
-            if kept == Truth::False {
-                return Ok((None, Margin::of_truth(true), Vec::new()));
-            }
+        let case = Case::new(self.question, bindings.clone(), self.progress);
+        // What is missing at some points is looked for at points; here it is not known.
+        let judged = |expression: &Expression| match self.question.judged(&case, expression, FIRST_BITS) {
+            Err(Failure::Refused(_, problem)) => Ok((Truth::unknown(problem.to_string(), None), Margin::ANY)),
+            judged => judged.map_err(|failure| self.question.refused(failure, expression.base)),
+        };
+        let kept =
+            self.question.restriction.as_ref().map_or(Ok(Truth::True), |own| judged(own).map(|(truth, _)| truth))?;
+        if kept == Truth::False {
+            let margin = Margin::of_truth(true);
+            return Ok(OnBox { truth: None, margin, inequalities: Vec::new(), points_only: false });
         }
-        let (truth, margin) = self.question.judged(&case, self.expression, FIRST_BITS)?;
+        let (truth, margin) = judged(self.expression)?;
+        let inequalities = self.question.each_margin(&case, self.expression, FIRST_BITS, margin)?;
         let truth = match (truth, kept) {
             (Truth::False, Truth::Unknown(doubt)) => Truth::Unknown(doubt),
             (truth, _) => truth,
         };
-        let inequalities = self.question.each_margin(&case, self.expression, FIRST_BITS, margin)?;
-        Ok((Some(truth), margin, inequalities))
+        Ok(OnBox { truth: Some(truth), margin, inequalities, points_only: case.points_only.get() })
     }
 
     /// Whether the property fails at a corner of the box, where extremes often are.
-    fn fails_at_a_corner(&self, bindings: &Bindings, found: &mut Decided) -> Result<bool, QuestionError> {
+    fn fails_at_a_corner(
+        &self,
+        bindings: &Bindings,
+        found: &mut Decided,
+        missing: &mut Option<QuestionError>,
+    ) -> Result<bool, QuestionError> {
         const MOST_SIDES: usize = 4;
         let boxes = bindings.boxes();
         // A motion takes too long for that.
@@ -158,20 +209,35 @@ impl Division<'_> {
             for (side, (place, lo, hi)) in boxes.iter().enumerate() {
                 corner.set(*place, Value::Number(if choice >> side & 1 == 1 { hi.clone() } else { lo.clone() }));
             }
-            if self.fails_at(corner, found)? {
+            if self.fails_at(corner, found, missing)? {
                 return Ok(true);
             }
         }
         Ok(false)
     }
 
-    /// Whether the property fails at a point, exactly or by enclosure; its margin bounds the smallest one from above.
-    fn fails_at(&self, point: Bindings, found: &mut Decided) -> Result<bool, QuestionError> {
-        if !matches!(self.question.is_kept(&point, self.progress), Ok(true)) {
-            return Ok(false);
+    /// Whether the property fails at a point, exactly or by enclosure; its margin bounds the smallest one from above. A value that is missing there is kept.
+    fn fails_at(
+        &self,
+        point: Bindings,
+        found: &mut Decided,
+        missing: &mut Option<QuestionError>,
+    ) -> Result<bool, QuestionError> {
+        let kept = self.question.kept(&point, self.progress);
+        match &kept {
+            Err(QuestionError::At { .. }) | Ok(Truth::True) => {}
+            _ => return kept.map(|_| false),
         }
-        let Judged { truth, margin, inequalities } =
-            self.question.decide_point(self.expression, &point, self.progress)?;
+        let decided = self.question.decide_point(self.expression, &point, self.progress);
+        // Where the property is true it does not matter whether `where` keeps the point.
+        let decided = match (kept, decided) {
+            (Err(_), Ok(judged)) if judged.truth == Truth::True => return Ok(false),
+            (Err(error), _) => Err(error),
+            (Ok(_), decided) => decided,
+        };
+        let Some(Judged { truth, margin, inequalities }) = Self::unless_missing(decided, missing)? else {
+            return Ok(false);
+        };
         // Of the smallest margins these are upper bounds.
         let below = |margin: Margin| Margin { lo: f64::INFINITY, ..margin };
         let bounds: Vec<Margin> = inequalities.iter().copied().map(below).collect();

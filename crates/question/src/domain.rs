@@ -4,7 +4,7 @@ use crate::bindings::{GraphValue, Value};
 use crate::error::Problem;
 use crate::names::FAMILIES;
 use crate::syntax::{Kind, Located, Node, parse_domain};
-use algebra::graph::{Graph, NamedGraph, WeightedGraph, read::read_graph};
+use algebra::graph::{ArcList, Graph, NamedGraph, WeightedGraph, read::read_graph_file};
 use algebra::matrix::{StochasticMatrix, read::read_sequence};
 use arithmetic::{Rational, parse_rational, rational, shown};
 use num_traits::One;
@@ -28,6 +28,8 @@ pub(crate) struct Bound {
     pub name: Arc<str>,
     pub domain: Domain,
     pub base: usize,
+    /// The byte where the name stands.
+    pub key_at: usize,
 }
 
 /// What sort of thing a name stands for, as far as that is known without looking at members.
@@ -53,7 +55,8 @@ pub(crate) fn read_domain(text: &str, files: &dyn Fn(&str) -> Result<String, Str
     }
     for (prefix, directed) in [("edges:", false), ("arcs:", true)] {
         if let Some(rest) = trimmed.strip_prefix(prefix) {
-            let graph = read_arcs(rest, directed).map_err(other)?;
+            let start = text.len() - text.trim_start().len() + prefix.len();
+            let graph = read_arcs(rest, directed).map_err(|(at, message)| (start + at, Problem::Other(message)))?;
             return Ok(Domain::Given(Value::Graph(Arc::new(graph))));
         }
     }
@@ -72,8 +75,9 @@ pub(crate) fn named(name: NamedGraph) -> Result<Value, String> {
 
 /// A graph, or a sequence of matrices where it is none.
 fn read_file(name: &str, text: &str) -> Result<Value, String> {
-    let graph = match read_graph(text) {
-        Ok(graph) => return Ok(Value::Graph(Arc::new(GraphValue::Weighted(graph)))),
+    let graph = match read_graph_file(text, false) {
+        Ok(file) if file.directed => return Ok(Value::Graph(Arc::new(GraphValue::Directed(file.graph)))),
+        Ok(file) => return Ok(Value::Graph(Arc::new(GraphValue::Weighted(file.graph)))),
         Err(error) => error,
     };
     match read_sequence(text) {
@@ -92,28 +96,41 @@ fn read_matrices(text: &str) -> Result<Vec<StochasticMatrix>, String> {
     text.split('|').map(matrix).collect()
 }
 
-/// `4:1-2,2-3`, with `*w` after an arc of another weight than 1.
-fn read_arcs(text: &str, directed: bool) -> Result<GraphValue, String> {
-    let form = || format!("`{}` is not of the form 4:1-2,2-3: vertices, edges", shown(text));
+/// `4:1-2,2-3`, with `*w` after an arc of another weight than 1. What is wrong is told with its byte of the text.
+fn read_arcs(text: &str, directed: bool) -> Result<GraphValue, (usize, String)> {
+    let form = || (0, format!("`{}` is not of the form 4:1-2,2-3: vertices, edges", shown(text)));
     let (order, list) = text.split_once(':').ok_or_else(form)?;
     let most = if directed { 1000 } else { 10_000 };
     let order: usize = order.trim().parse().ok().filter(|n| (1..=most).contains(n)).ok_or_else(form)?;
     let vertex = |word: &str| word.trim().parse().ok().filter(|v| (1..=order).contains(v)).map(|v: usize| v - 1);
-    let mut arcs = Vec::new();
-    for item in list.split(',').filter(|item| !item.trim().is_empty()) {
+    let what = if directed { "arc" } else { "edge" };
+    let (mut arcs, mut simple, mut at) = (ArcList::default(), !directed, text.len() - list.len());
+    for (item, number) in list.split(',').zip(1..) {
+        let start = at;
+        at += item.len() + 1;
+        let item = item.trim();
+        if item.is_empty() {
+            continue;
+        }
         let (pair, weight) = item.split_once('*').unwrap_or((item, "1"));
         let (i, j) = pair.split_once('-').ok_or_else(form)?;
         let (i, j) = vertex(i).zip(vertex(j)).ok_or_else(form)?;
-        arcs.push((i, j, parse_rational(weight).map_err(|error| error.to_string())?));
+        let weight = parse_rational(weight).map_err(|error| (start, error.to_string()))?;
+        simple &= i != j && weight.is_one();
+        arcs.add((i, j), weight, !directed, number).map_err(|first: usize| {
+            let why =
+                format!("the {what} `{}`, number {number} of the list, is its number {first} already", shown(item));
+            (start, why)
+        })?;
     }
-    let simple = !directed && arcs.iter().all(|(i, j, w)| i != j && w.is_one());
+    let arcs = arcs.into_arcs();
     if simple {
-        let edges: Vec<(usize, usize)> = arcs.iter().map(|(i, j, _)| (*i, *j)).collect();
-        return Graph::from_edges(order, &edges).map(GraphValue::Simple).map_err(|error| error.to_string());
+        let edges: Vec<(usize, usize)> = arcs.iter().map(|(i, j, _)| (*i, *j)).filter(|(i, j)| i < j).collect();
+        let graph = Graph::from_edges(order, &edges).map(GraphValue::Simple);
+        return graph.map_err(|error| (0, error.to_string()));
     }
-    let mirrored = arcs.iter().filter(|(i, j, _)| !directed && i != j).map(|(i, j, w)| (*j, *i, w.clone()));
-    let all: Vec<_> = arcs.iter().cloned().chain(mirrored.collect::<Vec<_>>()).collect();
-    Ok(GraphValue::Weighted(WeightedGraph::from_arcs(order, all)))
+    let graph = WeightedGraph::from_arcs(order, arcs);
+    Ok(if directed { GraphValue::Directed(graph) } else { GraphValue::Weighted(graph) })
 }
 
 impl Domain {

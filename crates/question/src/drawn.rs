@@ -29,7 +29,7 @@ impl Question {
 
     /// The last time that the property looks at.
     pub(crate) fn last_time(&self, point: &Bindings, progress: &dyn Progress) -> Option<Rational> {
-        let case = Case::new(self, point.clone(), false, progress);
+        let case = Case::new(self, point.clone(), progress);
         let evaluator = Evaluator { case: &case, precision: 64, moment: None, piece: None };
         horizon(&evaluator, &self.property.as_ref()?.node).ok()
     }

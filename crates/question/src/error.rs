@@ -141,19 +141,22 @@ pub enum Problem {
         found: String,
     },
     /// The divisor is zero.
-    #[error("division by zero{0}")]
-    DivisionByZero(String),
-    /// A divisor that is zero somewhere in a box.
-    #[error("division by a quantity that is zero somewhere in the box {0}")]
-    DivisionInBox(String),
+    #[error("division by zero")]
+    DivisionByZero,
     /// An argument outside the domain of a function.
-    #[error("the argument of `{function}` lies outside its domain{at}")]
-    Domain {
-        /// The function.
-        function: &'static str,
-        /// Where.
+    #[error("{}", outside(.0))]
+    Domain(&'static str),
+    /// A value that is missing in one case.
+    #[error("{problem} where {at}")]
+    Where {
+        /// What is missing.
+        problem: Box<Problem>,
+        /// The names with their numbers.
         at: String,
     },
+    /// A name of `[for]` without a use.
+    #[error("nothing uses `{0}`: neither the property, nor a control, nor `where`, nor a later name")]
+    Unused(String),
     /// Nothing to range over.
     #[error("the family is empty: {0}")]
     Empty(String),
@@ -182,7 +185,23 @@ pub enum Problem {
     Other(String),
 }
 
+/// That a function has no value.
+fn outside(function: &str) -> String {
+    match function {
+        "^" => "a negative number has no power with an exponent that is not an integer".to_string(),
+        _ => format!("the argument of `{function}` lies outside its domain"),
+    }
+}
+
 impl Problem {
+    /// The same with the case in which it arises.
+    pub(crate) fn there(self, bindings: &crate::bindings::Bindings) -> Self {
+        match bindings.iter().next() {
+            None => self,
+            Some(_) => Problem::Where { problem: Box::new(self), at: shown(&bindings.to_string()) },
+        }
+    }
+
     pub(crate) fn expected(expected: impl Into<String>, found: impl Into<String>) -> Self {
         Problem::Expected { expected: expected.into(), found: found.into() }
     }

@@ -29,48 +29,54 @@ pub(crate) struct Evaluator<'c, 'q> {
 
 type Judged = Result<(Truth, Margin), Failure>;
 
+fn negated((truth, margin): (Truth, Margin)) -> (Truth, Margin) {
+    (truth.negated(), margin.negated())
+}
+
+/// Whether all parts are true, in three-valued logic: one that is false decides, whatever is missing; what is not known may still be false.
+fn all(parts: impl Iterator<Item = Judged>) -> Judged {
+    let (mut truth, mut margin, mut missing) = (Truth::True, Margin::of_truth(true), None);
+    for part in parts {
+        let (next, own) = match part {
+            Err(Failure::Open(doubt)) => (Truth::Unknown(doubt), Margin::ANY),
+            Err(failure @ Failure::Refused(..)) => {
+                missing.get_or_insert(failure);
+                continue;
+            }
+            part => part?,
+        };
+        (truth, margin) = (truth.and(next), margin.least(own));
+        if truth == Truth::False {
+            return Ok((truth, Margin { lo: f64::NEG_INFINITY, ..margin }));
+        }
+    }
+    match missing {
+        Some(failure) if truth == Truth::True => Err(failure),
+        _ => Ok((truth, margin)),
+    }
+}
+
 impl Evaluator<'_, '_> {
-    /// The truth of a property with its margin; what cannot be told is unknown.
+    /// The truth of a property with its margin; what cannot be told is unknown. A value that is missing (`Refused`) is the third one of three-valued
+    /// logic: `true or missing` is true, `missing and false` is false, and what is left missing is refused by whoever asked.
     pub fn judge(&self, node: &Node) -> Judged {
         match &node.kind {
-            Kind::Not(body) => self.judge(body).map(|(truth, margin)| (truth.negated(), margin.negated())),
-            Kind::And(nodes) => self.all(nodes),
-            Kind::Or(nodes) => {
-                let (mut truth, mut margin) = (Truth::False, Margin::of_truth(false));
-                for node in nodes {
-                    let (next, own) = self.judge(node)?;
-                    (truth, margin) = (truth.or(next), margin.largest(own));
-                    if truth == Truth::True {
-                        return Ok((truth, Margin { hi: f64::INFINITY, ..margin }));
-                    }
-                }
-                Ok((truth, margin))
-            }
+            Kind::Not(body) => self.judge(body).map(negated),
+            Kind::And(nodes) => all(nodes.iter().map(|node| self.judge(node))),
+            Kind::Or(nodes) => all(nodes.iter().map(|node| self.judge(node).map(negated))).map(negated),
             Kind::Implies(first, second) => {
-                let (truth, margin) = self.judge(first)?;
-                if truth == Truth::False {
-                    return Ok((Truth::True, Margin { hi: f64::INFINITY, ..margin.negated() }));
-                }
-                let (other, own) = self.judge(second)?;
-                Ok((truth.negated().or(other), margin.negated().largest(own)))
+                let parts = [(first, false), (second, true)].into_iter();
+                all(parts.map(|(node, turned)| {
+                    let judged = self.judge(node);
+                    if turned { judged.map(negated) } else { judged }
+                }))
+                .map(negated)
             }
             Kind::Relation(first, others) => self.related(first, others),
             Kind::Always(..) | Kind::Until(_) => self.over_time(node),
             Kind::Name { .. } => self.named_truth(node),
             _ => Err(Failure::Refused(node.at, Problem::expected("something true or false", "a number"))),
         }
-    }
-
-    fn all(&self, nodes: &[Node]) -> Judged {
-        let (mut truth, mut margin) = (Truth::True, Margin::of_truth(true));
-        for node in nodes {
-            let (next, own) = self.judge(node)?;
-            (truth, margin) = (truth.and(next), margin.least(own));
-            if truth == Truth::False {
-                return Ok((truth, Margin { lo: f64::NEG_INFINITY, ..margin }));
-            }
-        }
-        Ok((truth, margin))
     }
 
     fn named_truth(&self, node: &Node) -> Judged {
@@ -84,22 +90,19 @@ impl Evaluator<'_, '_> {
         }
     }
 
+    /// A chain of relations, each link between its neighbours.
     fn related(&self, first: &Node, others: &[(Relation, Node)]) -> Judged {
-        let (mut truth, mut margin) = (Truth::True, Margin::of_truth(true));
         let mut left = self.number(first);
-        for (relation, node) in others {
+        let links = others.iter().map(|(relation, node)| {
             let right = self.number(node);
-            let (next, own) = match (&left, &right) {
-                (Ok(a), Ok(b)) => self.compared(a, *relation, b),
-                (Err(Failure::Open(doubt)), Ok(_) | Err(Failure::Open(_))) | (Ok(_), Err(Failure::Open(doubt))) => {
-                    (Truth::Unknown(doubt.clone()), Margin::ANY)
-                }
-                (Err(failure), _) | (_, Err(failure)) => return Err(failure.clone()),
+            let link = match (&left, &right) {
+                (Ok(a), Ok(b)) => Ok(self.compared(a, *relation, b)),
+                (Err(Failure::Open(_)), Err(failure)) | (Err(failure), _) | (_, Err(failure)) => Err(failure.clone()),
             };
-            (truth, margin) = (truth.and(next), margin.least(own));
             left = right;
-        }
-        Ok((truth, margin))
+            link
+        });
+        all(links)
     }
 
     fn compared(&self, a: &Number, relation: Relation, b: &Number) -> (Truth, Margin) {
@@ -184,47 +187,18 @@ impl Evaluator<'_, '_> {
         }
     }
 
-    /// What an obstacle means here: an error of the question, or a doubt.
+    /// What an obstacle means here: a value that is missing, or a doubt.
     fn obstacle(&self, obstacle: Obstacle, argument: &Node) -> Failure {
-        let at = || format!(" where {}", arithmetic::shown(&self.case.bindings.to_string()));
-        let whole_box = || {
-            let boxed = self.case.bindings.boxes();
-            !boxed.is_empty() && self.case.is_first && self.uses_each_box_once(argument)
-        };
+        let missing = |problem| Failure::Refused(argument.at, problem);
         match obstacle {
-            Obstacle::Never("/") => Failure::Refused(argument.at, Problem::DivisionByZero(at())),
-            Obstacle::Perhaps("/") if whole_box() => {
-                Failure::Refused(argument.at, Problem::DivisionInBox(self.case.bindings.to_string()))
-            }
-            Obstacle::Never(function) => Failure::Refused(argument.at, Problem::Domain { function, at: at() }),
+            Obstacle::Never("/") => missing(Problem::DivisionByZero),
+            Obstacle::Never(function) => missing(Problem::Domain(function)),
             Obstacle::Perhaps("/") => Failure::open("a divisor may be zero", Some(u64::MAX)),
             Obstacle::Perhaps(function) => {
                 Failure::open(format!("the argument of `{function}` may lie outside its domain"), Some(u64::MAX))
             }
-            Obstacle::TooLarge => Failure::Refused(
-                argument.at,
-                Problem::Other("the number has too many digits to be computed".to_string()),
-            ),
+            Obstacle::TooLarge => missing(Problem::Other("the number has too many digits to be computed".to_string())),
         }
-    }
-
-    /// Whether interval arithmetic gives the exact range of the expression over the boxes: each stands in it at most once, and nothing
-    /// else is enclosed.
-    fn uses_each_box_once(&self, node: &Node) -> bool {
-        let mut seen: Vec<&str> = Vec::new();
-        let mut exact = true;
-        node.visit(&mut |node| {
-            if let Kind::Name { name, .. } = &node.kind {
-                match self.case.bindings.get(name) {
-                    Some(Value::Box(..)) if seen.contains(&name.as_str()) => exact = false,
-                    Some(Value::Box(..)) => seen.push(name),
-                    Some(Value::Integers(..)) => exact = false,
-                    Some(_) => {}
-                    None => exact = exact && FUNCTIONS.iter().any(|f| f.name == name),
-                }
-            }
-        });
-        exact && !seen.is_empty()
     }
 
     /// The value of a name: what is bound, a function, a quantity.
@@ -233,6 +207,9 @@ impl Evaluator<'_, '_> {
             return self.number(node).map(Measured::Number);
         };
         if !called {
+            if name == "n" {
+                self.same_order().map_err(|problem| Failure::Refused(node.at, problem))?;
+            }
             match self.case.bindings.get(name) {
                 Some(Value::Number(q)) => return Ok(Measured::Number(Number::Exact(q.clone()))),
                 Some(value @ (Value::Box(..) | Value::Integers(..))) => {
@@ -264,6 +241,20 @@ impl Evaluator<'_, '_> {
             Failure::Refused(_, problem) => Failure::Refused(node.at, problem),
             other => other,
         })
+    }
+
+    /// Refuses a bound `n` that hides another number of vertices of the only graph.
+    fn same_order(&self) -> Result<(), Problem> {
+        let graphs: Vec<_> = self.case.bindings.iter().filter(|(_, value)| matches!(value, Value::Graph(_))).collect();
+        let (Some(bound), [(name, Value::Graph(graph))]) = (self.case.bindings.get("n"), &graphs[..]) else {
+            return Ok(());
+        };
+        let order = graph.order();
+        let same = matches!(bound, Value::Number(q) if *q == rational(order as i64, 1));
+        let text = bound.text();
+        let message =
+            || format!("`n` is bound to {text}, but `{name}` has {order} vertices; give one of them another name");
+        if same { Ok(()) } else { Err(Problem::Other(message())) }
     }
 
     fn function(&self, name: &str, arguments: &[Node], node: &Node) -> Result<Measured, Failure> {
@@ -300,6 +291,9 @@ impl Evaluator<'_, '_> {
     fn divisor(&self, values: &[Number], arguments: &[Node]) -> Result<Measured, Failure> {
         let mut divisor = num_bigint::BigInt::ZERO;
         for (value, node) in values.iter().zip(arguments) {
+            if value.may_be_integer(self.precision) {
+                return Err(self.obstacle(Obstacle::Perhaps("gcd"), node));
+            }
             let problem = || Problem::NotInteger { what: "an argument of `gcd`".to_string(), found: value.text() };
             let integer = value.as_integer().ok_or_else(|| Failure::Refused(node.at, problem()))?;
             divisor = divisor.gcd(&integer.abs());

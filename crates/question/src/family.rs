@@ -115,7 +115,7 @@ impl Maker<'_> {
 
     /// An expression that must be a rational number.
     fn exact(&self, node: &Node) -> Made<Rational> {
-        let case = Case::new(self.question, self.bindings.clone(), false, self.progress);
+        let case = Case::new(self.question, self.bindings.clone(), self.progress);
         match (Evaluator { case: &case, precision: 64, moment: None, piece: None }).number(node)? {
             Number::Exact(q) => Ok(q),
             other => Err(Failure::Refused(node.at, Problem::expected("a rational number", other.text()))),
@@ -274,7 +274,7 @@ impl Maker<'_> {
             Class::All => simple(graphs(order, self.progress)?),
             Class::Trees => simple(trees(order, self.progress)?),
             Class::Digraphs => {
-                digraphs(order, self.progress)?.into_iter().map(|g| Arc::new(GraphValue::Weighted(g))).collect()
+                digraphs(order, self.progress)?.into_iter().map(|g| Arc::new(GraphValue::Directed(g))).collect()
             }
         };
         let list = Arc::new(list);

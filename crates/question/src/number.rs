@@ -31,6 +31,8 @@ pub enum Number {
     /// A real number in an interval; with a separation bound if it is known to be algebraic.
     #[allow(private_interfaces)]
     Enclosed(Interval, Option<Algebraic>),
+    /// A real number of this sign, in an interval that may begin at 0.
+    Beyond(Sign, Interval),
 }
 
 /// Why an operation has no result.
@@ -46,6 +48,9 @@ pub(crate) enum Obstacle {
 
 /// Exponentials of numbers of more bits before the point are not computed.
 const LARGEST_EXPONENT: i64 = 24;
+
+/// Exponentials of smaller numbers than minus two to this are only known to lie between 0 and that one.
+const LOWEST_EXPONENT: i64 = 13;
 
 /// Most bits of an exact power.
 const MOST_BITS: u64 = 1 << 22;
@@ -72,10 +77,11 @@ impl Algebraic {
         Algebraic { upper: self.lower, lower: self.upper, ..self }
     }
 
-    /// `sqrt(a/b) = sqrt(a b)/b`.
-    fn root(self) -> Self {
-        let upper = self.upper.saturating_add(self.lower).div_ceil(2);
-        Algebraic { degree: self.degree.saturating_mul(2), upper, lower: self.lower }
+    /// `(a/b)^(1/q) = (a b^(q-1))^(1/q)/b`, of a field of `q` times the degree.
+    fn root(self, degree: u32) -> Self {
+        let degree = u64::from(degree);
+        let upper = self.upper.saturating_add(self.lower.saturating_mul(degree - 1)).div_ceil(degree);
+        Algebraic { degree: self.degree.saturating_mul(degree), upper, lower: self.lower }
     }
 
     /// Either of two numbers.
@@ -86,6 +92,14 @@ impl Algebraic {
     /// The number is zero if it is below 2 to minus this.
     fn separation(self) -> u64 {
         (self.degree - 1).saturating_mul(self.upper).saturating_add(self.lower)
+    }
+}
+
+fn opposite(sign: Sign) -> Sign {
+    match sign {
+        Sign::Positive => Sign::Negative,
+        Sign::Negative => Sign::Positive,
+        Sign::Zero => Sign::Zero,
     }
 }
 
@@ -106,16 +120,25 @@ impl Number {
                 let q = Interval::from_rational(q, precision + 8);
                 (q.pi() * &q).with_precision(precision)
             }
-            Number::Enclosed(interval, _) => interval.clone(),
+            Number::Enclosed(interval, _) | Number::Beyond(_, interval) => interval.clone(),
         }
     }
 
     fn algebraic(&self) -> Option<Algebraic> {
         match self {
             Number::Exact(q) => Some(Algebraic::of_rational(q)),
-            Number::Turns(_) => None,
+            Number::Turns(_) | Number::Beyond(..) => None,
             Number::Enclosed(_, algebraic) => *algebraic,
         }
+    }
+
+    /// Whether it is enclosed and an integer lies in the enclosure.
+    pub(crate) fn may_be_integer(&self, precision: u32) -> bool {
+        let (lo, hi) = match self {
+            Number::Exact(_) => return false,
+            _ => self.enclosure(precision).to_rationals(),
+        };
+        lo.ceil() <= hi.floor()
     }
 
     /// The integer that it is, if it is one.
@@ -158,6 +181,7 @@ impl Number {
             Number::Exact(q) => Number::Exact(-q),
             Number::Turns(q) => Number::Turns(-q),
             Number::Enclosed(x, algebraic) => Number::Enclosed(-x.clone(), *algebraic),
+            Number::Beyond(sign, x) => Number::Beyond(opposite(*sign), -x.clone()),
         }
     }
 
@@ -169,6 +193,10 @@ impl Number {
         match (self, other) {
             (Number::Exact(q), Number::Turns(p)) | (Number::Turns(p), Number::Exact(q)) => Number::turns(p * q),
             (Number::Exact(zero), _) | (_, Number::Exact(zero)) if zero.is_zero() => Number::integer(0),
+            (Number::Beyond(..), x) | (x, Number::Beyond(..)) if x.sign().is_some_and(|sign| sign != Sign::Zero) => {
+                let sign = if self.sign() == other.sign() { Sign::Positive } else { Sign::Negative };
+                Number::Beyond(sign, self.enclosure(precision) * other.enclosure(precision))
+            }
             _ => self.with(other, precision, |a, b| a * b, |a, b| a * b, Algebraic::product),
         }
     }
@@ -177,6 +205,7 @@ impl Number {
     pub(crate) fn sign(&self) -> Option<Sign> {
         match self {
             Number::Exact(q) | Number::Turns(q) => q.sign(),
+            Number::Beyond(sign, _) => Some(*sign),
             Number::Enclosed(x, algebraic) => x.sign().or_else(|| {
                 // A number smaller than the separation bound is zero.
                 let bound = i64::try_from(algebraic.as_ref()?.separation()).ok()?;
@@ -209,20 +238,55 @@ impl Number {
         Ok(self.times(&Number::Enclosed(inverse, divisor.algebraic().map(Algebraic::reciprocal)), precision))
     }
 
-    /// `self^exponent` for an integer exponent, or a positive base.
+    /// `self^exponent`: of any number for an integer exponent, otherwise of one that is not negative.
     pub(crate) fn power(&self, exponent: &Self, precision: u32) -> Result<Self, Obstacle> {
         if let Some(k) = exponent.as_integer() {
             let k = k.to_i64().filter(|k| k.unsigned_abs() <= 1 << 20).ok_or(Obstacle::TooLarge)?;
             let positive = self.to_the(k.unsigned_abs(), precision)?;
             return if k < 0 { Number::integer(1).over(&positive, precision) } else { Ok(positive) };
         }
+        match (self.sign(), exponent.sign()) {
+            (Some(Sign::Negative), _) if !exponent.may_be_integer(precision) => return Err(Obstacle::Never("^")),
+            (Some(Sign::Zero), Some(Sign::Positive)) => return Ok(Number::integer(0)),
+            (Some(Sign::Zero), Some(Sign::Negative)) => return Err(Obstacle::Never("/")),
+            (Some(Sign::Positive), _) => {}
+            _ => {}
+        }
         if let Number::Exact(q) = exponent
-            && *q == rational(1, 2)
+            && let Some(root) = q.denom().to_u32()
         {
-            return self.sqrt(precision);
+            let base = self.root(root, precision)?;
+            return base.power(&Number::Exact(Rational::from_integer(q.numer())), precision);
+        }
+        if self.sign() != Some(Sign::Positive) {
+            return Err(Obstacle::Perhaps("^"));
         }
         let logarithm = self.log(precision)?;
         exponent.times(&logarithm, precision).exp(precision)
+    }
+
+    /// The root of that degree, at least 2, of a number that is not negative: exact where it is rational.
+    fn root(&self, degree: u32, precision: u32) -> Result<Self, Obstacle> {
+        let outside = |obstacle| match obstacle {
+            Obstacle::Never(_) => Obstacle::Never("^"),
+            Obstacle::Perhaps(_) => Obstacle::Perhaps("^"),
+            Obstacle::TooLarge => Obstacle::TooLarge,
+        };
+        if degree == 2 {
+            return self.sqrt(precision).map_err(outside);
+        }
+        if let Number::Exact(q) = self
+            && !q.is_negative()
+        {
+            let (p, r) = (q.numer().nth_root(degree), q.denom().nth_root(degree));
+            if p.pow(degree) == q.numer() && r.pow(degree) == q.denom() {
+                return Ok(Number::Exact(Rational::new(p, r)));
+            }
+        }
+        let share = Number::Exact(Rational::new(BigInt::from(1), BigInt::from(degree)));
+        let root = share.times(&self.log(precision + 8).map_err(outside)?, precision + 8).exp(precision + 8)?;
+        let algebraic = self.algebraic().map(|own| own.root(degree));
+        Ok(Number::Enclosed(root.enclosure(precision), algebraic))
     }
 
     fn to_the(&self, k: u64, precision: u32) -> Result<Self, Obstacle> {
@@ -264,13 +328,15 @@ impl Number {
             None => {}
         }
         let root = self.enclosure(precision).sqrt().map_err(|_| Obstacle::Perhaps("sqrt"))?;
-        Ok(Number::Enclosed(root, self.algebraic().map(Algebraic::root)))
+        Ok(Number::Enclosed(root, self.algebraic().map(|own| own.root(2))))
     }
 
     pub(crate) fn absolute(&self, precision: u32) -> Self {
         match self {
             Number::Exact(q) => Number::Exact(q.abs()),
             Number::Turns(q) => Number::Turns(q.abs()),
+            Number::Beyond(Sign::Negative, _) => self.negated(),
+            Number::Beyond(..) => self.clone(),
             Number::Enclosed(x, algebraic) => {
                 let zero = Dyadic::zero();
                 let size = match x.sign() {
@@ -321,14 +387,22 @@ impl Number {
     }
 
     pub(crate) fn exp(&self, precision: u32) -> Result<Self, Obstacle> {
-        match self {
-            Number::Exact(q) if q.is_zero() => Ok(Number::integer(1)),
-            _ if self.enclosure(precision).magnitude().top() > LARGEST_EXPONENT => Err(Obstacle::TooLarge),
-            _ => {
-                let x = self.enclosure(precision).exp().map_err(|_: ArithmeticError| Obstacle::TooLarge)?;
-                Ok(Number::Enclosed(x, None))
-            }
+        if matches!(self, Number::Exact(q) if q.is_zero()) {
+            return Ok(Number::integer(1));
         }
+        let x = self.enclosure(precision);
+        if x.hi().is_positive() && x.hi().top() > LARGEST_EXPONENT {
+            return Err(Obstacle::TooLarge);
+        }
+        let of = |x: &Interval| x.exp().map_err(|_: ArithmeticError| Obstacle::TooLarge);
+        if x.lo().is_negative() && x.lo().top() > LARGEST_EXPONENT {
+            // Above zero, and at most the exponential of the upper end: below this one nothing is told apart.
+            let lowest = Dyadic::new(BigInt::from(-1), LOWEST_EXPONENT);
+            let end = x.hi().clone().max(lowest);
+            let most = of(&Interval::between(end.clone(), end, precision))?;
+            return Ok(Number::Beyond(Sign::Positive, Interval::between(Dyadic::zero(), most.hi().clone(), precision)));
+        }
+        Ok(Number::Enclosed(of(&x)?, None))
     }
 
     pub(crate) fn log(&self, precision: u32) -> Result<Self, Obstacle> {
@@ -351,7 +425,7 @@ impl Number {
         match self {
             Number::Exact(q) => q.to_string(),
             Number::Turns(q) => format!("{q}*pi"),
-            Number::Enclosed(x, _) => {
+            Number::Enclosed(x, _) | Number::Beyond(_, x) => {
                 let digits = arithmetic::significant_digits(x).clamp(3, 20) + 2;
                 let (lo, hi) = arithmetic::decimals(x, digits);
                 format!("[{lo}, {hi}]")

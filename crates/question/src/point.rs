@@ -26,30 +26,45 @@ impl Question {
     /// # Errors
     /// [`QuestionError`] also where that cannot be told.
     pub fn is_kept(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<bool, QuestionError> {
-        let Some(restriction) = &self.restriction else { return Ok(true) };
-        match self.decide_point(restriction, bindings, progress)?.truth {
+        match self.kept(bindings, progress)? {
             Truth::True => Ok(true),
             Truth::False => Ok(false),
             Truth::Unknown(_) if !bindings.boxes().is_empty() => Ok(true),
             Truth::Unknown(doubt) => {
                 let why = format!("`where` could not be decided for {bindings}: {}", doubt.why);
-                Err(self.at(restriction.base, Problem::Other(why)))
+                let base = self.restriction.as_ref().map_or(0, |restriction| restriction.base);
+                Err(self.at(base, Problem::Other(why)))
             }
         }
     }
 
+    /// The truth of `where`, which is missing where its value is.
+    pub(crate) fn kept(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<Truth, QuestionError> {
+        match &self.restriction {
+            None => Ok(Truth::True),
+            Some(restriction) => Ok(self.decide_point(restriction, bindings, progress)?.truth),
+        }
+    }
+
     /// Raises the precision until the property is decided, or that is known to be in vain.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the point where a value that matters is missing.
     pub(crate) fn decide_point(
         &self,
         expression: &Expression,
         bindings: &Bindings,
         progress: &dyn Progress,
     ) -> Result<Judged, QuestionError> {
-        let case = Case::new(self, bindings.clone(), false, progress);
+        let case = Case::new(self, bindings.clone(), progress);
         let mut precision = FIRST_BITS;
+        let missing = |failure| match failure {
+            Failure::Refused(at, problem) => self.at(expression.base + at, problem.there(bindings)),
+            failure => self.refused(failure, expression.base),
+        };
         loop {
             progress.checkpoint()?;
-            let (truth, margin) = self.judged(&case, expression, precision)?;
+            let (truth, margin) = self.judged(&case, expression, precision).map_err(missing)?;
             let wanted = match &truth {
                 Truth::Unknown(Doubt { bits: Some(needed), .. }) if *needed <= MOST_BITS => {
                     needed.next_power_of_two() * 2
@@ -65,17 +80,17 @@ impl Question {
         }
     }
 
+    /// The truth in a case; `Refused` where its value is missing.
     pub(crate) fn judged(
         &self,
         case: &Case,
         expression: &Expression,
         precision: u32,
-    ) -> Result<(Truth, Margin), QuestionError> {
+    ) -> Result<(Truth, Margin), Failure> {
         let judged = Evaluator { case, precision, moment: None, piece: None }.judge(&expression.node);
         match judged {
-            Ok(judged) => Ok(judged),
             Err(Failure::Open(doubt)) => Ok((Truth::Unknown(doubt), Margin::ANY)),
-            Err(failure) => Err(self.refused(failure, expression.base)),
+            judged => judged,
         }
     }
 

@@ -3,6 +3,7 @@
 mod check;
 mod count;
 mod read;
+mod used;
 
 use crate::domain::{Bound, Classes, Domain, Members, Sort};
 use crate::error::{Place, Problem, QuestionError};

@@ -54,7 +54,7 @@ impl Question {
         let mut queue = VecDeque::from([member.clone()]);
         while let Some(bindings) = queue.pop_front() {
             progress.checkpoint()?;
-            let standing = match division.on_box(&bindings, regions.is_empty() && queue.is_empty())?.0 {
+            let standing = match division.on_box(&bindings)?.truth {
                 None => continue,
                 Some(Truth::True) => Standing::Holds,
                 Some(Truth::False) => Standing::Fails,

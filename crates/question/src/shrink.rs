@@ -239,7 +239,7 @@ fn span(
     let mut places = Vec::new();
     ends(&mut copy.node, true, &mut places);
     let (from, to) = places.into_iter().nth(place)?;
-    let case = Case::new(question, at.clone(), false, progress);
+    let case = Case::new(question, at.clone(), progress);
     let evaluator = Evaluator { case: &case, precision: 64, moment: None, piece: None };
     let exact = |node: &Node| match evaluator.number(node) {
         Ok(Number::Exact(q)) => Some(q),

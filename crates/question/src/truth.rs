@@ -46,10 +46,6 @@ impl Truth {
             (unknown, _) => unknown,
         }
     }
-
-    pub(crate) fn or(self, other: Self) -> Self {
-        self.negated().and(other.negated()).negated()
-    }
 }
 
 /// An enclosure of the margin: how much both sides of the decisive inequality may move before the property fails; negative where it

@@ -139,8 +139,15 @@ pub enum Problem {
     #[error("the edge {0}-{0} joins an agent with itself")]
     Loop(usize),
     /// An edge that is given twice.
-    #[error("the edge {0}-{1} is given twice")]
-    Duplicate(usize, usize),
+    #[error("the edge {}-{} is given twice, as entries {first} and {second}", pair.0, pair.1)]
+    Duplicate {
+        /// Its ends.
+        pair: (usize, usize),
+        /// Where it stands first, from 1.
+        first: usize,
+        /// Where it stands again.
+        second: usize,
+    },
     /// A number outside its range.
     #[error("it must be {0}")]
     Range(String),

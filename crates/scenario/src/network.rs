@@ -2,8 +2,8 @@
 
 use super::error::{ConfigError, Problem};
 use super::source::{Section, Source};
-use algebra::graph::{NamedGraph, components};
-use arithmetic::{Complex, Field};
+use algebra::graph::{ArcList, NamedGraph, components};
+use arithmetic::{Complex, Field, rational};
 use models::oscillator::{Everyone, Interaction, Neighbours};
 use std::collections::BTreeSet;
 
@@ -311,8 +311,8 @@ const EDGES: &str = "a list of pairs such as [1, 2]";
 
 /// The key `edges`: pairs `i < j`, or arcs, in order.
 fn edge_list(order: usize, section: &Section, directed: bool) -> Result<Vec<Pair>, ConfigError> {
-    let mut pairs = BTreeSet::new();
-    for item in section.need("edges", EDGES)?.items(EDGES)? {
+    let mut arcs = ArcList::default();
+    for (item, number) in section.need("edges", EDGES)?.items(EDGES)?.into_iter().zip(1..) {
         let ends = item.items(EDGES)?;
         let [first, second] = &ends[..] else { return Err(item.problem(Problem::Shape(EDGES.to_string()))) };
         let (i, j) = (first.count(0, usize::MAX)?, second.count(0, usize::MAX)?);
@@ -322,12 +322,13 @@ fn edge_list(order: usize, section: &Section, directed: bool) -> Result<Vec<Pair
         if i == j {
             return Err(item.problem(Problem::Loop(i)));
         }
-        let pair = if directed { (i - 1, j - 1) } else { (i.min(j) - 1, i.max(j) - 1) };
-        if !pairs.insert(pair) {
-            return Err(item.problem(Problem::Duplicate(i, j)));
-        }
+        arcs.add((i - 1, j - 1), rational(1, 1), !directed, number)
+            .map_err(|first| item.problem(Problem::Duplicate { pair: (i, j), first, second: number }))?;
     }
-    Ok(pairs.into_iter().collect())
+    let arcs = arcs.into_arcs().into_iter().map(|(i, j, _)| (i, j));
+    let mut pairs: Vec<Pair> = arcs.filter(|(i, j)| directed || i < j).collect();
+    pairs.sort_unstable();
+    Ok(pairs)
 }
 
 /// The key `switches`: the times from which on other edges are in force, and these; the first one last.

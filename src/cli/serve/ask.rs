@@ -103,7 +103,7 @@ fn of_graph(text: &str, _: &dyn Progress) -> Result<Answered, CliError> {
     let kind = form.text("kind", WORD)?.trim();
     let kind = if kind.is_empty() { "laplacian" } else { kind };
     let found = spectrum::of_text(name, input(edges), kind, VERTICES)?;
-    Ok(Answered { shown: shown::spectrum(&found.graph, &found.spectrum), document: found.document })
+    Ok(Answered { shown: shown::spectrum(&found.graph, found.directed, &found.spectrum), document: found.document })
 }
 
 /// Most birds of a page.

@@ -1,5 +1,6 @@
 //! Graphs: undirected simple ones, which the flocking networks are made of, and directed ones with rational weights.
 
+mod arc_list;
 pub mod classes;
 mod components;
 mod isomorphism;
@@ -8,6 +9,7 @@ mod named;
 pub mod read;
 mod weighted;
 
+pub use arc_list::ArcList;
 pub use components::components;
 pub use laplacian::{LaplacianError, LaplacianKind};
 pub use named::{LARGEST_ORDER, NameError, NamedGraph};

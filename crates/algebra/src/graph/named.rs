@@ -178,6 +178,11 @@ impl NamedGraph {
         self.to_string().parse().map(|_: NamedGraph| ())
     }
 
+    /// Whether it is made of arcs and not of edges, however few there are.
+    pub fn is_directed(&self) -> bool {
+        matches!(self, NamedGraph::Cycle(_) | NamedGraph::PlatoonOne(_) | NamedGraph::PlatoonTwo(_))
+    }
+
     /// The graph itself.
     ///
     /// # Errors

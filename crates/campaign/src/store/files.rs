@@ -6,6 +6,7 @@ use std::fmt;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The form of the files.
 const SCHEMA: &str = "flockproof.shard/1";
@@ -257,12 +258,20 @@ pub(super) fn text(header: &Header, rows: &BTreeMap<u64, Value>) -> String {
     text
 }
 
+/// A name beside a file under which it is written before it is renamed: of this process and this call alone, so that nobody else writes, renames or removes
+/// it.
+pub fn aside(path: &Path) -> PathBuf {
+    static WRITTEN: AtomicU64 = AtomicU64::new(0);
+    let number = WRITTEN.fetch_add(1, Ordering::Relaxed);
+    let mut name = path.as_os_str().to_owned();
+    name.push(format!(".{}-{number}.new", std::process::id()));
+    name.into()
+}
+
 /// Writes a file aside, lets the disk have it, and renames it.
 pub(super) fn write_aside(path: &Path, contents: &str) -> Result<(), StoreError> {
-    let mut aside = path.as_os_str().to_owned();
-    aside.push(".new");
-    let aside = PathBuf::from(aside);
-    std::fs::File::create(&aside)
+    let aside = aside(path);
+    std::fs::File::create_new(&aside)
         .and_then(|mut file| file.write_all(contents.as_bytes()).and_then(|()| file.sync_all()))
         .map_err(StoreError::at(&aside))?;
     std::fs::rename(&aside, path).map_err(StoreError::at(path))

@@ -6,6 +6,7 @@ use crate::error::{Problem, QuestionError};
 use crate::names::{FAMILIES, FUNCTIONS, Subject, quantity_of, unknown_quantity};
 use crate::syntax::{Kind, Node};
 use arithmetic::shown;
+use models::platoon::Communication;
 
 impl Question {
     /// Names in a family are those bound before, functions, and the families.
@@ -200,6 +201,9 @@ impl Check<'_> {
         let quantity = quantity_of(own_name, self.question.subjects());
         let quantity = quantity.ok_or_else(|| at(unknown_quantity(owner, own_name, &known)))?;
         self.owner(owner, name, quantity.subject).map_err(at)?;
+        if quantity.subject == Subject::Platoon {
+            self.platoon(name).map_err(at)?;
+        }
         let optional = quantity.name == "order" && arguments.is_empty();
         let count = quantity.arguments.len();
         if !optional {
@@ -242,6 +246,31 @@ impl Check<'_> {
                 Err(Problem::Other(format!("`{name}` of which one? Write {all}")))
             }
             None => Ok(()),
+        }
+    }
+
+    /// Which platoon it is must be said once.
+    fn platoon(&self, name: &str) -> Result<(), Problem> {
+        let question = self.question;
+        let graphs = question.bounds.iter().filter(|bound| bound.domain.sort() == Some(Sort::Graph));
+        let graphs: Vec<String> = graphs.map(|bound| format!("`{}`", bound.name)).collect();
+        let other = |message: String| Err(Problem::Other(message));
+        if question.scenario().is_some() {
+            return other(format!(
+                "`{name}` is that of the gains `f` and `g` in [for], which the scenario does not have; ask about one of them"
+            ));
+        }
+        match (&graphs[..], question.sort("followers")) {
+            ([graph, ..], Some(_)) => {
+                other(format!("`followers` and {graph} both say who tracks whom; `{name}` needs one of them"))
+            }
+            ([_, _, ..], None) => {
+                other(format!("`{name}` of which one? There are the graphs {}", graphs.join(" and ")))
+            }
+            ([graph], None) if question.communication() == Communication::Front => {
+                other(format!("`communication` and {graph} both say who tracks whom; it goes with `followers`"))
+            }
+            _ => Ok(()),
         }
     }
 

@@ -203,7 +203,7 @@ fn is_alone(domain: &Domain) -> bool {
 }
 
 /// Whether a domain uses a name.
-fn mentions(domain: &Domain, name: &str) -> bool {
+pub(super) fn mentions(domain: &Domain, name: &str) -> bool {
     match domain {
         Domain::Given(_) => false,
         Domain::List(list) => list.iter().any(|(_, domain)| mentions(domain, name)),

@@ -48,6 +48,7 @@ impl Question {
             let needed = "a question has a section [holds] with a property, or a section [values]";
             return Err(head.problem(Problem::Other(needed.to_string())));
         }
+        question.check_bounds()?;
         Ok(question)
     }
 
@@ -135,7 +136,7 @@ impl Question {
             } else {
                 text_of(&entry)?
             };
-            let bound = Bound { name: Arc::from(entry.key.as_str()), domain, base };
+            let bound = Bound { name: Arc::from(entry.key.as_str()), domain, base, key_at: entry.key_at };
             self.check_domain(&bound.domain, bound.base)?;
             if bound.domain.sort().is_none() {
                 let expected = "a list of numbers, of graphs or of matrices";

@@ -9,8 +9,11 @@ use crate::error::Problem;
 use crate::failure::Failure;
 use crate::number::Number;
 use crate::timeline::Measured;
-use algebra::spectrum::Polynomial;
-use arithmetic::{ArithmeticError, Complex, Interval, Rational, Real, Ring, Sign, Signed, rational, shown};
+use algebra::matrix::SparseMatrix;
+use algebra::spectrum::{Polynomial, matrix_spectrum};
+use arithmetic::{
+    ArithmeticError, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, rational, shown,
+};
 use models::platoon::vector_form::motion_matrix;
 use models::platoon::{
     Communication, CommunicationGraph, Gains, Resonance, ResonanceError, amplitude_one_sided, amplitude_two_sided,
@@ -83,6 +86,13 @@ impl PlatoonSubject {
         let graph = tracked(&graph)?;
         let followers = graph.followers() as u64;
         Ok(PlatoonSubject { followers: (followers, followers), communication, graph: Some(graph), f, g })
+    }
+
+    /// Whether a quantity is enclosed for no box of gains, however small.
+    pub fn is_of_points_only(&self, name: &str) -> bool {
+        self.is_box()
+            && (name == "peak_frequency"
+                || name == "abscissa" && self.graph.is_none() && self.both_negative() == Some(false))
     }
 
     /// Whether gains are intervals.
@@ -271,10 +281,35 @@ impl PlatoonSubject {
         found.map_err(|error| open(&error))
     }
 
+    /// The abscissa over a box of gains: a mode for each eigenvalue of the reduced Laplacian.
+    fn abscissa_of_box(&self, graph: &CommunicationGraph, precision: u32) -> Result<Interval, Failure> {
+        let gains = self.gains(precision);
+        let unclosed = |why: String| Failure::open(format!("the abscissa could not be enclosed: {why}"), None);
+        let reduced = graph.reduced_laplacian().map_err(|error| refused(error.to_string()))?;
+        let rows = reduced.to_rows();
+        let entries =
+            rows.into_iter().enumerate().flat_map(|(i, row)| row.into_iter().enumerate().map(move |(j, x)| (i, j, x)));
+        let spectrum = matrix_spectrum(&SparseMatrix::from_entries(reduced.rows(), entries), None)
+            .map_err(|error| unclosed(error.to_string()))?;
+        let mut largest: Option<Interval> = None;
+        for part in &spectrum.eigenvalues {
+            let (re, im) = (part.re.with_precision(precision), part.im.with_precision(precision));
+            let own = largest_real_part(&re, &im, &gains).map_err(|error| unclosed(error.to_string()))?;
+            largest = Some(match largest {
+                None => own,
+                Some(before) => {
+                    let end = |a: &Dyadic, b: &Dyadic| a.max(b).clone();
+                    Interval::between(end(before.lo(), own.lo()), end(before.hi(), own.hi()), precision)
+                }
+            });
+        }
+        largest.ok_or_else(|| unclosed("there is no follower".to_string()))
+    }
+
     fn abscissa(&self, precision: u32) -> Result<Interval, Failure> {
         if let Some(graph) = &self.graph {
             if self.is_box() {
-                return Err(Failure::open("on a graph the abscissa is enclosed for single gains only", None));
+                return self.abscissa_of_box(graph, precision + 16);
             }
             let found = characteristic(graph, &self.f.0, &self.g.0)?.abscissa(precision.min(MOST_BITS));
             return found.ok_or_else(|| Failure::open("the abscissa could not be enclosed", None));
@@ -292,6 +327,22 @@ impl PlatoonSubject {
             Communication::Front => rate(1)?,
         })
     }
+}
+
+/// The largest real part of the two roots of `z² = lambda (f + g z)`: `(Re(lambda g) + Re sqrt(lambda² g² + 4 lambda f))/2`, where
+/// `Re sqrt(w) = sqrt((|w| + Re w)/2)`.
+fn largest_real_part(re: &Interval, im: &Interval, gains: &Gains<Interval>) -> Result<Interval, ArithmeticError> {
+    let lambda = Complex { re: re.clone(), im: im.clone() };
+    let scaled = |z: &Complex<Interval>, by: &Interval| Complex { re: z.re.clone() * by, im: z.im.clone() * by };
+    let through = scaled(&lambda, &gains.g);
+    let four = re.integer(4);
+    let under = through.clone() * &through + scaled(&lambda, &(gains.f.clone() * &four));
+    let half = re.integer(2).recip()?;
+    let sum = (under.norm_squared().sqrt()? + &under.re) * &half;
+    // It is not negative, whatever rounding says.
+    let zero = Dyadic::zero();
+    let sum = Interval::between(sum.lo().clone().max(zero.clone()), sum.hi().clone().max(zero), sum.precision());
+    Ok((through.re + &sum.sqrt()?) * &half)
 }
 
 /// Who tracks whom: the arcs of the graph with their shares, vertex 1 the leader.

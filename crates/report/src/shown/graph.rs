@@ -10,8 +10,8 @@ use maud::{Markup, html};
 const DRAWN: usize = 120;
 const NUMBERED: usize = 40;
 
-/// The eigenvalues as a table and as points, and the graph.
-pub fn spectrum(graph: &WeightedGraph, spectrum: &Spectrum) -> String {
+/// The eigenvalues as a table and as points, and the graph, drawn with arcs where it is `directed`.
+pub fn spectrum(graph: &WeightedGraph, directed: bool, spectrum: &Spectrum) -> String {
     let digits = match spectrum.method {
         Method::Certified => 17,
         _ => 20,
@@ -28,7 +28,7 @@ pub fn spectrum(graph: &WeightedGraph, spectrum: &Spectrum) -> String {
         p { (spectrum.order) " eigenvalues, " (spectrum.method.name()) ": " (spectrum.reason) }
         (table("Eigenvalues", &["multiplicity", "eigenvalue"], &rows))
         (picture(&points(spectrum), "spectrum", "The eigenvalues in the complex plane."))
-        (drawn(graph.order(), &arcs, !graph.is_undirected()))
+        (drawn(graph.order(), &arcs, directed))
     };
     shown.into_string()
 }

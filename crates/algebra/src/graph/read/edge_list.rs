@@ -1,7 +1,7 @@
 //! Edge lists: of one's own, and as networkx writes them.
 
-use super::{Entries, GraphFile, GraphReadError, MOST_VERTICES, integer, weight};
-use crate::graph::WeightedGraph;
+use super::{GraphFile, GraphReadError, MOST_VERTICES, add, integer, weight};
+use crate::graph::{ArcList, WeightedGraph};
 use arithmetic::{Rational, rational, shown};
 use std::collections::HashMap;
 
@@ -17,7 +17,7 @@ enum Vertices {
 
 /// Reads an edge list whose numbers start at `first`.
 pub(super) fn read(text: &str, first: usize) -> Result<GraphFile, GraphReadError> {
-    let mut entries = Entries::default();
+    let mut entries = ArcList::default();
     let (mut directed, mut announced, mut largest) = (false, None, 0);
     let mut vertices = Vertices::Unknown;
     for (k, whole) in text.lines().enumerate() {
@@ -26,8 +26,8 @@ pub(super) fn read(text: &str, first: usize) -> Result<GraphFile, GraphReadError
         let words: Vec<&str> = content.split([' ', '\t', ',', ';', '\r']).filter(|word| !word.is_empty()).collect();
         match words[..] {
             [] if data.is_none() => {}
-            ["directed"] if entries.list.is_empty() => directed = true,
-            ["vertices", number] if entries.list.is_empty() => {
+            ["directed"] if entries.is_empty() => directed = true,
+            ["vertices", number] if entries.is_empty() => {
                 announced = Some(integer(number, line, 1, MOST_VERTICES)?);
             }
             [from, to] | [from, to, _] if words.len() == 2 || data.is_none() => {
@@ -42,7 +42,7 @@ pub(super) fn read(text: &str, first: usize) -> Result<GraphFile, GraphReadError
                     (None, Some(data)) => weight_of(data, line)?,
                     (None, None) => rational(1, 1),
                 };
-                entries.add((i, j), value, !directed, line)?;
+                add(&mut entries, (i, j), value, !directed, line)?;
                 largest = largest.max(i).max(j);
             }
             _ => {
@@ -57,7 +57,7 @@ pub(super) fn read(text: &str, first: usize) -> Result<GraphFile, GraphReadError
         labels.extend((labels.len() + 1..=order).map(|k| k.to_string()));
         labels
     });
-    Ok(GraphFile { graph: WeightedGraph::from_arcs(order, entries.list), labels })
+    Ok(GraphFile { graph: WeightedGraph::from_arcs(order, entries.into_arcs()), directed, labels })
 }
 
 /// A line without the dictionary at its end, and what stands in the dictionary.

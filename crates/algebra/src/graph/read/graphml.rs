@@ -1,7 +1,7 @@
 //! GraphML: nodes, edges, and the weights of edges.
 
-use super::{Entries, GraphFile, GraphReadError, MOST_VERTICES, weight};
-use crate::graph::WeightedGraph;
+use super::{GraphFile, GraphReadError, MOST_VERTICES, add, weight};
+use crate::graph::{ArcList, WeightedGraph};
 use arithmetic::{rational, shown};
 use roxmltree::{Document, Node};
 use std::collections::HashMap;
@@ -38,8 +38,9 @@ pub(super) fn read(text: &str) -> Result<GraphFile, GraphReadError> {
         }
         labels.push(id.to_string());
     }
-    let mut entries = Entries::default();
+    let mut entries = ArcList::default();
     let directed_by_default = graph.attribute("edgedefault") == Some("directed");
+    let mut any_directed = directed_by_default;
     for edge in graph.children().filter(named("edge")) {
         let line = line_of(edge);
         let end = |name: &str| {
@@ -56,7 +57,9 @@ pub(super) fn read(text: &str) -> Result<GraphFile, GraphReadError> {
             None => rational(1, 1),
         };
         let directed = edge.attribute("directed").map_or(directed_by_default, |word| word == "true");
-        entries.add((from, to), value, !directed, line)?;
+        any_directed |= directed;
+        add(&mut entries, (from, to), value, !directed, line)?;
     }
-    Ok(GraphFile { graph: WeightedGraph::from_arcs(labels.len(), entries.list), labels: Some(labels) })
+    let graph = WeightedGraph::from_arcs(labels.len(), entries.into_arcs());
+    Ok(GraphFile { graph, directed: any_directed, labels: Some(labels) })
 }

@@ -1,12 +1,12 @@
 //! Matrix Market, coordinate form.
 
-use super::{Entries, GraphReadError, MOST_VERTICES, integer, weight};
-use crate::graph::WeightedGraph;
+use super::{GraphFile, GraphReadError, MOST_VERTICES, add, integer, weight};
+use crate::graph::ArcList;
 use crate::matrix::SparseMatrix;
 use arithmetic::{rational, shown};
 
 /// Reads a file that begins with `%%`.
-pub(super) fn read(text: &str) -> Result<WeightedGraph, GraphReadError> {
+pub(super) fn read(text: &str) -> Result<GraphFile, GraphReadError> {
     let mut lines = text.lines().enumerate().map(|(k, line)| (k + 1, line));
     let header = lines.next().map(|(_, line)| line).unwrap_or_default();
     let words: Vec<String> = header.split_whitespace().map(str::to_lowercase).collect();
@@ -35,7 +35,7 @@ pub(super) fn read(text: &str) -> Result<WeightedGraph, GraphReadError> {
         return Err(GraphReadError::NotSquare { line, rows, cols });
     }
     let announced = integer(announced, line, 0, rows.saturating_mul(cols))?;
-    let mut entries = Entries::default();
+    let mut entries = ArcList::default();
     for (line, entry) in lines {
         let words: Vec<&str> = entry.split_whitespace().collect();
         let (i, j, value) = match (&words[..], pattern) {
@@ -50,11 +50,12 @@ pub(super) fn read(text: &str) -> Result<WeightedGraph, GraphReadError> {
         if symmetric && i < j {
             return Err(GraphReadError::AboveDiagonal(line));
         }
-        entries.add((i, j), value, symmetric, line)?;
+        add(&mut entries, (i, j), value, symmetric, line)?;
     }
-    let found = entries.lines.len();
+    let found = entries.len();
     if found != announced {
         return Err(GraphReadError::EntryCount { announced, found });
     }
-    Ok(SparseMatrix::from_entries(rows, entries.list).into())
+    let graph = SparseMatrix::from_entries(rows, entries.into_arcs()).into();
+    Ok(GraphFile { graph, directed: !symmetric, labels: None })
 }

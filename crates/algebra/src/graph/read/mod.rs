@@ -14,9 +14,8 @@ mod edge_list;
 mod graphml;
 mod matrix_market;
 
-use super::WeightedGraph;
+use super::{ArcList, WeightedGraph};
 use arithmetic::{NumberError, Rational, parse_rational, shown};
-use std::collections::BTreeMap;
 
 /// Most vertices that are read.
 const MOST_VERTICES: usize = 1 << 20;
@@ -140,6 +139,8 @@ pub enum GraphReadError {
 pub struct GraphFile {
     /// The graph.
     pub graph: WeightedGraph,
+    /// Whether the file declares arcs: an edge list by `directed`, Matrix Market by `general`, GraphML by any directed edge.
+    pub directed: bool,
     /// Names of the vertices in their order, where the file has names and not numbers.
     pub labels: Option<Vec<String>>,
 }
@@ -169,7 +170,7 @@ pub fn read_graph(text: &str) -> Result<WeightedGraph, GraphReadError> {
 pub fn read_graph_file(text: &str, zero_based: bool) -> Result<GraphFile, GraphReadError> {
     let start = text.trim_start();
     let file = if start.starts_with("%%") {
-        GraphFile { graph: matrix_market::read(start)?, labels: None }
+        matrix_market::read(start)?
     } else if start.starts_with('<') {
         graphml::read(text)?
     } else {
@@ -188,25 +189,14 @@ fn weight(word: &str, line: usize) -> Result<Rational, GraphReadError> {
     parse_rational(word).map_err(|error| GraphReadError::Weight { line, error })
 }
 
-/// Entries with the lines where they stand.
-#[derive(Default)]
-struct Entries {
-    lines: BTreeMap<(usize, usize), usize>,
-    list: Vec<(usize, usize, Rational)>,
-}
-
-impl Entries {
-    /// Adds an entry, counted from 1, and its mirror image where `both`.
-    fn add(&mut self, place: (usize, usize), value: Rational, both: bool, line: usize) -> Result<(), GraphReadError> {
-        let (row, column) = place;
-        let key = if both { (row.min(column), row.max(column)) } else { place };
-        if let Some(first) = self.lines.insert(key, line) {
-            return Err(GraphReadError::Repeated { line, first, row, column });
-        }
-        if both && row != column {
-            self.list.push((column - 1, row - 1, value.clone()));
-        }
-        self.list.push((row - 1, column - 1, value));
-        Ok(())
-    }
+/// Adds an entry, counted from 1, with its line, and its mirror image where `both`.
+fn add(
+    entries: &mut ArcList<usize>,
+    (row, column): (usize, usize),
+    value: Rational,
+    both: bool,
+    line: usize,
+) -> Result<(), GraphReadError> {
+    let added = entries.add((row - 1, column - 1), value, both, line);
+    added.map_err(|first| GraphReadError::Repeated { line, first, row, column })
 }

@@ -34,7 +34,7 @@ pub(super) fn resonance(_: Texts) -> Case {
 pub(super) fn spectrum(_: Texts) -> Case {
     let graph = NamedGraph::Ring(12);
     let spectrum = named_spectrum(&graph, LaplacianKind::Combinatorial, None).map_err(failed)?;
-    Ok(shown::spectrum(&graph.build().map_err(failed)?, &spectrum))
+    Ok(shown::spectrum(&graph.build().map_err(failed)?, graph.is_directed(), &spectrum))
 }
 
 pub(super) fn flock(_: Texts) -> Case {
