@@ -74,7 +74,7 @@ impl Certified {
 }
 
 /// A number between its ends, one above the other.
-fn enclosed(name: &str, (lo, hi): (String, String)) -> String {
+pub(super) fn enclosed(name: &str, (lo, hi): (String, String)) -> String {
     let beside = 16 + lo.len().max(hi.len()) < output::width();
     let (before, indent) = if beside { (format!("{name:<10} in"), 16) } else { (format!("{name} in\n "), 3) };
     format!("{before} [{lo},\n{:indent$}{hi}]\n", "")

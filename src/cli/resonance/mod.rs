@@ -2,6 +2,7 @@
 
 mod certified;
 mod network;
+mod peak;
 mod state;
 mod sweep;
 
@@ -16,8 +17,8 @@ use std::process::ExitCode;
 #[derive(clap::Args)]
 #[command(
     after_help = "Frequencies are in radians per unit of time, amplitudes are those of a car for a leader that swings with amplitude 1. Without --graph, or with \
-front-and-back, equal gains and the last car, the resonance is certified, for up to 10^12 followers. For other graphs the peak is searched \
-in floating point; up to 64 followers the amplitude at the frequency found is enclosed, up to 20 stability is decided exactly.\n\n\
+front-and-back, equal gains and the last car, the resonance is certified, for up to 10^12 followers. For other graphs stability is decided and the \
+peak is certified for up to 100 followers, for --state up to 200 states; beyond, the peak is searched in floating point, and the output says so.\n\n\
 An edge i j of a graph says that car i keeps track of car j; what it tracks is weighted to a sum of one. The leader is the vertex `leader` or the \
 first one, or that of --from.\n\n\
 Examples:\n  flockproof resonance --followers 128 --f -1 --g -1\n  flockproof resonance --followers 1000000000 --f=-1/2 --g=-3 --digits 12 --json\n  \

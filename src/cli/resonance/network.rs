@@ -1,15 +1,15 @@
 //! A platoon on any communication graph, with gains for each car: its peak, stability, margins and state matrices.
 
 use super::super::{CliError, output, progress, spectrum};
+use super::peak::Found;
 use super::{Arguments, followers};
-use flockproof::arithmetic::{ArithmeticError, Complex, Interval, Rational, decimals};
+use flockproof::arithmetic::{ArithmeticError, Complex, Rational, Unwatched};
 use flockproof::graph::{NamedGraph, WeightedGraph};
 use flockproof::matrix::{RationalMatrix, SparseMatrix};
 use flockproof::platoon::growth::peak_of_car;
 use flockproof::platoon::margins::{Margins, margins, margins_of_cars};
-use flockproof::platoon::observe::Extreme;
-use flockproof::platoon::vector_form::{self, motion_rows_of_cars};
-use flockproof::platoon::{Communication, CommunicationGraph, Gains};
+use flockproof::platoon::vector_form::motion_rows_of_cars;
+use flockproof::platoon::{Communication, CommunicationGraph, Gains, peak_on_graph};
 use flockproof::report::{NamedMatrix, Provenance, matrix_files};
 use flockproof::spectrum::matrix_spectrum;
 use num_traits::{Signed, ToPrimitive};
@@ -19,16 +19,12 @@ use std::process::ExitCode;
 
 /// Most followers: a response costs their number times the square of how far they look.
 const MOST: u64 = 2000;
-/// Most followers of which the amplitude is enclosed; the cost grows like their cube.
-const MOST_ENCLOSED: usize = 64;
-/// Most followers of which stability is decided exactly.
-const MOST_EXACT: usize = 20;
+/// Most followers of which the peak is enclosed over all frequencies; the cost grows like the fourth power of their number.
+const MOST_PROVED: usize = 100;
 /// Most followers of which the margins are computed.
 const MOST_MARGINS: usize = 400;
 /// Most followers with gains of their own of which the margins are computed.
 const MOST_OWN_MARGINS: usize = 12;
-/// Bits of enclosures.
-const PRECISION: u32 = 192;
 
 /// A platoon with the car that is looked at.
 pub(super) struct Platoon {
@@ -38,6 +34,15 @@ pub(super) struct Platoon {
     leader: String,
     name: String,
     file: Option<Value>,
+    /// For a line of cars, whom they track.
+    line: Option<Communication>,
+}
+
+impl Platoon {
+    /// Whether peaks are proved for so many followers.
+    pub fn is_proved(&self) -> bool {
+        self.graph.followers() <= MOST_PROVED
+    }
 }
 
 /// The platoon of the arguments.
@@ -66,7 +71,7 @@ pub(super) fn platoon(arguments: &Arguments) -> Result<Platoon, CliError> {
     let car = to.map_or(Some(graph.followers()), |word| word.parse().ok());
     let car = car.filter(|car| (1..=graph.followers()).contains(car));
     let car = car.ok_or_else(|| CliError::Use(format!("--to: there are the followers 1 to {count}")))?;
-    Ok(Platoon { graph, car, leader: "0".to_string(), name: car.to_string(), file: None })
+    Ok(Platoon { graph, car, leader: "0".to_string(), name: car.to_string(), file: None, line: Some(communication) })
 }
 
 /// The platoon of a named graph or of a file.
@@ -108,7 +113,7 @@ fn on_a_graph(arguments: &Arguments) -> Result<Platoon, CliError> {
     }
     let graph = behind(&weighted, leader).map_err(|error| CliError::Use(format!("--graph: {error}")))?;
     let place = car + usize::from(car < leader);
-    Ok(Platoon { graph, car: place, leader: called(leader), name: called(car), file })
+    Ok(Platoon { graph, car: place, leader: called(leader), name: called(car), file, line: None })
 }
 
 /// Each vertex but the leader follows those that its arcs lead to, weighted to a sum of one.
@@ -122,13 +127,6 @@ fn behind(graph: &WeightedGraph, leader: usize) -> Result<CommunicationGraph, fl
         arcs.iter().map(|(to, weight)| (agent(*to), share(weight))).collect()
     };
     CommunicationGraph::new((0..graph.order()).filter(|&vertex| vertex != leader).map(row).collect())
-}
-
-/// What is known of the response.
-pub(super) struct Found {
-    pub peak: Extreme,
-    /// Encloses the amplitude at the frequency of the peak.
-    pub amplitude: Option<(String, String)>,
 }
 
 /// One pair of gains for each follower, below zero.
@@ -149,36 +147,34 @@ fn floats(gains: &[Gains<Rational>]) -> Vec<Gains<f64>> {
     gains.iter().map(|gains| gains.map(|q| q.to_f64().unwrap_or(f64::NAN))).collect()
 }
 
-/// The peak of the car, and its amplitude there.
+/// The peak of the car: with proof, or searched among more followers.
 pub(super) fn response(platoon: &Platoon, gains: &[Gains<Rational>], digits: u32) -> Result<Found, CliError> {
-    let refuse = |error: ArithmeticError| CliError::Use(format!("no peak was found: {error}"));
     if !platoon.graph.reached_by_leader()[platoon.car] {
         let (leader, car) = (&platoon.leader, &platoon.name);
         return Err(CliError::Use(format!("the leader {leader} does not reach car {car}, which stays at rest")));
     }
+    let followers = platoon.graph.followers();
+    if platoon.is_proved() {
+        return Found::proved(peak_on_graph(&platoon.graph, gains, platoon.car, digits, &Unwatched));
+    }
+    let refuse = |error: ArithmeticError| CliError::Use(format!("no peak was found: {error}"));
     let found = peak_of_car(&platoon.graph, &floats(gains), platoon.car).map_err(refuse)?;
     let peak = found.ok_or_else(|| {
         CliError::Use("a mode is too slow for floats, or some followers are not reached by the leader".to_string())
     })?;
-    let enclosed = || -> Option<(String, String)> {
-        let w = Interval::from_rational(&Rational::from_float(peak.at)?, PRECISION);
-        let gains: Vec<Gains<Interval>> =
-            gains.iter().map(|gains| gains.map(|q| Interval::from_rational(q, PRECISION))).collect();
-        let all = platoon.graph.response_of_cars(&gains, &w).ok()?;
-        let size = all.get(platoon.car - 1)?.norm_squared();
-        flockproof::arithmetic::Real::sqrt(&size).ok().map(|size| decimals(&size, digits + 3))
-    };
-    let small = platoon.graph.followers() <= MOST_ENCLOSED;
-    Ok(Found { peak, amplitude: if small { enclosed() } else { None } })
+    let how = format!(
+        "48 frequencies for each factor of 10 and around the slowest mode, in floating point ({followers} followers are more than the {MOST_PROVED} \
+         of which the peak is proved)"
+    );
+    Ok(Found::Searched { peak, how })
 }
 
-/// Whether all motions of the followers behind a resting leader die out; nothing for more than a few followers.
-fn is_stable(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Option<bool> {
-    if gains.len() > MOST_EXACT {
-        return None;
+/// Whether a line of cars is stable, as the paper proves for negative gains: behind the front car alone, or with equal gains (Lemma 1).
+fn is_stable_line(platoon: &Platoon, gains: &[Gains<Rational>]) -> Option<bool> {
+    match platoon.line? {
+        Communication::Front => Some(true),
+        Communication::FrontAndBack => gains.iter().all(|other| *other == gains[0]).then_some(true),
     }
-    let motion = RationalMatrix::from_rows(&motion_rows_of_cars(reduced, |k| &gains[k])).ok()?;
-    vector_form::is_stable(&motion).ok()
 }
 
 /// The margins.
@@ -218,20 +214,6 @@ fn state_matrices(platoon: &Platoon, reduced: &RationalMatrix, gains: &[Gains<Ra
     ]
 }
 
-/// A peak in words, with its enclosed amplitude and stability where they are known.
-pub(super) fn peak_text(peak: &Extreme, amplitude: Option<&(String, String)>, stable: Option<bool>) -> String {
-    let mut text = format!("peak found in floating point: omega ~ {:?},\n  amplitude ~ {:?}\n", peak.at, peak.value);
-    if let Some((lo, hi)) = amplitude {
-        text += &format!("amplitude at exactly this omega in [{lo},\n                                   {hi}]\n");
-    }
-    match stable {
-        Some(true) => text += "stable: every motion behind a resting leader dies out (decided exactly)\n",
-        Some(false) => text += "NOT stable: some motion behind a resting leader does not die out (decided exactly)\n",
-        None => {}
-    }
-    text
-}
-
 pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode, CliError> {
     let platoon = platoon(arguments)?;
     let gains = of_cars(given, platoon.graph.followers())?;
@@ -241,7 +223,10 @@ pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode,
     bar.finish_and_clear();
     let found = found?;
     let reduced = platoon.graph.reduced_laplacian().map_err(|error| CliError::Use(error.to_string()))?;
-    let (stable, margins) = (is_stable(&reduced, &gains), margins_of(&reduced, &gains));
+    let stable = found.stable().or_else(|| is_stable_line(&platoon, &gains));
+    let margins = margins_of(&reduced, &gains);
+    // The phase by which an unstable platoon could be turned means nothing.
+    let margins = margins.map(|m| Margins { phase: m.phase.filter(|_| stable != Some(false)), ..m });
     let list =
         |value: fn(&Gains<Rational>) -> &Rational| given.iter().map(|g| value(g).to_string()).collect::<Vec<_>>();
     let (f, g) = (list(|gains| &gains.f), list(|gains| &gains.g));
@@ -259,13 +244,9 @@ pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode,
         files.iter().try_for_each(|file| output::write_file(&folder.join(&file.name), &file.contents))?;
     }
     if arguments.json {
-        let amplitude = found.amplitude.as_ref().map(|(lo, hi)| json!({"lo": lo, "hi": hi}));
         output::print_json(&provenance.stamp(json!({
             "graph": arguments.graph, "followers": gains.len(), "from": platoon.leader, "to": platoon.name, "f": f, "g": g,
-            "peak": {
-                "omega": format!("~{:?}", found.peak.at), "amplitude": format!("~{:?}", found.peak.value),
-                "amplitude_at_omega": amplitude, "grade": "simulated",
-            },
+            "peak": found.document(arguments.digits),
             "stable": stable,
             "margins": margins.map(|m| json!({
                 "phase": m.phase.map(|phase| format!("~{phase:?}")), "critical_factor": m.critical_factor.map(|k| format!("~{k:?}")),
@@ -275,8 +256,8 @@ pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode,
     }
     let (followers, graph) = (gains.len(), &arguments.graph);
     let word = if followers == 1 { "follower" } else { "followers" };
-    let mut text = format!("{followers} {word} on {graph}, leader {}, car {}\n", platoon.leader, platoon.name);
-    text += &peak_text(&found.peak, found.amplitude.as_ref(), stable);
+    let head = format!("{followers} {word} on {graph}, leader {}, car {}", platoon.leader, platoon.name);
+    let mut text = found.text(&head, arguments.digits, stable);
     if let Some(margins) = margins {
         let factor = margins.critical_factor.map_or("at no common factor of the gains".to_string(), |k| {
             format!("where the gains are multiplied by {k:.6}")
@@ -284,6 +265,6 @@ pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode,
         let phase = margins.phase.map_or("none".to_string(), |phase| format!("~ {phase:.6} rad"));
         text += &format!("phase margin {phase}; on the verge {factor}\n");
     }
-    output::print(&text)?;
+    output::print_folded(&text)?;
     Ok(ExitCode::SUCCESS)
 }

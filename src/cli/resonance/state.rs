@@ -2,7 +2,9 @@
 
 use super::super::{CliError, output, progress};
 use super::Arguments;
-use flockproof::arithmetic::{ArithmeticError, Interval, Rational, Real, decimals, parse_rational};
+use super::peak::Found;
+use flockproof::arithmetic::{Rational, Unwatched, parse_rational};
+use flockproof::platoon::peak_of_system;
 use flockproof::platoon::state_space::StateSpace;
 use flockproof::report::{Provenance, digest};
 use serde_json::{Map, Value, json};
@@ -11,10 +13,8 @@ use std::process::ExitCode;
 
 /// Most states; a frequency costs their cube.
 const MOST_STATES: usize = 400;
-/// Most states of which the amplitude is enclosed and stability is decided exactly.
-const MOST_EXACT: usize = 40;
-/// Bits of enclosures.
-const PRECISION: u32 = 192;
+/// Most states of which the peak is enclosed over all frequencies.
+const MOST_PROVED: usize = 200;
 
 type Rows = Vec<Vec<Rational>>;
 
@@ -77,6 +77,20 @@ fn from_npy(bytes: &[u8]) -> Result<Rows, String> {
     (0..*rows).map(|i| (0..*columns).map(|j| number(i, j)).collect()).collect()
 }
 
+/// The peak with proof, or searched among more states.
+fn found(system: &StateSpace, digits: u32) -> Result<Found, String> {
+    if system.states() <= MOST_PROVED {
+        return Found::proved(peak_of_system(system, digits, &Unwatched)).map_err(|error| error.to_string());
+    }
+    let peak = system.searched_peak().map_err(|error| format!("the response does not exist: {error}"))?;
+    let how = format!(
+        "48 frequencies for each factor of 10 and around each eigenvalue, in floating point ({} states are more than the {MOST_PROVED} of which the \
+         peak is proved)",
+        system.states()
+    );
+    Ok(Found::Searched { peak, how })
+}
+
 pub fn run(arguments: &Arguments, folder: &Path) -> Result<ExitCode, CliError> {
     if !folder.is_dir() {
         return Err(CliError::file(folder, "there is no such folder with A.csv, B.csv and C.csv, or .npy"));
@@ -98,33 +112,21 @@ pub fn run(arguments: &Arguments, folder: &Path) -> Result<ExitCode, CliError> {
     }
     let system = StateSpace::new(&a, &b, &c, d.as_deref()).map_err(|error| refuse(&error))?;
     let bar = progress::spinner("searching the peak");
-    let peak = system.peak();
-    let small = system.states() <= MOST_EXACT;
-    let stable = if small { system.is_stable() } else { None };
+    let found = found(&system, arguments.digits);
     bar.finish_and_clear();
-    let peak = peak.map_err(|error: ArithmeticError| refuse(&format!("the response does not exist: {error}")))?;
-    let enclosed = || -> Option<(String, String)> {
-        let w = Interval::from_rational(&Rational::from_float(peak.at)?, PRECISION);
-        let size = system.response(&w).ok()?.norm_squared();
-        Real::sqrt(&size).ok().map(|size| decimals(&size, arguments.digits + 3))
-    };
-    let amplitude = if small { enclosed() } else { None };
+    let found = found.map_err(|why| refuse(&why))?;
     let configuration = json!({"command": "resonance", "state": origins, "digits": arguments.digits});
     let provenance = Provenance::new("flockproof.state-response/1", None, configuration);
     if arguments.json {
         return output::print_json(&provenance.stamp(json!({
             "states": system.states(), "inputs": b[0].len(),
-            "peak": {
-                "omega": format!("~{:?}", peak.at), "amplitude": format!("~{:?}", peak.value),
-                "amplitude_at_omega": amplitude.map(|(lo, hi)| json!({"lo": lo, "hi": hi})), "grade": "simulated",
-            },
-            "stable": stable,
+            "peak": found.document(arguments.digits),
+            "stable": found.stable(),
         })))
         .map(|()| ExitCode::SUCCESS);
     }
     let input = if b[0].len() == 2 { "position and velocity" } else { "position" };
-    let mut text = format!("{} states, the leader's {input} as input\n", system.states());
-    text += &super::network::peak_text(&peak, amplitude.as_ref(), stable);
-    output::print(&text)?;
+    let head = format!("{} states, the leader's {input} as input", system.states());
+    output::print_folded(&found.text(&head, arguments.digits, None))?;
     Ok(ExitCode::SUCCESS)
 }

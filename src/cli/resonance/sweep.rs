@@ -55,20 +55,18 @@ fn grid(arguments: &Arguments) -> Result<Vec<Gains<Rational>>, CliError> {
     Ok(f.iter().flat_map(|f| g.iter().map(move |g| Gains { f: f.clone(), g: g.clone() })).collect())
 }
 
-/// Frequency and amplitude of one row, each as its two ends.
-type Row = [(String, String); 2];
+/// Frequency and amplitude of one row, each as its two ends; nothing where the platoon is not stable.
+type Row = Option<[(String, String); 2]>;
 
 fn row(arguments: &Arguments, platoon: Option<&network::Platoon>, gains: &Gains<Rational>) -> Result<Row, CliError> {
     let digits = arguments.digits.min(15);
     let Some(platoon) = platoon else {
         let found =
             resonance(gains, followers(arguments)?, digits).map_err(|error| CliError::Use(error.to_string()))?;
-        return Ok([decimals(&found.omega, digits + 3), decimals(&found.amplitude, digits + 3)]);
+        return Ok(Some([decimals(&found.omega, digits + 3), decimals(&found.amplitude, digits + 3)]));
     };
     let cars = network::of_cars(std::slice::from_ref(gains), platoon.graph.followers())?;
-    let found = network::response(platoon, &cars, digits)?;
-    let float = |x: f64| (format!("~{x:?}"), format!("~{x:?}"));
-    Ok([float(found.peak.at), found.amplitude.unwrap_or_else(|| float(found.peak.value))])
+    Ok(network::response(platoon, &cars, digits)?.ends(digits))
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
@@ -92,7 +90,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if !complete {
         eprintln!("interrupted: {} of {} rows are computed", rows.len(), grid.len());
     }
-    let grade = if platoon.is_none() { "certified" } else { "simulated" };
+    let proved = platoon.as_ref().is_none_or(network::Platoon::is_proved);
+    let (grade, word) = if proved { ("certified", "certified") } else { ("simulated", "search, without proof") };
     if arguments.json {
         let configuration = json!({
             "command": "resonance", "graph": arguments.graph, "followers": arguments.followers, "from": arguments.from,
@@ -100,25 +99,22 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         });
         let provenance = Provenance::new("flockproof.resonance-sweep/1", None, configuration);
         let ends = |(lo, hi): &(String, String)| json!({"lo": lo, "hi": hi});
-        let row = |(gains, [omega, amplitude]): &(&Gains<Rational>, Row)| {
+        let row = |(gains, row): &(&Gains<Rational>, Row)| {
             let (f, g) = (gains.f.to_string(), gains.g.to_string());
-            json!({"f": f, "g": g, "omega": ends(omega), "amplitude": ends(amplitude)})
+            let [omega, amplitude] = [0, 1].map(|k| row.as_ref().map(|row| ends(&row[k])));
+            json!({"f": f, "g": g, "omega": omega, "amplitude": amplitude})
         };
         let rows: Vec<_> = rows.iter().map(row).collect();
         output::print_json(&provenance.stamp(json!({"grade": grade, "rows": rows})))?;
     } else {
         let mut text = format!(
-            "{grade}; omega and amplitude rounded down\n{:>12} {:>12} {:>22} {:>22}\n",
+            "{word}; omega and amplitude rounded down\n{:>12} {:>12} {:>22} {:>22}\n",
             "f", "g", "omega", "amplitude"
         );
-        for (gains, [omega, amplitude]) in &rows {
-            text += &format!(
-                "{:>12} {:>12} {:>22} {:>22}\n",
-                gains.f.to_string(),
-                gains.g.to_string(),
-                omega.0,
-                amplitude.0
-            );
+        for (gains, row) in &rows {
+            let (f, g) = (gains.f.to_string(), gains.g.to_string());
+            let (omega, amplitude) = row.as_ref().map_or(("-", "not stable"), |[w, a]| (&w.0, &a.0));
+            text += &format!("{f:>12} {g:>12} {omega:>22} {amplitude:>22}\n");
         }
         output::print(&text)?;
     }

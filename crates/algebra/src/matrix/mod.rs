@@ -19,6 +19,7 @@ mod solve;
 mod sparse;
 mod stabiliser;
 mod stochastic;
+mod transfer;
 
 pub use characteristic::{CharacteristicPolynomial, characteristic_coefficients};
 pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_2_squared_watched, tau_infinity};
@@ -33,6 +34,7 @@ pub use solve::{determinant_over_field, solve_over_field};
 pub use sparse::SparseMatrix;
 pub use stabiliser::{Stabiliser, StabiliserStream, stabilisers};
 pub use stochastic::StochasticMatrix;
+pub use transfer::{Transfer, transfer_function};
 
 /// Why a matrix or a product of matrices is refused. Rows and columns are counted from 1.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

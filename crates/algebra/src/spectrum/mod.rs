@@ -16,6 +16,7 @@ mod exact;
 mod float_bounds;
 mod fourier;
 mod general;
+mod largest;
 mod polynomial;
 mod recurrence;
 mod reduction;
@@ -42,6 +43,7 @@ pub use error::{
     SpectrumError,
 };
 pub use exact::real_spectrum;
+pub use largest::{Largest, LargestError, Place, largest_quotient};
 pub use polynomial::{Polynomial, RealRoot};
 pub use recurrence::{Eventual, Leading, Recurrence, RecurrenceError};
 pub use small::small_symmetric_eigenvalues;

@@ -350,6 +350,11 @@ fn isolate(
 }
 
 impl RealRoot {
+    /// The root of a polynomial that has exactly one between two numbers, neither of which is one, and changes its sign there.
+    pub(super) fn between(lo: Rational, hi: Rational) -> Self {
+        RealRoot { lo, hi }
+    }
+
     /// The enclosure.
     pub fn enclosure(&self, precision: u32) -> Interval {
         Interval::hull_of_rationals(&self.lo, &self.hi, precision)

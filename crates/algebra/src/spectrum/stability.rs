@@ -1,13 +1,29 @@
 //! Whether all roots of a real polynomial have negative real parts, decided exactly (Routh's table).
 
 use super::Polynomial;
-use arithmetic::{Rational, Ring, Sign, Signed, content};
+use arithmetic::{Interval, Rational, Ring, Sign, Signed, content};
 use num_bigint::BigInt;
+
+/// Degrees from which enclosures are tried first: exact entries have as many digits as all coefficients together.
+const LONG: usize = 24;
+
+/// Bits of these enclosures.
+const PRECISIONS: [u32; 3] = [256, 1024, 4096];
 
 impl Polynomial {
     /// Whether every complex root has a negative real part. A constant other than zero has no roots; the zero polynomial is not
-    /// stable. Cost: `degree²/2` products.
+    /// stable. Cost: `degree²/2` products, of enclosures where these tell.
     pub fn is_hurwitz(&self) -> bool {
+        // Where entries vanish, only exact ones tell.
+        let vanishes = self.coefficients().first().is_none_or(|c| c.sign() == num_bigint::Sign::NoSign);
+        if self.degree() >= LONG && !vanishes {
+            for bits in PRECISIONS {
+                let number = |c: &BigInt| Interval::from_rational(&Rational::from_integer(c.clone()), bits);
+                if let Some(stable) = routh(self.coefficients().iter().rev().map(number).collect(), |row| row) {
+                    return stable;
+                }
+            }
+        }
         let descending = self.coefficients().iter().rev().cloned().collect();
         routh(descending, without_content) == Some(true)
     }

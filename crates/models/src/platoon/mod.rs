@@ -13,7 +13,7 @@ pub mod modes;
 mod neighbourhood;
 pub mod next_order;
 pub mod observe;
-mod peak_on_graph;
+mod peak;
 mod phase;
 mod resonance;
 mod response;
@@ -27,7 +27,7 @@ pub use communication_graph::{CommunicationError, CommunicationGraph};
 pub use law::{Communication, Gains, accelerations};
 pub use modes::slowest_rate;
 pub use neighbourhood::Neighbourhood;
-pub use peak_on_graph::{GraphPeak, GraphPeakError, peak_on_graph};
+pub use peak::{Peak, PeakError, peak_of_system, peak_on_graph};
 pub use phase::{argument, phase_lag_one_sided, phase_lags_two_sided};
 pub use resonance::{
     LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, is_below_full_phase, lesser_resonance, peak_near,

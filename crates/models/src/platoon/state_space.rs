@@ -2,8 +2,9 @@
 //! written by another program.
 
 use super::observe::{Extreme, largest};
-use super::vector_form::is_stable;
-use algebra::matrix::{RationalMatrix, SparseMatrix};
+use super::vector_form::{is_stable, motion_rows_of_cars};
+use super::{CommunicationGraph, Gains};
+use algebra::matrix::{MatrixError, RationalMatrix, SparseMatrix, Transfer, transfer_function};
 use algebra::spectrum::matrix_spectrum;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring};
 
@@ -59,6 +60,45 @@ impl StateSpace {
         Ok(StateSpace { a, b: b.to_vec(), c: c[0].clone(), d })
     }
 
+    /// A platoon whose follower `k` has the gains `gains[k - 1]`: the state is `y_1, u_1, y_2, u_2, ..`, the input position and velocity of the
+    /// leader, the output the position of follower `car`, `1 <= car <= M`.
+    ///
+    /// # Errors
+    /// [`StateSpaceError`] where there are not as many gains as followers, or no such car.
+    pub fn of_platoon(
+        graph: &CommunicationGraph,
+        gains: &[Gains<Rational>],
+        car: usize,
+    ) -> Result<Self, StateSpaceError> {
+        let followers = graph.followers();
+        let wrong =
+            |name, found: usize, expected: String| StateSpaceError::Shape { name, found: found.to_string(), expected };
+        if gains.len() != followers {
+            return Err(wrong("the list of gains", gains.len(), format!("{followers}, one for each follower")));
+        }
+        if car == 0 || car > followers {
+            return Err(wrong("the car that is looked at", car, format!("a number from 1 to {followers}")));
+        }
+        let refused = |error: MatrixError| wrong("the graph", followers, error.to_string());
+        let reduced = graph.reduced_laplacian().map_err(refused)?;
+        let column = graph.leader_column().map_err(refused)?;
+        let rows = |(own, weight): (&Gains<Rational>, &Rational)| {
+            [vec![Rational::default(); 2], vec![&own.f * weight, &own.g * weight]]
+        };
+        let b: Vec<Vec<Rational>> = gains.iter().zip(&column).flat_map(rows).collect();
+        let mut c = vec![Rational::default(); 2 * followers];
+        c[2 * (car - 1)] = Rational::from_integer(1.into());
+        StateSpace::new(&motion_rows_of_cars(&reduced, |k| &gains[k]), &b, &[c], None)
+    }
+
+    /// The response to a leader `e^{st}` as a quotient of polynomials in `s`, of which the denominator has the eigenvalues of `A` as its roots.
+    ///
+    /// # Errors
+    /// Does not fail for a system that could be made.
+    pub fn transfer(&self) -> Result<Transfer, MatrixError> {
+        transfer_function(&self.a.to_rows(), &self.b, &self.c, &self.d)
+    }
+
     /// The number of states.
     pub fn states(&self) -> usize {
         self.a.rows()
@@ -103,12 +143,12 @@ impl StateSpace {
         is_stable(&self.a).ok()
     }
 
-    /// The largest modulus of the response over frequencies `w > 0`, in floating point: 48 frequencies per factor of 10 from a tenth of the
+    /// The largest modulus of the response that a search meets, without proof, over frequencies `w > 0`, in floating point: 48 frequencies per factor of 10 from a tenth of the
     /// smallest to ten times the largest modulus of an eigenvalue, and the neighbourhood of each eigenvalue, refined by golden sections.
     ///
     /// # Errors
     /// [`ArithmeticError`] where the response does not exist, or there is no eigenvalue other than 0.
-    pub fn peak(&self) -> Result<Extreme, ArithmeticError> {
+    pub fn searched_peak(&self) -> Result<Extreme, ArithmeticError> {
         let missing = || ArithmeticError::Domain("eigenvalues other than 0");
         let sparse = SparseMatrix::from_dense(&self.a).map_err(|_| missing())?;
         let spectrum = matrix_spectrum(&sparse, None).map_err(|_| missing())?;

@@ -12,12 +12,12 @@ use crate::timeline::Measured;
 use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{Polynomial, matrix_spectrum};
 use arithmetic::{
-    ArithmeticError, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, rational, shown,
+    ArithmeticError, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, Unwatched, rational, shown,
 };
 use models::platoon::vector_form::motion_matrix;
 use models::platoon::{
-    Communication, CommunicationGraph, Gains, Resonance, ResonanceError, amplitude_one_sided, amplitude_two_sided,
-    gain_squared_one_sided, growth, peak_on_graph, resonance, slowest_rate, strongest_one_sided_square,
+    Communication, CommunicationGraph, Gains, PeakError, Resonance, ResonanceError, amplitude_one_sided,
+    amplitude_two_sided, gain_squared_one_sided, peak_on_graph, resonance, slowest_rate, strongest_one_sided_square,
 };
 use num_traits::ToPrimitive;
 
@@ -37,9 +37,6 @@ const MOST_BITS: u32 = 64;
 
 /// Most followers whose response is solved on a graph.
 const MOST_ON_GRAPH: usize = 64;
-
-/// Most followers on a graph whose peak is enclosed over all frequencies.
-const MOST_WITH_PEAK: usize = 16;
 
 fn refused(message: impl Into<String>) -> Failure {
     Failure::Refused(0, Problem::Other(message.into()))
@@ -194,26 +191,20 @@ impl PlatoonSubject {
         Ok((w, most.hull(&least)))
     }
 
-    /// The peak over all frequencies on any graph.
+    /// The peak of the last car over all frequencies on any graph.
     fn peak_of_graph(&self, graph: &CommunicationGraph, precision: u32) -> Result<(Interval, Interval), Failure> {
-        let float = |q: &Rational| q.to_f64().unwrap_or(f64::NAN);
-        let open = |why: String| {
-            let gains = Gains { f: float(&self.f.0), g: float(&self.g.1) };
-            let found = growth::peak(graph, &gains).ok().flatten();
-            let seen = found.map_or(String::new(), |peak| format!("; floats find {:.6} there", peak.value));
-            Failure::open(format!("the peak over all frequencies {why}{seen}"), None)
-        };
-        if graph.followers() > MOST_WITH_PEAK {
-            return Err(open(format!("is enclosed for at most {MOST_WITH_PEAK} followers on this graph")));
-        }
         match self.stable()? {
             Measured::Truth(true) => {}
             _ => return Err(refused("the platoon is not stable, so that it has no peak")),
         }
+        let digits = ((f64::from(precision) * std::f64::consts::LOG10_2) as u32).max(5);
         self.between_corners(|gains, _| {
-            let found = peak_on_graph(graph, gains, precision);
-            let found = found.map_err(|error| open(format!("is not enclosed: {error}")))?;
-            Ok((found.omega, found.amplitude))
+            let cars = vec![gains.clone(); graph.followers()];
+            let found = peak_on_graph(graph, &cars, graph.followers(), digits, &Unwatched);
+            let open = |error: PeakError| Failure::open(format!("the peak over all frequencies: {error}"), None);
+            let found = found.map_err(open)?;
+            let zero = Interval::from_rational(&rational(0, 1), precision);
+            Ok((found.omega.unwrap_or(zero), found.amplitude))
         })
     }
 

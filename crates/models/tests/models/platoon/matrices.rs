@@ -52,7 +52,7 @@ fn peaks_of_swinging_systems_are_known() {
         let float = |q: &Rational| num_traits::ToPrimitive::to_f64(q).unwrap();
         let a = vec![vec![rational(0, 1), rational(1, 1)], vec![-&k, -&d]];
         let b = vec![vec![rational(0, 1)], vec![k.clone()]];
-        let found = StateSpace::new(&a, &b, &rows(&[&[1, 0]]), None).unwrap().peak().unwrap();
+        let found = StateSpace::new(&a, &b, &rows(&[&[1, 0]]), None).unwrap().searched_peak().unwrap();
         let (k, d) = (float(&k), float(&d));
         let (value, at) = (k / (d * (k - 0.25 * d * d).sqrt()), (k - 0.5 * d * d).sqrt());
         assert!((found.value / value - 1.0).abs() < 1e-9, "{k} {d}: {found:?} {value}");
@@ -63,7 +63,7 @@ fn peaks_of_swinging_systems_are_known() {
         let mut a = rows(&[&[0, 1, 0, 0], &[-1, 0, 0, 0], &[0, 0, 0, 1], &[0, 0, -10_000, 0]]);
         (a[1][1], a[3][3]) = (rational(-1, 100), rational(-q.0, q.1));
         let b = rows(&[&[0], &[1], &[0], &[10_000]]);
-        let found = StateSpace::new(&a, &b, &rows(&[&[1, 0, 1, 0]]), None).unwrap().peak().unwrap();
+        let found = StateSpace::new(&a, &b, &rows(&[&[1, 0, 1, 0]]), None).unwrap().searched_peak().unwrap();
         assert!((found.value / value - 1.0).abs() < 1e-2 && (found.at / at - 1.0).abs() < 1e-3, "{found:?}");
     }
 }
@@ -73,21 +73,22 @@ fn peaks_of_swinging_systems_are_known() {
 #[test]
 fn peaks_of_other_systems_are_known() {
     let system = |a: Rows, b: Rows, c: Rows, d: Option<Rows>| StateSpace::new(&a, &b, &c, d.as_deref()).unwrap();
-    let falling = system(rows(&[&[-3]]), rows(&[&[3]]), rows(&[&[1]]), None).peak().unwrap();
+    let falling = system(rows(&[&[-3]]), rows(&[&[3]]), rows(&[&[1]]), None).searched_peak().unwrap();
     assert!((falling.at - 0.3).abs() < 1e-12 && (falling.value - 1.0 / 1.01f64.sqrt()).abs() < 1e-12, "{falling:?}");
-    let rising = system(rows(&[&[-3]]), rows(&[&[-3]]), rows(&[&[1]]), Some(rows(&[&[1]]))).peak().unwrap();
+    let rising = system(rows(&[&[-3]]), rows(&[&[-3]]), rows(&[&[1]]), Some(rows(&[&[1]]))).searched_peak().unwrap();
     assert!((rising.at - 30.0).abs() < 1e-9 && (rising.value - 10.0 / 101f64.sqrt()).abs() < 1e-12, "{rising:?}");
-    let middle = system(rows(&[&[0, 1], &[-4, -5]]), rows(&[&[0], &[1]]), rows(&[&[0, 1]]), None).peak().unwrap();
+    let middle =
+        system(rows(&[&[0, 1], &[-4, -5]]), rows(&[&[0], &[1]]), rows(&[&[0, 1]]), None).searched_peak().unwrap();
     assert!((middle.at - 2.0).abs() < 1e-5 && (middle.value - 0.2).abs() < 1e-12, "{middle:?}");
     // Slow, and beside a state that rests: 3/100 below and above.
     let slow = |k: i64| rational(k, 100);
     let (a, b) = (vec![vec![slow(0), slow(0)], vec![slow(0), slow(-3)]], vec![vec![slow(700)], vec![slow(-3)]]);
-    let found = system(a.clone(), b.clone(), rows(&[&[0, 1]]), Some(rows(&[&[1]]))).peak().unwrap();
+    let found = system(a.clone(), b.clone(), rows(&[&[0, 1]]), Some(rows(&[&[1]]))).searched_peak().unwrap();
     assert!((found.at - 0.3).abs() < 1e-9 && (found.value - 10.0 / 101f64.sqrt()).abs() < 1e-12, "{found:?}");
-    let found = system(a, b, rows(&[&[0, -1]]), None).peak().unwrap();
+    let found = system(a, b, rows(&[&[0, -1]]), None).searched_peak().unwrap();
     assert!((found.at - 0.003).abs() < 1e-12 && (found.value - 1.0 / 1.01f64.sqrt()).abs() < 1e-12, "{found:?}");
     let still = system(rows(&[&[0]]), rows(&[&[1]]), rows(&[&[1]]), None);
-    assert!(still.peak().is_err() && still.is_stable() == Some(false));
+    assert!(still.searched_peak().is_err() && still.is_stable() == Some(false));
 }
 
 #[test]

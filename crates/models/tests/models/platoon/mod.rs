@@ -7,6 +7,7 @@ mod limits;
 mod matrices;
 mod observed;
 mod own_gains;
+mod peak;
 mod peaks;
 
 use arithmetic::{

@@ -226,7 +226,7 @@ fn matrices_of_a_platoon_respond_as_it_does() {
     for w in [rational(1, 7), rational(1, 1), rational(9, 2)] {
         assert_eq!(system.response(&w).unwrap(), graph.response_of_cars(&own, &w).unwrap()[4]);
     }
-    let (found, known) = (system.peak().unwrap(), peak_of_car(&graph, &floats, 5).unwrap().unwrap());
+    let (found, known) = (system.searched_peak().unwrap(), peak_of_car(&graph, &floats, 5).unwrap().unwrap());
     assert!((found.value / known.value - 1.0).abs() < 1e-9, "{found:?} {known:?}");
     assert_eq!(system.is_stable(), Some(true));
     assert!(StateSpace::new(&a, &b[1..], &[c.clone()], None).is_err());
