@@ -1,0 +1,5 @@
+//! Tests of the language of laws.
+
+mod errors;
+mod laws;
+mod twin;
