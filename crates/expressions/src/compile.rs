@@ -3,11 +3,12 @@
 use super::law::{Kind, Law, LawError, LawText, Parameter, Variable};
 use super::number::Function;
 use super::problem::Problem;
-use super::program::{FLOCK, Gather, Id, OWN, Of, Op, Slot, Things};
+use super::program::{FLOCK, Gather, Id, OWN, Of, Op, Program, Slot, Things};
 use super::syntax::{KEYWORDS, Node, NodeKind, Relation, parse_property};
 use arithmetic::{Rational, rational};
 use num_traits::ToPrimitive;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// What an expression is.
 #[derive(Debug, Clone)]
@@ -170,8 +171,9 @@ impl<'a> Compiler<'a> {
         let mut start = 0;
         for (name, kind) in order {
             let width = if *kind == Kind::Vector { text.dimension } else { 1 };
-            self.variables.push(Variable { name: name.clone(), kind: *kind, start, width });
-            start += width * self.agents;
+            let stride = if text.planar && width == 1 && first == Some(name) { 2 } else { width };
+            self.variables.push(Variable { name: name.clone(), kind: *kind, start, width, stride });
+            start += stride * self.agents;
         }
         Ok(())
     }
@@ -238,7 +240,7 @@ impl<'a> Compiler<'a> {
             targets.extend((0..numbers.len()).map(|component| (place, component)));
             outputs.extend(numbers);
         }
-        let rates = self.things.program(outputs);
+        let rates = Arc::new(self.things.program(outputs));
         let (observed, observables) = self.observables()?;
         Ok(Law {
             agents: self.agents,
@@ -252,7 +254,7 @@ impl<'a> Compiler<'a> {
         })
     }
 
-    fn observables(&mut self) -> Made<(super::program::Program, Vec<(String, usize)>)> {
+    fn observables(&mut self) -> Made<(Arc<Program>, Vec<(String, usize)>)> {
         let scope = Scope { own: None, innermost: FLOCK, hears: None, agents: Vec::new() };
         let (mut outputs, mut names) = (Vec::new(), Vec::new());
         let mut taken = Vec::new();
@@ -268,7 +270,7 @@ impl<'a> Compiler<'a> {
             names.push((key.clone(), numbers.len()));
             outputs.extend(numbers);
         }
-        Ok((self.things.program(outputs), names))
+        Ok((Arc::new(self.things.program(outputs)), names))
     }
 
     fn value(&mut self, node: &Node, scope: &Scope) -> Made<Value> {
@@ -519,7 +521,7 @@ impl<'a> Compiler<'a> {
             return self.refuse(node.at, Problem::unknown("name", base, known));
         };
         let of = self.agent(node, base, index, scope)?;
-        let part = |component| Op::State { start: variable.start, width: variable.width, component, of };
+        let part = |component| Op::State { start: variable.start, stride: variable.stride, component, of };
         if let Some(component) = component {
             let number = component.parse::<usize>().ok().filter(|k| (1..=variable.width).contains(k));
             let Some(number) = number.filter(|_| variable.kind == Kind::Vector) else {

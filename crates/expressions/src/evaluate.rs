@@ -4,6 +4,7 @@ use super::number::Number;
 use super::program::{Gather, OWN, Of, Op, Program, Round, Step};
 use super::syntax::Relation;
 use arithmetic::{ArithmeticError, Rational, Sign};
+use std::sync::Arc;
 
 /// Whom each agent hears.
 pub trait Hearing {
@@ -53,17 +54,17 @@ const OPEN: ArithmeticError = ArithmeticError::Domain("a condition that is decid
 
 /// A program with its working space; used again and again, it allocates nothing.
 #[derive(Debug, Clone)]
-pub struct Evaluator<'a, T> {
-    program: &'a Program,
+pub struct Evaluator<T> {
+    program: Arc<Program>,
     lists: Vec<Vec<T>>,
     like: T,
     known: Vec<Known<T>>,
     bound: Vec<usize>,
 }
 
-impl<'a, T: Number> Evaluator<'a, T> {
+impl<T: Number> Evaluator<T> {
     /// An evaluator for scalars like this one; `lists` are the parameters with one value for each agent.
-    pub(crate) fn new(program: &'a Program, lists: &[Vec<Rational>], like: &T) -> Self {
+    pub(crate) fn new(program: &Arc<Program>, lists: &[Vec<Rational>], like: &T) -> Self {
         let lists = lists.iter().map(|list| list.iter().map(|q| like.rational(q)).collect()).collect();
         let mut known = vec![Known::Nothing; program.ops.len()];
         // Constants are turned into the scalar once.
@@ -72,7 +73,8 @@ impl<'a, T: Number> Evaluator<'a, T> {
                 *place = Known::Number(like.rational(q));
             }
         }
-        Evaluator { program, lists, like: like.clone(), known, bound: vec![0; program.slots.len()] }
+        let program = program.clone();
+        Evaluator { bound: vec![0; program.slots.len()], program, lists, like: like.clone(), known }
     }
 
     /// The numbers of the flock, in their order.
@@ -80,7 +82,7 @@ impl<'a, T: Number> Evaluator<'a, T> {
     /// # Errors
     /// [`Fault`] where one has no value.
     pub fn flock(&mut self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<Vec<T>, Fault> {
-        let program = self.program;
+        let program = self.program.clone();
         self.steps(&program.once, &Moment { time, state, hearing });
         self.results(None, |_, value| Ok(value))
     }
@@ -96,7 +98,7 @@ impl<'a, T: Number> Evaluator<'a, T> {
         hearing: &dyn Hearing,
         mut write: impl FnMut(usize, usize, T),
     ) -> Result<(), Fault> {
-        let (program, moment) = (self.program, Moment { time, state, hearing });
+        let (program, moment) = (self.program.clone(), Moment { time, state, hearing });
         self.steps(&program.once, &moment);
         for agent in 0..hearing.agents() {
             self.bound[OWN] = agent;
@@ -175,8 +177,8 @@ impl<'a, T: Number> Evaluator<'a, T> {
             Op::Pi => self.like.circle()?,
             Op::Time => moment.time.clone(),
             Op::Parameter(list, agent) => self.lists[*list][self.agent(*agent)].clone(),
-            Op::State { start, width, component, of } => {
-                moment.state[start + self.agent(*of) * width + component].clone()
+            Op::State { start, stride, component, of } => {
+                moment.state[start + self.agent(*of) * stride + component].clone()
             }
             Op::Negated(a) => -of(a)?.clone(),
             Op::Sum(a, b) => of(a)?.clone() + of(b)?,
@@ -228,7 +230,7 @@ impl<'a, T: Number> Evaluator<'a, T> {
     }
 
     fn round(&mut self, round: &Round, moment: &Moment<T>) {
-        let program = self.program;
+        let program = self.program.clone();
         let this = &program.loops[round.number];
         let mut gathered: Vec<Gathered<T>> = this.bodies.iter().map(|_| Gathered::Empty).collect();
         let hears = program.slots[this.slot].hears.map(|of| self.agent(of));

@@ -6,6 +6,7 @@ use super::number::Number;
 use super::problem::Problem;
 use super::program::Program;
 use arithmetic::Rational;
+use std::sync::Arc;
 
 /// What an agent has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,6 +40,8 @@ pub struct LawText {
     pub state: Vec<(String, Kind)>,
     /// The vector, or in one dimension the number, that says where an agent is.
     pub position: Option<String>,
+    /// Whether positions on a line have a second coordinate, which is not looked at and whose rate is 0: for networks that are kept in the plane.
+    pub planar: bool,
     /// Parameters: one value, or a list with one for each agent.
     pub parameters: Vec<(String, Parameter)>,
     /// Abbreviations, `name` or `name(i, j)` with the agents that they speak of.
@@ -83,6 +86,8 @@ pub struct Variable {
     pub start: usize,
     /// Numbers for each agent.
     pub width: usize,
+    /// From one agent to the next.
+    pub stride: usize,
 }
 
 /// A compiled law for so many agents. A state is a list: the numbers of the position of all agents, agent by agent, then those of the other parts in
@@ -94,10 +99,10 @@ pub struct Law {
     /// How many of the variables, from the first one, are the position: 1 or 0.
     pub(crate) placed: bool,
     pub(crate) lists: Vec<Vec<Rational>>,
-    pub(crate) rates: Program,
+    pub(crate) rates: Arc<Program>,
     /// Where each number of an agent that the program computes goes: variable and component.
     pub(crate) targets: Vec<(usize, usize)>,
-    pub(crate) observed: Program,
+    pub(crate) observed: Arc<Program>,
     /// Names of the observables with how many numbers each has.
     pub(crate) observables: Vec<(String, usize)>,
 }
@@ -130,7 +135,7 @@ impl Law {
 
     /// Numbers of a state.
     pub fn size(&self) -> usize {
-        self.variables.iter().map(|variable| variable.width * self.agents).sum()
+        self.variables.iter().map(|variable| variable.stride * self.agents).sum()
     }
 
     /// The observables with how many numbers each has.
@@ -144,7 +149,7 @@ impl Law {
     }
 
     /// An evaluator of the rates (or next values) for scalars like this one.
-    pub fn evaluator<T: Number>(&self, like: &T) -> Evaluator<'_, T> {
+    pub fn evaluator<T: Number>(&self, like: &T) -> Evaluator<T> {
         Evaluator::new(&self.rates, &self.lists, like)
     }
 
@@ -154,7 +159,7 @@ impl Law {
     /// [`Fault`] where a number has no value.
     pub fn write_rates<T: Number>(
         &self,
-        evaluator: &mut Evaluator<'_, T>,
+        evaluator: &mut Evaluator<T>,
         (time, state): (&T, &[T]),
         hearing: &dyn Hearing,
         rates: &mut [T],
@@ -162,7 +167,7 @@ impl Law {
         evaluator.agents(time, state, hearing, |agent, output, value| {
             let (variable, component) = self.targets[output];
             let variable = &self.variables[variable];
-            rates[variable.start + agent * variable.width + component] = value;
+            rates[variable.start + agent * variable.stride + component] = value;
         })
     }
 
@@ -176,12 +181,17 @@ impl Law {
         Ok(rates)
     }
 
+    /// An evaluator of the observables, in their order ([`Evaluator::flock`]).
+    pub fn observing<T: Number>(&self, like: &T) -> Evaluator<T> {
+        Evaluator::new(&self.observed, &self.lists, like)
+    }
+
     /// The numbers of all observables, in their order.
     ///
     /// # Errors
     /// [`Fault`] where a number has no value.
     pub fn observe<T: Number>(&self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<Vec<T>, Fault> {
-        Evaluator::new(&self.observed, &self.lists, time).flock(time, state, hearing)
+        self.observing(time).flock(time, state, hearing)
     }
 
     /// The name of the part of the state whose rate a [`Fault`] is about.

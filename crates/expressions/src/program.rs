@@ -36,8 +36,8 @@ pub(crate) enum Op {
     Time,
     /// A parameter with one value for each agent.
     Parameter(usize, Of),
-    /// A number of the state: where those of agent 0 begin, numbers for each agent, which.
-    State { start: usize, width: usize, component: usize, of: Of },
+    /// A number of the state: where those of agent 0 begin, numbers from one agent to the next, which.
+    State { start: usize, stride: usize, component: usize, of: Of },
     Negated(Id),
     Sum(Id, Id),
     Difference(Id, Id),

@@ -1,6 +1,7 @@
 //! Mirrors `src/scenario`: runs against closed forms and against other parts of the library.
 
 mod individual;
+mod own;
 
 use arithmetic::{Progress, Unwatched};
 use models::platoon::Gains;
