@@ -4,7 +4,7 @@ use super::convert::{count, optional_count};
 use super::refuse;
 use super::watch::{Watch, watched};
 use flockproof::report::{Provenance, TracksReport, digest};
-use flockproof::scenario::{End, Ensemble, Frame, Outcome, Row, Scenario};
+use flockproof::scenario::{End, Ensemble, Outcome, Row, Scenario};
 use flockproof::tracks::{Choices, NearestRule, PositionsUsed, Tracks, analyse, null_models};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
@@ -73,22 +73,17 @@ fn numbers<'py>(py: Python<'py>, outcome: &Outcome, row: impl Fn(&Row) -> Vec<f6
     Ok(PyArray1::from_vec(py, all).reshape([height, width])?.into_any())
 }
 
-/// What the model has of positions, velocities, phases and centres; vectors as times x agents x coordinates.
+/// What each agent has, by its name; vectors as times x agents x coordinates.
 fn states<'py>(py: Python<'py>, outcome: &Outcome) -> PyResult<Bound<'py, PyDict>> {
-    type Vectors = fn(&Frame) -> &Vec<Vec<f64>>;
-    let vectors: [(&str, Vectors); 3] =
-        [("positions", |f| &f.positions), ("velocities", |f| &f.velocities), ("centres", |f| &f.centres)];
     let states = PyDict::new(py);
     let Some(first) = outcome.rows.first() else { return Ok(states) };
-    for (name, of) in vectors {
-        let list = of(&first.frame);
-        if let Some(vector) = list.first() {
-            let flat = numbers(py, outcome, |row| of(&row.frame).concat())?;
-            states.set_item(name, flat.call_method1("reshape", ((outcome.rows.len(), list.len(), vector.len()),))?)?;
-        }
-    }
-    if !first.frame.phases.is_empty() {
-        states.set_item("phases", numbers(py, outcome, |row| row.frame.phases.clone())?)?;
+    for (place, (name, part)) in first.frame.parts().into_iter().enumerate() {
+        let flat = numbers(py, outcome, |row| row.frame.parts().get(place).map_or_else(Vec::new, |(_, part)| part.flat()))?;
+        let shaped = match part.width() {
+            None => flat,
+            Some(width) => flat.call_method1("reshape", ((outcome.rows.len(), first.frame.agents(), width),))?,
+        };
+        states.set_item(name, shaped)?;
     }
     Ok(states)
 }
@@ -104,7 +99,7 @@ fn observables<'py>(py: Python<'py>, outcome: &Outcome) -> PyResult<Bound<'py, P
         let table = numbers(py, outcome, values)?;
         let list = matches!(observable.value, Value::List(_));
         let table = if list { table } else { table.call_method0("ravel")? };
-        observables.set_item(observable.name, table)?;
+        observables.set_item(observable.name.as_ref(), table)?;
     }
     Ok(observables)
 }

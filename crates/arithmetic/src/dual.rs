@@ -1,7 +1,7 @@
 //! Dual numbers over any scalar: a value with its first derivative along one direction.
 
 use super::operators::operators;
-use super::{ArithmeticError, Field, Rational, Real, Ring};
+use super::{ArithmeticError, Field, Rational, Real, Ring, Sign, Signed};
 
 /// `value + e derivative` with `e² = 0`.
 #[derive(Debug, Clone, PartialEq)]
@@ -106,5 +106,16 @@ impl<T: Real> Real for Dual<T> {
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
         let (sinh, cosh) = self.value.sinh_cosh()?;
         Ok((self.chain(sinh.clone(), cosh.clone()), self.chain(cosh, sinh)))
+    }
+}
+
+impl<T: Ring + Signed> Signed for Dual<T> {
+    /// The sign of the value, where it stays the same nearby; zero where value and derivative are.
+    #[inline]
+    fn sign(&self) -> Option<Sign> {
+        match self.value.sign()? {
+            Sign::Zero if self.derivative.sign() != Some(Sign::Zero) => None,
+            sign => Some(sign),
+        }
     }
 }

@@ -5,7 +5,7 @@
 
 use super::number::{fixed, significant};
 use super::operators::operators;
-use super::{ArithmeticError, Field, Interval, Rational, Ring, Sign, Signed};
+use super::{ArithmeticError, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed};
 
 /// From `lo` to `hi`. A result that may not be finite becomes the whole line, and stays it; a square becomes `[0, ∞)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -215,6 +215,68 @@ impl Field for FloatInterval {
         } else {
             FloatInterval::outward(value, value)
         }
+    }
+}
+
+impl FloatInterval {
+    /// The general enclosure; where an end is not finite, the argument lies outside the domain of `function`.
+    fn general(&self, function: &'static str) -> Result<Interval, ArithmeticError> {
+        let ends = Dyadic::from_f64(self.lo).zip(Dyadic::from_f64(self.hi));
+        let (lo, hi) = ends.ok_or(ArithmeticError::Argument(function))?;
+        Ok(Interval::between(lo, hi, BITS))
+    }
+
+    /// A function of the general enclosure.
+    fn by(
+        &self,
+        name: &'static str,
+        function: impl Fn(&Interval) -> Result<Interval, ArithmeticError>,
+    ) -> Result<Self, ArithmeticError> {
+        Ok(FloatInterval::from_interval(&function(&self.general(name)?)?))
+    }
+}
+
+/// Functions by those of [`Interval`], rounded outward.
+impl Real for FloatInterval {
+    fn pi(&self) -> Self {
+        // The float below pi; the next one is above.
+        let below = std::f64::consts::PI;
+        FloatInterval { lo: below, hi: below.next_up() }
+    }
+
+    /// The root of a float is rounded to nearest, as its sum and product.
+    #[inline]
+    fn sqrt(&self) -> Result<Self, ArithmeticError> {
+        if self.lo < 0.0 || !self.is_bounded() {
+            return Err(ArithmeticError::Argument("sqrt"));
+        }
+        if self.is_zero() {
+            return Ok(*self);
+        }
+        let root = FloatInterval::outward(self.lo.sqrt(), self.hi.sqrt());
+        Ok(FloatInterval { lo: root.lo.max(0.0), hi: root.hi })
+    }
+
+    fn exp(&self) -> Result<Self, ArithmeticError> {
+        if self.is_zero() { Ok(FloatInterval::point(1.0)) } else { self.by("exp", Interval::exp) }
+    }
+
+    fn ln(&self) -> Result<Self, ArithmeticError> {
+        self.by("ln", Interval::ln)
+    }
+
+    fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
+        let (sin, cos) = self.general("sin")?.sin_cos()?;
+        Ok((FloatInterval::from_interval(&sin), FloatInterval::from_interval(&cos)))
+    }
+
+    fn atan(&self) -> Result<Self, ArithmeticError> {
+        self.by("atan", Interval::atan)
+    }
+
+    fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
+        let (sinh, cosh) = self.general("sinh")?.sinh_cosh()?;
+        Ok((FloatInterval::from_interval(&sinh), FloatInterval::from_interval(&cosh)))
     }
 }
 

@@ -11,7 +11,7 @@
 //! | [`RealCyclotomic`] | exact: cosines and sines of rational parts of a turn |
 //! | [`Complex<T>`] | a pair over any of these; over [`Rational`] the Gaussian rationals |
 //! | [`Dual<T>`] | value and first derivative, exact wherever `T` is |
-//! | [`Series<T>`] | truncated power series, for expansions to a stated order |
+//! | [`Series<T>`] | truncated power series, for expansions to a stated order; functions by recurrences |
 //! | [`Residue`] | exact modulo a prime |
 //! | [`DegreeBound`] | degrees and coefficient sizes of numerator and denominator, for the error bound of an identity test |
 //! | [`Probe`] | one of the three that an identity test needs |

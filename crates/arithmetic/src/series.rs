@@ -1,7 +1,7 @@
 //! Truncated power series over any scalar: expansions to a stated order, exact wherever the coefficients are.
 
 use super::operators::operators;
-use super::{ArithmeticError, Field, Rational, Ring};
+use super::{ArithmeticError, Field, Rational, Real, Ring, Sign, Signed};
 
 /// `c_0 + c_1 h + ... + c_{n-1} h^{n-1} + O(h^n)`.
 ///
@@ -113,5 +113,104 @@ impl<T: Field> Field for Series<T> {
             inverse.push(-(sum * &first));
         }
         Ok(Series { coefficients: inverse })
+    }
+}
+
+impl<T: Field> Series<T> {
+    /// The series whose coefficient `n > 0` times `n` is what `term` says of those before it.
+    fn by_recurrence(
+        &self,
+        first: T,
+        term: impl Fn(&[T], usize) -> Result<T, ArithmeticError>,
+    ) -> Result<Self, ArithmeticError> {
+        let mut all = vec![first];
+        for n in 1..self.coefficients.len() {
+            let next = term(&all, n)?;
+            all.push(next.clone() * &next.ratio(1, n as i64));
+        }
+        Ok(Series { coefficients: all })
+    }
+
+    /// `sum k c_k b_{n-k}` over `k` from 1 to `most`: coefficient `n - 1` of the derivative of `c` times `b`.
+    fn of_derivative(c: &[T], b: &[T], n: usize, most: usize) -> T {
+        let term = |k: usize| c[k].integer(k as i64) * &c[k] * &b[n - k];
+        (1..=most).fold(c[0].zero(), |sum, k| sum + term(k))
+    }
+
+    /// A function and another one, from their values at the constant term, where the derivative of the first is the second, that of the second `sign` times the first.
+    fn pair(&self, (first, second): (T, T), sign: i64) -> (Self, Self) {
+        let c = &self.coefficients;
+        let (mut a, mut b) = (vec![first], vec![second]);
+        for n in 1..c.len() {
+            let part = |of: &[T]| {
+                let sum = Series::of_derivative(c, of, n, n);
+                sum.clone() * &sum.ratio(1, n as i64)
+            };
+            let (next_a, next_b) = (part(&b), part(&a));
+            a.push(next_a);
+            b.push(next_b.clone() * &next_b.integer(sign));
+        }
+        (Series { coefficients: a }, Series { coefficients: b })
+    }
+}
+
+/// Functions of a series by the recurrences of their differential equations.
+impl<T: Real> Real for Series<T> {
+    fn pi(&self) -> Self {
+        Series::constant(self.coefficients[0].pi(), self.coefficients.len())
+    }
+
+    /// Needs a constant term that is not zero, unless there is no other: `2 r_0 r_n = c_n - sum_{0<k<n} r_k r_{n-k}`.
+    fn sqrt(&self) -> Result<Self, ArithmeticError> {
+        let c = &self.coefficients;
+        let mut root = vec![c[0].sqrt()?];
+        for n in 1..c.len() {
+            let rest = (1..n).fold(c[n].clone(), |rest, k| rest - root[k].clone() * &root[n - k]);
+            let twice = root[0].clone() + &root[0];
+            root.push(rest.over(&twice)?);
+        }
+        Ok(Series { coefficients: root })
+    }
+
+    fn exp(&self) -> Result<Self, ArithmeticError> {
+        let c = &self.coefficients;
+        self.by_recurrence(c[0].exp()?, |e, n| Ok(Series::of_derivative(c, e, n, n)))
+    }
+
+    /// `c l' = c'`.
+    fn ln(&self) -> Result<Self, ArithmeticError> {
+        let c = &self.coefficients;
+        self.by_recurrence(c[0].ln()?, |l, n| {
+            let whole = c[n].integer(n as i64) * &c[n];
+            (whole - Series::of_derivative(l, c, n, n - 1)).over(&c[0])
+        })
+    }
+
+    fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
+        Ok(self.pair(self.coefficients[0].sin_cos()?, -1))
+    }
+
+    /// `(1 + c²) a' = c'`.
+    fn atan(&self) -> Result<Self, ArithmeticError> {
+        let c = &self.coefficients;
+        let around = self.square() + self.one();
+        self.by_recurrence(c[0].atan()?, |a, n| {
+            let whole = c[n].integer(n as i64) * &c[n];
+            (whole - Series::of_derivative(a, &around.coefficients, n, n - 1)).over(&around.coefficients[0])
+        })
+    }
+
+    fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
+        Ok(self.pair(self.coefficients[0].sinh_cosh()?, 1))
+    }
+}
+
+impl<T: Ring + Signed> Signed for Series<T> {
+    /// The sign of the sum for all small `h`, where the constant term tells it; zero where all terms are.
+    fn sign(&self) -> Option<Sign> {
+        match self.coefficients[0].sign()? {
+            Sign::Zero if self.coefficients.iter().any(|c| c.sign() != Some(Sign::Zero)) => None,
+            sign => Some(sign),
+        }
     }
 }

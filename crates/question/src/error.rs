@@ -1,7 +1,7 @@
 //! Why a question is refused: one sentence with line and column.
 
-use super::alike::nearest_name;
 use arithmetic::{Cancelled, NumberError, shown};
+use expressions::nearest_name;
 use std::fmt;
 
 /// A place in a question file, counted from 1.
@@ -75,12 +75,9 @@ pub enum Problem {
     /// A number that cannot be read.
     #[error(transparent)]
     Number(#[from] NumberError),
-    /// Brackets, or operators, inside each other.
-    #[error("the expression is nested more than {0} levels deep")]
-    TooDeep(usize),
-    /// An expression of too many parts.
-    #[error("the expression has more than {0} parts")]
-    TooLong(usize),
+    /// No expression of the language.
+    #[error(transparent)]
+    Expression(#[from] expressions::Problem),
     /// A key that must be there.
     #[error("`{key}` is missing in [{section}]: {expected}")]
     Missing {

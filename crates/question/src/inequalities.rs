@@ -48,17 +48,3 @@ fn parts(node: &Node, positive: bool) -> Vec<Node> {
         _ => Vec::new(),
     }
 }
-
-impl Relation {
-    /// The relation that holds where this one does not.
-    pub(crate) fn turned(self) -> Self {
-        match self {
-            Relation::Equal => Relation::Different,
-            Relation::Different => Relation::Equal,
-            Relation::Less => Relation::AtLeast,
-            Relation::AtMost => Relation::Greater,
-            Relation::Greater => Relation::AtMost,
-            Relation::AtLeast => Relation::Less,
-        }
-    }
-}

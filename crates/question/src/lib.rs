@@ -3,7 +3,6 @@
 //! [`Question::read`] reads a question; [`decide`] decides it; [`Question::case`] and [`Question::values`] serve tables and campaigns. The crate opens no
 //! files: those that a question names are given to it. `notes/questions.md` has the language with examples.
 
-mod alike;
 mod answer;
 mod bindings;
 mod case;
@@ -33,7 +32,7 @@ mod syntax;
 mod timeline;
 mod truth;
 
-pub use alike::nearest_ids;
+pub use expressions::nearest_ids;
 pub use answer::{Answer, Verdict};
 pub use bindings::{Bindings, GraphValue, Value};
 pub use decide::{Tabulated, decide};

@@ -2,7 +2,7 @@
 
 use super::export::NamedArray;
 use super::plot::{Axis, PALETTE, Panel, Picture, Series};
-use scenario::{End, Outcome, Row, Value};
+use scenario::{End, Outcome, Part, Row, Value};
 use serde_json::{Map, Value as Json, json};
 use std::fmt::Write;
 
@@ -11,13 +11,12 @@ pub fn simulation_summary(outcome: &Outcome) -> Json {
     let sample = |row: &Row| {
         let mut sample = Map::new();
         sample.insert("t".to_string(), json!(row.time));
-        let frame = &row.frame;
-        let lists = [("positions", &frame.positions), ("velocities", &frame.velocities), ("centres", &frame.centres)];
-        for (name, list) in lists.into_iter().filter(|(_, list)| !list.is_empty()) {
-            sample.insert(name.to_string(), json!(list));
-        }
-        if !row.frame.phases.is_empty() {
-            sample.insert("phases".to_string(), json!(row.frame.phases));
+        for (name, part) in row.frame.parts() {
+            let list = match part {
+                Part::Vectors(list) => json!(list),
+                Part::Numbers(list) => json!(list),
+            };
+            sample.insert(name.to_string(), list);
         }
         let value = |value: &Value| match value {
             Value::Number(x) => json!(x),
@@ -49,26 +48,31 @@ pub fn simulation_summary(outcome: &Outcome) -> Json {
     })
 }
 
+/// The columns of what each agent has: `x`, `y` for positions, `vx`, `vy` for velocities, `theta` for phases; of a law of one's own `v_1`, `v_2` for a vector
+/// `v`.
+fn columns_of(name: &str, part: &Part) -> Vec<String> {
+    let Some(width) = part.width() else { return vec![if name == "phases" { "theta" } else { name }.to_string()] };
+    let before = match name {
+        "positions" => "",
+        "velocities" => "v",
+        "centres" => "centre_",
+        _ => return (1..=width).map(|k| format!("{name}_{k}")).collect(),
+    };
+    ["x", "y"].iter().take(width).map(|c| format!("{before}{c}")).collect()
+}
+
 /// `trajectory.csv`: one line for each agent at each time.
 pub fn trajectory_csv(outcome: &Outcome) -> String {
     let Some(first) = outcome.rows.first() else { return "t,agent\n".to_string() };
-    let coordinates = ["x", "y"];
     let mut header = vec!["t".to_string(), "agent".to_string()];
-    let dimension = |list: &[Vec<f64>]| list.first().map_or(0, Vec::len);
-    header.extend(coordinates.iter().take(dimension(&first.frame.positions)).map(|c| c.to_string()));
-    header.extend(coordinates.iter().take(dimension(&first.frame.velocities)).map(|c| format!("v{c}")));
-    header.extend((!first.frame.phases.is_empty()).then(|| "theta".to_string()));
-    header.extend(coordinates.iter().take(dimension(&first.frame.centres)).map(|c| format!("centre_{c}")));
+    header.extend(first.frame.parts().iter().flat_map(|(name, part)| columns_of(name, part)));
     let mut text = header.join(",") + "\n";
     for row in &outcome.rows {
-        let frame = &row.frame;
-        for agent in 0..frame.positions.len().max(frame.phases.len()) {
+        let parts = row.frame.parts();
+        for agent in 0..row.frame.agents() {
             // Writing to a string cannot fail.
             let _ = write!(text, "{:?},{}", row.time, agent + 1);
-            let vectors = [&frame.positions, &frame.velocities].into_iter().filter_map(|list| list.get(agent));
-            for x in
-                vectors.flatten().chain(frame.phases.get(agent)).chain(frame.centres.get(agent).into_iter().flatten())
-            {
+            for x in parts.iter().flat_map(|(_, part)| part.of(agent)) {
                 let _ = write!(text, ",{x:?}");
             }
             text.push('\n');
@@ -107,7 +111,7 @@ pub fn events_csv(outcome: &Outcome) -> String {
 }
 
 /// The run as arrays for NumPy: `t`; `positions`, `velocities` and `centres` (times x agents x coordinates) and `phases` (times x agents) as
-/// far as the model has them; each observable (times, or times x numbers); `events` (each t, 1 for link or 0 for unlink, the two agents).
+/// far as the model has them, of a law of one's own the parts of the state by their names; each observable (times, or times x numbers); `events` (each t, 1 for link or 0 for unlink, the two agents).
 pub fn simulation_arrays(outcome: &Outcome) -> Vec<NamedArray> {
     let rows = &outcome.rows;
     let array = |name: &str, axes: &[usize], data: Vec<f64>| NamedArray {
@@ -117,23 +121,19 @@ pub fn simulation_arrays(outcome: &Outcome) -> Vec<NamedArray> {
     };
     let mut arrays = vec![array("t", &[], rows.iter().map(|row| row.time).collect())];
     let Some(first) = rows.first() else { return arrays };
-    type Vectors = fn(&scenario::Frame) -> &Vec<Vec<f64>>;
-    let vectors: [(&str, Vectors); 3] =
-        [("positions", |f| &f.positions), ("velocities", |f| &f.velocities), ("centres", |f| &f.centres)];
-    for (name, of) in vectors {
-        let Some(vector) = of(&first.frame).first() else { continue };
-        let data = rows.iter().flat_map(|row| of(&row.frame).iter().flatten().copied()).collect();
-        arrays.push(array(name, &[of(&first.frame).len(), vector.len()], data));
+    let mut flat: Vec<Vec<f64>> = vec![Vec::new(); first.frame.parts().len()];
+    for row in rows {
+        flat.iter_mut().zip(row.frame.parts()).for_each(|(all, (_, part))| all.extend(part.flat()));
     }
-    if !first.frame.phases.is_empty() {
-        let data = rows.iter().flat_map(|row| row.frame.phases.iter().copied()).collect();
-        arrays.push(array("phases", &[first.frame.phases.len()], data));
+    for ((name, part), data) in first.frame.parts().iter().zip(flat) {
+        let axes: Vec<usize> = std::iter::once(first.frame.agents()).chain(part.width()).collect();
+        arrays.push(array(name, &axes, data));
     }
     for (k, observable) in first.observables.iter().enumerate() {
         let width = observable.columns().len();
         let axes: &[usize] = if matches!(observable.value, Value::List(_)) { &[width] } else { &[] };
         let data = rows.iter().flat_map(|row| row.observables[k].columns().into_iter().map(|(_, x)| x));
-        arrays.push(array(observable.name, axes, data.collect()));
+        arrays.push(array(&observable.name, axes, data.collect()));
     }
     let event = |e: &scenario::Event| [e.time, f64::from(u8::from(e.gained)), e.pair.0 as f64, e.pair.1 as f64];
     let events: Vec<f64> = outcome.events.iter().flat_map(event).collect();
@@ -212,7 +212,7 @@ pub fn simulation_pictures(outcome: &Outcome) -> Vec<(&'static str, Picture)> {
 }
 
 fn agents(outcome: &Outcome) -> usize {
-    outcome.rows.first().map_or(0, |row| row.frame.positions.len().max(row.frame.phases.len()))
+    outcome.rows.first().map_or(0, |row| row.frame.agents())
 }
 
 fn title(outcome: &Outcome, what: &str) -> String {

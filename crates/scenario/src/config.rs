@@ -4,7 +4,7 @@ use super::error::{ConfigError, Problem};
 use super::run::{End, Outcome, Schedule, run};
 use super::simulation::Simulation;
 use super::source::{Entry, Section, Source};
-use super::{alignment, fish, noisy, oscillator, platoon, vicsek};
+use super::{alignment, fish, noisy, oscillator, own, platoon, vicsek};
 use arithmetic::num_bigint::BigInt;
 use arithmetic::{Progress, Rational, rational};
 use num_traits::{ToPrimitive, Zero};
@@ -21,9 +21,10 @@ enum Model {
     Platoon,
     Vicsek,
     Noisy,
+    Own,
 }
 
-const MODELS: [(&str, Model); 8] = [
+const MODELS: [(&str, Model); 9] = [
     ("phase", Model::Phase),
     ("particles", Model::Particles),
     ("fish", Model::Fish),
@@ -32,6 +33,7 @@ const MODELS: [(&str, Model); 8] = [
     ("platoon", Model::Platoon),
     ("vicsek", Model::Vicsek),
     ("vicsek-noise", Model::Noisy),
+    ("own", Model::Own),
 ];
 
 /// Rows of a trajectory, unless the configuration says how many.
@@ -49,9 +51,12 @@ fn read_schedule(
     with_rows: bool,
 ) -> Result<Schedule, ConfigError> {
     let section = source.needed("run")?;
-    let keys = ["until", "samples", "tolerance", "rows", "observables", "step"];
-    let stepped = matches!(model, Model::Particles | Model::Headings | Model::Velocities);
-    section.allow(&keys[..keys.len() - usize::from(!stepped)], " of this model")?;
+    let further: &[&str] = match model {
+        Model::Own => &["step", "exact"],
+        Model::Particles | Model::Headings | Model::Velocities => &["step"],
+        _ => &[],
+    };
+    section.allow(&[&["until", "samples", "tolerance", "rows", "observables"], further].concat(), " of this model")?;
     let entry = section.need("until", "the last time, a number above 0")?;
     let last = entry.positive()?;
     let until = entry.exact()?;
@@ -125,8 +130,8 @@ fn wanted(source: &Source, simulation: &dyn Simulation) -> Result<Option<Vec<Str
     let section = source.needed("run")?;
     let Some(entry) = section.get("observables") else { return Ok(None) };
     // A law that has no value at the start is refused when it is run.
-    let known: Vec<(&'static str, ())> =
-        simulation.observe().unwrap_or_default().iter().map(|observable| (observable.name, ())).collect();
+    let observed = simulation.observe().unwrap_or_default();
+    let known: Vec<(&str, ())> = observed.iter().map(|observable| (observable.name.as_ref(), ())).collect();
     let names = entry.items("a list of names of observables")?;
     let name = |entry: &Entry| entry.choice(&known).and(entry.word()).map(str::to_string);
     names.iter().map(name).collect::<Result<_, _>>().map(Some)
@@ -247,9 +252,13 @@ impl Scenario {
                 step = Some(rational(1, 1));
                 noisy::read(source)?
             }
+            Model::Own => {
+                let (simulation, length) = own::read(source, tolerance)?;
+                step = length;
+                simulation
+            }
         };
-        let frame = simulation.frame();
-        let agents = frame.positions.len().max(frame.phases.len());
+        let agents = simulation.frame().agents();
         let mut schedule = read_schedule(source, model, step.as_ref(), agents, with_rows)?;
         schedule.observables = wanted(source, simulation.as_ref())?;
         Ok(Scenario { model: name, schedule, simulation, seed: seed(source)? })
@@ -267,8 +276,7 @@ impl Scenario {
 
     /// The number of agents.
     pub fn agents(&self) -> usize {
-        let frame = self.simulation.frame();
-        frame.positions.len().max(frame.phases.len())
+        self.simulation.frame().agents()
     }
 
     /// The last time.

@@ -57,6 +57,18 @@ pub enum ConfigError {
     /// A place that another number was to be put in.
     #[error("there is no number at `{0}`")]
     NoPlace(String),
+    /// An expression of a law of one's own.
+    #[error("line {line}, column {column}: `{key}`: {problem}")]
+    Expression {
+        /// The line.
+        line: usize,
+        /// The column, in characters.
+        column: usize,
+        /// The key with its section.
+        key: String,
+        /// What is wrong.
+        problem: expressions::Problem,
+    },
     /// A value that cannot be used.
     #[error("line {line}: `{key}`: {problem}")]
     Value {
@@ -221,6 +233,12 @@ pub enum Problem {
     /// The law has no value at the start.
     #[error("the law has no value at the start: {0}")]
     Law(#[from] ArithmeticError),
+    /// A law of one's own has no value at the start: which number, of whom and why.
+    #[error("the law has no value at the start: {0}")]
+    Start(String),
+    /// An expression of a law of one's own.
+    #[error(transparent)]
+    Expression(#[from] expressions::Problem),
 }
 
 /// Why a run ended before its time.
@@ -235,6 +253,14 @@ pub enum RunError {
     /// A flock of switching links.
     #[error(transparent)]
     Motion(#[from] MotionError),
+    /// A law of one's own in discrete time has no value.
+    #[error("no step beyond t = {time}: {fault}")]
+    Own {
+        /// The last time that was reached.
+        time: f64,
+        /// Which number, of whom and why.
+        fault: String,
+    },
     /// A large flock.
     #[error("about t = {time}: {error}")]
     Large {

@@ -58,12 +58,20 @@ impl Network {
         self.set_pairs(pairs);
     }
 
+    /// The pairs that rest at exactly a distance.
+    pub fn resting_at(&self, positions: &[f64], rates: &[f64], radius: f64) -> Vec<Pair> {
+        let rests = |pair: &Pair| {
+            squared(&|c| positions[c], *pair) == radius * radius && approach(positions, rates, *pair) == 0.0
+        };
+        self.within(positions, radius * (1.0 + 1e-9)).into_iter().filter(rests).collect()
+    }
+
     fn points(&self, positions: &[f64]) -> Vec<[f64; 2]> {
         (0..self.order()).map(|k| [positions[2 * k], positions[2 * k + 1]]).collect()
     }
 
     /// The pairs below a distance, sorted; none where positions are not finite.
-    fn within(&self, positions: &[f64], radius: f64) -> Vec<Pair> {
+    pub fn within(&self, positions: &[f64], radius: f64) -> Vec<Pair> {
         CellList::new(&self.points(positions), radius).map(|cells| cells.pairs()).unwrap_or_default()
     }
 

@@ -284,12 +284,20 @@ impl Network {
     /// Puts the next links into force.
     pub fn replace(&mut self) -> Vec<Change> {
         let Some((_, pairs)) = self.coming.pop() else { return Vec::new() };
+        self.exchange(pairs)
+    }
+
+    /// Puts other links into the place of those that there are; what has changed.
+    pub fn exchange(&mut self, mut pairs: Vec<Pair>) -> Vec<Change> {
+        pairs.sort_unstable();
         let absent = |list: &[Pair], pair: &Pair| list.binary_search(pair).is_err();
         let lost = self.pairs.iter().filter(|pair| absent(&pairs, pair)).map(|&pair| Change { gained: false, pair });
         let gained = pairs.iter().filter(|pair| absent(&self.pairs, pair)).map(|&pair| Change { gained: true, pair });
         let mut changes: Vec<Change> = lost.chain(gained).collect();
         changes.sort_by_key(|change| change.pair);
-        self.set_pairs(pairs);
+        if !changes.is_empty() {
+            self.set_pairs(pairs);
+        }
         changes
     }
 

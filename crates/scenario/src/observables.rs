@@ -2,12 +2,13 @@
 
 use arithmetic::{ArithmeticError, Complex};
 use models::oscillator::{Flight, Interaction, State, cluster_gap, moment, phase_potential};
+use std::borrow::Cow;
 
 /// A measured quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Observable {
     /// Its name, the same in every file.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// Its value.
     pub value: Value,
 }
@@ -24,16 +25,16 @@ pub enum Value {
 }
 
 impl Observable {
-    pub(super) fn number(name: &'static str, value: f64) -> Self {
-        Observable { name, value: Value::Number(value) }
+    pub(super) fn number(name: impl Into<Cow<'static, str>>, value: f64) -> Self {
+        Observable { name: name.into(), value: Value::Number(value) }
     }
 
-    pub(super) fn count(name: &'static str, value: impl Into<Option<usize>>) -> Self {
-        Observable { name, value: Value::Count(value.into()) }
+    pub(super) fn count(name: impl Into<Cow<'static, str>>, value: impl Into<Option<usize>>) -> Self {
+        Observable { name: name.into(), value: Value::Count(value.into()) }
     }
 
-    pub(super) fn list(name: &'static str, value: impl Into<Vec<f64>>) -> Self {
-        Observable { name, value: Value::List(value.into()) }
+    pub(super) fn list(name: impl Into<Cow<'static, str>>, value: impl Into<Vec<f64>>) -> Self {
+        Observable { name: name.into(), value: Value::List(value.into()) }
     }
 
     /// The numbers with their names in tables: `order` becomes `order_1`, `order_2`, ..; a count without an answer is NaN.

@@ -93,10 +93,7 @@ pub(super) fn run(
     outcome: &Mutex<Outcome>,
 ) {
     let outcome = || outcome.lock().unwrap_or_else(PoisonError::into_inner);
-    let small = {
-        let frame = simulation.frame();
-        frame.positions.len().max(frame.phases.len()) <= MOST_LINKED
-    };
+    let small = simulation.frame().agents() <= MOST_LINKED;
     let (mut links, mut end, mut written) = (Arc::new(Vec::new()), End::Finished, 0);
     simulation.plan(&schedule.times.iter().map(|(time, _)| *time).collect::<Vec<_>>(), progress);
     for &(time, sample) in &schedule.times {
@@ -117,7 +114,7 @@ pub(super) fn run(
         match simulation.observe() {
             Ok(mut observables) => {
                 if let Some(wanted) = &schedule.observables {
-                    observables.retain(|observable| wanted.iter().any(|name| name == observable.name));
+                    observables.retain(|observable| wanted.iter().any(|name| *name == observable.name));
                 }
                 if small {
                     let now = simulation.links();

@@ -19,6 +19,66 @@ pub struct Frame {
     pub phases: Vec<f64>,
     /// Centres of the circles that steered particles would fly on without control, one list of coordinates for each.
     pub centres: Vec<Vec<f64>>,
+    /// Of a law of one's own, every part of the state by its name; then the other lists serve pictures only.
+    pub own: Vec<(String, Part)>,
+}
+
+/// Something that each agent has.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Part {
+    /// One list of coordinates for each agent.
+    Vectors(Vec<Vec<f64>>),
+    /// One number for each agent.
+    Numbers(Vec<f64>),
+}
+
+impl Part {
+    /// Numbers of each agent; none where it is one number and no vector.
+    pub fn width(&self) -> Option<usize> {
+        match self {
+            Part::Vectors(list) => list.first().map(Vec::len),
+            Part::Numbers(_) => None,
+        }
+    }
+
+    /// All numbers, agent by agent.
+    pub fn flat(&self) -> Vec<f64> {
+        match self {
+            Part::Vectors(list) => list.concat(),
+            Part::Numbers(list) => list.clone(),
+        }
+    }
+
+    /// The numbers of an agent.
+    pub fn of(&self, agent: usize) -> &[f64] {
+        match self {
+            Part::Vectors(list) => list.get(agent).map_or(&[], Vec::as_slice),
+            Part::Numbers(list) => list.get(agent).map_or(&[], std::slice::from_ref),
+        }
+    }
+}
+
+impl Frame {
+    /// What each agent has, by its name: positions, velocities, phases, centres as far as the model has them; the parts of the state of a law of one's
+    /// own.
+    pub fn parts(&self) -> Vec<(&str, Part)> {
+        if !self.own.is_empty() {
+            return self.own.iter().map(|(name, part)| (name.as_str(), part.clone())).collect();
+        }
+        let vectors = |list: &Vec<Vec<f64>>| Part::Vectors(list.clone());
+        let all = [
+            ("positions", vectors(&self.positions), self.positions.is_empty()),
+            ("velocities", vectors(&self.velocities), self.velocities.is_empty()),
+            ("phases", Part::Numbers(self.phases.clone()), self.phases.is_empty()),
+            ("centres", vectors(&self.centres), self.centres.is_empty()),
+        ];
+        all.into_iter().filter(|(.., empty)| !empty).map(|(name, part, _)| (name, part)).collect()
+    }
+
+    /// The number of agents.
+    pub fn agents(&self) -> usize {
+        self.positions.len().max(self.phases.len())
+    }
 }
 
 /// A link that came or went.
@@ -112,6 +172,11 @@ pub(super) trait Law {
 
     /// What is run, in words.
     fn declaration(&self) -> Vec<String>;
+
+    /// What was special about the run, in words.
+    fn remarks(&self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// A law with its solution.
@@ -197,6 +262,10 @@ impl<L: Law> Simulation for Continuous<L> {
 
     fn links(&self) -> Vec<(usize, usize)> {
         self.law.links()
+    }
+
+    fn remarks(&self) -> Vec<String> {
+        self.law.remarks()
     }
 
     fn declaration(&self) -> Vec<String> {

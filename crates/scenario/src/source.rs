@@ -7,6 +7,12 @@ use num_traits::ToPrimitive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+/// The column of a place in its line, from 1, in characters.
+fn column_of(text: &str, place: usize) -> usize {
+    let before = text.get(..place).unwrap_or(text);
+    1 + before[before.rfind('\n').map_or(0, |end| end + 1)..].chars().count()
+}
+
 /// A configuration that was parsed but not yet understood.
 pub(super) struct Source<'a> {
     text: &'a str,
@@ -152,6 +158,17 @@ impl<'a> Entry<'a> {
         ConfigError::Value { line, key: self.key.clone(), problem: problem.into() }
     }
 
+    /// What is wrong at a byte of the text that is the value.
+    pub fn in_text(&self, at: Option<usize>, problem: expressions::Problem) -> ConfigError {
+        let span = self.value.span();
+        let written = self.text.get(span.clone()).unwrap_or_default();
+        // Behind the quotes, where nothing in the text is written in another way than it reads.
+        let inside = self.value.get_ref().as_str().and_then(|text| written.find(text)).filter(|_| at.is_some());
+        let place = span.start + inside.map_or(0, |start| start + at.unwrap_or(0));
+        let (line, column) = (line_of(self.text, place), column_of(self.text, place));
+        ConfigError::Expression { line, column, key: self.key.clone(), problem }
+    }
+
     fn shape(&self, expected: &str) -> ConfigError {
         self.problem(Problem::Shape(expected.to_string()))
     }
@@ -186,7 +203,7 @@ impl<'a> Entry<'a> {
     }
 
     /// One of some names.
-    pub fn choice<T: Copy>(&self, names: &[(&'static str, T)]) -> Result<T, ConfigError> {
+    pub fn choice<T: Copy>(&self, names: &[(&str, T)]) -> Result<T, ConfigError> {
         let word = self.word()?;
         let known = names.iter().find(|(name, _)| *name == word);
         known.map(|(_, value)| *value).ok_or_else(|| {

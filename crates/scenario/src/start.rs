@@ -217,12 +217,12 @@ pub(super) fn problem(source: &Source, key: &str, problem: Problem) -> ConfigErr
     }
 }
 
-fn finite(entry: &Entry) -> Result<Rational, ConfigError> {
+pub(super) fn finite(entry: &Entry) -> Result<Rational, ConfigError> {
     entry.number()?;
     entry.exact()
 }
 
-fn rows(entry: &Entry, dimension: usize, agents: &mut Option<usize>) -> Result<Vec<Vec<Rational>>, ConfigError> {
+pub(super) fn rows(entry: &Entry, dimension: usize, agents: &mut Option<usize>) -> Result<Vec<Vec<Rational>>, ConfigError> {
     const EXPECTED: &str = "a list with one list of coordinates for each agent";
     let row = |row: &Entry| {
         // On a line a number is a place.
@@ -240,7 +240,7 @@ fn rows(entry: &Entry, dimension: usize, agents: &mut Option<usize>) -> Result<V
     Ok(rows)
 }
 
-fn check_count(entry: &Entry, found: usize, agents: &mut Option<usize>) -> Result<(), ConfigError> {
+pub(super) fn check_count(entry: &Entry, found: usize, agents: &mut Option<usize>) -> Result<(), ConfigError> {
     let expected = *agents.get_or_insert(found);
     match (found, expected) {
         (0, 0) => Err(entry.problem(Problem::NoAgents)),

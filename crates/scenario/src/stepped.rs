@@ -173,6 +173,10 @@ impl<L: Law + Send> Simulation for Stepped<L> {
         self.law.links()
     }
 
+    fn remarks(&self) -> Vec<String> {
+        self.law.remarks()
+    }
+
     fn declaration(&self) -> Vec<String> {
         let mut lines = self.law.declaration();
         lines.push(format!(

@@ -1,7 +1,8 @@
 //! Complex, dual and series numbers over exact rationals; derivatives along a flow.
 
 use arithmetic::{
-    ArithmeticError, Complex, Dual, Field, Interval, Rational, Real, Ring, Series, along_flow, gradient, rational,
+    ArithmeticError, Complex, Dual, Field, FloatInterval, Interval, Rational, Real, Ring, Series, Sign, Signed, along_flow,
+    gradient, rational,
 };
 use proptest::prelude::*;
 
@@ -94,4 +95,68 @@ fn duals_over_intervals_know_the_elementary_functions() {
         let (a, b) = (dual.unwrap().value, value.unwrap());
         assert_eq!((a.lo(), a.hi()), (b.lo(), b.hi()));
     }
+}
+
+/// Every function of a series, at random coefficients: its inverse or its defining equation gives the series back, and its value is that of the sum for a small argument.
+#[test]
+fn functions_of_series_are_those_of_their_sums() {
+    let mut random = arithmetic::random::generator("series", "functions", 0);
+    for _ in 0..50 {
+        let mut coefficient = || 2.0 * arithmetic::random::uniform(&mut random) - 1.0;
+        let series = Series::from_coefficients(1.5 + coefficient(), (0..7).map(|_| coefficient()));
+        let h = 0.01;
+        let sum = |s: &Series<f64>| s.coefficients().iter().rev().fold(0.0, |sum, c| sum * h + c);
+        let x = sum(&series);
+        let (sin, cos) = series.sin_cos().unwrap();
+        let (sinh, cosh) = series.sinh_cosh().unwrap();
+        for (found, wanted) in [
+            (series.sqrt().unwrap(), x.sqrt()),
+            (series.exp().unwrap(), x.exp()),
+            (series.ln().unwrap(), x.ln()),
+            (series.atan().unwrap(), x.atan()),
+            (sin.clone(), x.sin()),
+            (cos.clone(), x.cos()),
+            (sinh, x.sinh()),
+            (cosh, x.cosh()),
+        ] {
+            // What is left out is of order h^8, with coefficients that stay below 10^3.
+            assert!((sum(&found) - wanted).abs() < 1e-12 * (1.0 + wanted.abs()), "{found:?}");
+        }
+        for (one, other) in [
+            (series.sqrt().unwrap().square(), series.clone()),
+            (series.exp().unwrap().ln().unwrap(), series.clone()),
+            (sin.square() + cos.square(), series.one()),
+        ] {
+            for (a, b) in one.coefficients().iter().zip(other.coefficients()) {
+                assert!((a - b).abs() < 1e-9, "{a} {b}");
+            }
+        }
+    }
+}
+
+/// Over enclosures the coefficients contain those of a point inside.
+#[test]
+fn functions_of_enclosed_series_contain_those_of_their_points() {
+    let of = |x: f64, w: f64| Series::from_coefficients(FloatInterval::between(x - w, x + w), [FloatInterval::point(0.5); 5]);
+    for x in [0.3, 1.0, 2.7] {
+        let (point, around) = (of(x, 0.0), of(x, 0.01));
+        type Function = fn(&Series<FloatInterval>) -> Result<Series<FloatInterval>, ArithmeticError>;
+        for function in [Real::sqrt, Real::exp, Real::ln, Real::atan, Real::sin, Real::cosh] as [Function; 6] {
+            let (inner, outer) = (function(&point).unwrap(), function(&around).unwrap());
+            for (a, b) in inner.coefficients().iter().zip(outer.coefficients()) {
+                assert!(b.lo() <= a.lo() && a.hi() <= b.hi());
+            }
+        }
+    }
+    assert!(of(0.0, 0.0).sqrt().is_err() && of(0.0, 0.1).ln().is_err());
+}
+
+#[test]
+fn signs_of_series_and_duals_are_told_where_they_stay() {
+    let series = |a: i64, b: i64| Series::from_coefficients(rational(a, 1), [rational(b, 1)]);
+    let signs = [series(1, -9).sign(), series(-1, 9).sign(), series(0, 0).sign(), series(0, 1).sign()];
+    assert_eq!(signs, [Some(Sign::Positive), Some(Sign::Negative), Some(Sign::Zero), None]);
+    let dual = |a: i64, b: i64| Dual::new(rational(a, 1), rational(b, 1));
+    let signs = [dual(1, -9).sign(), dual(-1, 9).sign(), dual(0, 0).sign(), dual(0, 1).sign()];
+    assert_eq!(signs, [Some(Sign::Positive), Some(Sign::Negative), Some(Sign::Zero), None]);
 }

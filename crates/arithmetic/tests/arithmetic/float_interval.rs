@@ -1,6 +1,6 @@
 //! Intervals of floats: what is exact is exact, what is not is a step wider, what is not finite is the whole line.
 
-use arithmetic::{ArithmeticError, Dyadic, Field, FloatInterval, Interval, Rational, Ring, Sign, Signed, rational};
+use arithmetic::{ArithmeticError, Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, Sign, Signed, rational};
 use num_bigint::BigInt;
 use proptest::prelude::*;
 
@@ -190,4 +190,55 @@ fn general_intervals_become_intervals_of_floats() {
 fn assert_ends(found: FloatInterval, lo: &Rational, hi: &Rational) {
     assert!(exact(found.lo()) <= *lo && *hi <= exact(found.hi()), "{found:?}");
     assert!(exact(found.lo().next_up().next_up()) >= *lo && exact(found.hi().next_down().next_down()) <= *hi);
+}
+
+/// The value of a function of a float at 200 bits.
+fn finely(x: f64, function: impl Fn(&Interval) -> Interval) -> Interval {
+    function(&Interval::from_rational(&exact(x), 200))
+}
+
+fn is_around(found: FloatInterval, value: &Interval) -> bool {
+    found.is_bounded() && exact(found.lo()) <= value.lo().to_rational() && value.hi().to_rational() <= exact(found.hi())
+}
+
+proptest! {
+    /// The enclosure over an interval contains the value at every float in it, and is hardly wider than needed at a point.
+    #[test]
+    fn functions_enclose_their_values(a in -40f64..40.0, width in 0f64..3.0, part in 0f64..1.0) {
+        type OfFloats = fn(&FloatInterval) -> Result<FloatInterval, ArithmeticError>;
+        type OfIntervals = fn(&Interval) -> Result<Interval, ArithmeticError>;
+        let functions: [(OfFloats, OfIntervals, bool); 8] = [
+            (Real::sqrt, Real::sqrt, true), (Real::ln, Real::ln, true), (Real::exp, Real::exp, false), (Real::sin, Real::sin, false),
+            (Real::cos, Real::cos, false), (Real::atan, Real::atan, false), (Real::cosh, Real::cosh, false),
+            (|x| Ok(x.sinh_cosh()?.0), |x| Ok(x.sinh_cosh()?.0), false),
+        ];
+        for (of_floats, of_intervals, positive) in functions {
+            let a = if positive { a.abs() + 1e-9 } else { a };
+            let b = a + width;
+            let x = (a + part * width).clamp(a, b);
+            let over = of_floats(&between(a, b)).unwrap();
+            let value = finely(x, |x| of_intervals(x).unwrap());
+            prop_assert!(is_around(over, &value));
+            let at = of_floats(&FloatInterval::point(x)).unwrap();
+            prop_assert!(is_around(at, &value));
+            prop_assert!(at.width() <= 8.0 * f64::EPSILON * at.magnitude());
+        }
+    }
+}
+
+#[test]
+fn functions_outside_of_their_domains_and_at_their_ends() {
+    let zero = FloatInterval::point(0.0);
+    assert_eq!(zero.sqrt().unwrap(), zero);
+    assert_eq!(zero.exp().unwrap(), FloatInterval::point(1.0));
+    assert!(between(0.0, 4.0).sqrt().unwrap().lo() == 0.0);
+    assert!(is_around(zero.pi(), &Interval::from_rational(&rational(0, 1), 200).pi()));
+    for bad in [between(-1e-300, 1.0), LINE] {
+        assert_eq!(bad.sqrt().unwrap_err(), ArithmeticError::Argument("sqrt"));
+    }
+    assert!(between(0.0, 1.0).ln().is_err() && LINE.ln().is_err() && LINE.exp().is_err() && LINE.atan().is_err());
+    let turn = between(0.0, 7.0).sin_cos().unwrap();
+    assert!(turn.0.lo() <= -1.0 && turn.0.hi() >= 1.0 && turn.1.lo() <= -1.0 && turn.1.hi() >= 1.0);
+    // Numbers beyond the floats become the whole line, never a wrong bound.
+    assert!(FloatInterval::point(800.0).exp().unwrap().hi().is_infinite());
 }

@@ -131,6 +131,7 @@ impl Check<'_> {
             Kind::Number(_) => Ok(()),
             Kind::Infinity => Err((node.at, Problem::expected("a number", "`inf`, which only ends a time"))),
             Kind::Range(..) | Kind::Interval(..) => Err((node.at, Problem::expected("a number", "a family"))),
+            Kind::Where(..) => Err((node.at, Problem::expected("a number", "an agent with a condition"))),
             Kind::Negated(body) => self.expect(body, false),
             Kind::Sum(list) | Kind::Product(list) => list.iter().try_for_each(|(_, node)| self.expect(node, false)),
             Kind::Power(a, b) => self.expect(a, false).and_then(|()| self.expect(b, false)),

@@ -58,7 +58,7 @@ impl Motion {
     /// The run of a scenario: paths in the plane, places on the line, or phases on the circle; nothing where there is no row.
     pub fn of_outcome(outcome: &Outcome, title: impl Into<String>) -> Option<Self> {
         let first = outcome.rows.first()?;
-        let agents = first.frame.positions.len().max(first.frame.phases.len());
+        let agents = first.frame.agents();
         let most = FRAMES.min(NUMBERS / agents.max(1)).max(2);
         let every = outcome.rows.len().div_ceil(most).max(1);
         let rows: Vec<&Row> = outcome.rows.iter().step_by(every).collect();

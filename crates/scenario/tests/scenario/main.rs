@@ -4,6 +4,7 @@ extern crate flockproof_scenario as scenario;
 
 mod arcs;
 mod individual;
+mod own;
 
 use arithmetic::{Progress, Unwatched};
 use models::platoon::Gains;

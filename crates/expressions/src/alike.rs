@@ -3,7 +3,7 @@
 
 /// The known name with the least number of letters inserted, left out or changed, the first of several; capitals count for nothing. None
 /// where more than a third of the letters and one would have to change.
-pub(super) fn nearest_name<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+pub fn nearest_name<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
     if name.len() > 64 {
         return None;
     }

@@ -1,0 +1,201 @@
+//! Laws of one's own: texts, and what is compiled from them.
+
+use super::compile::Compiler;
+use super::evaluate::{Evaluator, Fault, Hearing};
+use super::number::Number;
+use super::problem::Problem;
+use super::program::Program;
+use arithmetic::Rational;
+use std::sync::Arc;
+
+/// What an agent has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// As many numbers as the law has dimensions.
+    Vector,
+    /// A number.
+    Number,
+    /// An angle in radians.
+    Angle,
+}
+
+/// How time goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Time {
+    /// The expressions are rates of change.
+    #[default]
+    Continuous,
+    /// The expressions are the next state.
+    Discrete,
+}
+
+/// A law as it is written. Expressions are texts of the language; `notes/laws.md` of the program shows them.
+#[derive(Debug, Clone, Default)]
+pub struct LawText {
+    /// Continuous or discrete.
+    pub time: Time,
+    /// Numbers of a vector: 1, 2 or 3.
+    pub dimension: usize,
+    /// What each agent has.
+    pub state: Vec<(String, Kind)>,
+    /// The vector, or in one dimension the number, that says where an agent is.
+    pub position: Option<String>,
+    /// Whether positions on a line have a second coordinate, which is not looked at and whose rate is 0: for networks that are kept in the plane.
+    pub planar: bool,
+    /// Parameters: one value, or a list with one for each agent.
+    pub parameters: Vec<(String, Parameter)>,
+    /// Abbreviations, `name` or `name(i, j)` with the agents that they speak of.
+    pub define: Vec<(String, String)>,
+    /// The rate of change, or the next value, of each part of the state.
+    pub rates: Vec<(String, String)>,
+    /// What is measured on the flock.
+    pub observables: Vec<(String, String)>,
+}
+
+/// The value of a parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Parameter {
+    /// The same for all agents.
+    One(Rational),
+    /// One for each agent.
+    Each(Vec<Rational>),
+}
+
+/// Why a law cannot be compiled.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{problem}")]
+pub struct LawError {
+    /// The table of the law: `define`, `rates`, `observables`, `state`, `parameters`.
+    pub table: &'static str,
+    /// The key in it.
+    pub key: String,
+    /// The byte of the expression; nothing where the whole entry is at fault.
+    pub at: Option<usize>,
+    /// What is wrong.
+    pub problem: Problem,
+}
+
+/// A part of the state.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Variable {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub kind: Kind,
+    /// Where those of the first agent begin in a state.
+    pub start: usize,
+    /// Numbers for each agent.
+    pub width: usize,
+    /// From one agent to the next.
+    pub stride: usize,
+}
+
+/// A compiled law for so many agents. A state is a list: the numbers of the position of all agents, agent by agent, then those of the other parts in
+/// the order of their names in [`LawText::state`].
+#[derive(Debug, Clone)]
+pub struct Law {
+    pub(crate) agents: usize,
+    pub(crate) variables: Vec<Variable>,
+    /// How many of the variables, from the first one, are the position: 1 or 0.
+    pub(crate) placed: bool,
+    pub(crate) lists: Vec<Vec<Rational>>,
+    pub(crate) rates: Arc<Program>,
+    /// Where each number of an agent that the program computes goes: variable and component.
+    pub(crate) targets: Vec<(usize, usize)>,
+    pub(crate) observed: Arc<Program>,
+    /// Names of the observables with how many numbers each has.
+    pub(crate) observables: Vec<(String, usize)>,
+}
+
+impl LawText {
+    /// Compiles the law for so many agents.
+    ///
+    /// # Errors
+    /// [`LawError`], with the place.
+    pub fn compile(&self, agents: usize) -> Result<Law, LawError> {
+        Compiler::new(self, agents)?.law()
+    }
+}
+
+impl Law {
+    /// The number of agents.
+    pub fn agents(&self) -> usize {
+        self.agents
+    }
+
+    /// The parts of the state, in their order; the position first, where there is one.
+    pub fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    /// The part that says where agents are.
+    pub fn position(&self) -> Option<&Variable> {
+        self.variables.first().filter(|_| self.placed)
+    }
+
+    /// Numbers of a state.
+    pub fn size(&self) -> usize {
+        self.variables.iter().map(|variable| variable.stride * self.agents).sum()
+    }
+
+    /// The observables with how many numbers each has.
+    pub fn observables(&self) -> &[(String, usize)] {
+        &self.observables
+    }
+
+    /// Whether rational states stay rational.
+    pub fn is_rational(&self) -> bool {
+        self.rates.is_rational()
+    }
+
+    /// An evaluator of the rates (or next values) for scalars like this one.
+    pub fn evaluator<T: Number>(&self, like: &T) -> Evaluator<T> {
+        Evaluator::new(&self.rates, &self.lists, like)
+    }
+
+    /// Writes the rates, or the next state, of a state.
+    ///
+    /// # Errors
+    /// [`Fault`] where a number has no value.
+    pub fn write_rates<T: Number>(
+        &self,
+        evaluator: &mut Evaluator<T>,
+        (time, state): (&T, &[T]),
+        hearing: &dyn Hearing,
+        rates: &mut [T],
+    ) -> Result<(), Fault> {
+        evaluator.agents(time, state, hearing, |agent, output, value| {
+            let (variable, component) = self.targets[output];
+            let variable = &self.variables[variable];
+            rates[variable.start + agent * variable.stride + component] = value;
+        })
+    }
+
+    /// The rates, or the next state, of a state.
+    ///
+    /// # Errors
+    /// [`Fault`] where a number has no value.
+    pub fn rates<T: Number>(&self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<Vec<T>, Fault> {
+        let mut rates = vec![time.zero(); state.len()];
+        self.write_rates(&mut self.evaluator(time), (time, state), hearing, &mut rates)?;
+        Ok(rates)
+    }
+
+    /// An evaluator of the observables, in their order ([`Evaluator::flock`]).
+    pub fn observing<T: Number>(&self, like: &T) -> Evaluator<T> {
+        Evaluator::new(&self.observed, &self.lists, like)
+    }
+
+    /// The numbers of all observables, in their order.
+    ///
+    /// # Errors
+    /// [`Fault`] where a number has no value.
+    pub fn observe<T: Number>(&self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<Vec<T>, Fault> {
+        self.observing(time).flock(time, state, hearing)
+    }
+
+    /// The name of the part of the state whose rate a [`Fault`] is about.
+    pub fn name_of(&self, fault: &Fault) -> &str {
+        self.targets.get(fault.output).map_or("", |(variable, _)| &self.variables[*variable].name)
+    }
+}

@@ -1,0 +1,34 @@
+//! The language of laws and questions: one grammar and one syntax tree ([`Node`]), and laws of one's own ([`Law`]), which are
+//! compiled once and then evaluated over any scalar: floats simulate them, rationals run them exactly, intervals, series and dual numbers enclose them.
+//!
+//! ```
+//! use flockproof_expressions::{Everyone, Kind, LawText, Time};
+//!
+//! let text = LawText {
+//!     time: Time::Continuous,
+//!     dimension: 1,
+//!     state: vec![("x".to_string(), Kind::Number)],
+//!     rates: vec![("x".to_string(), "mean(j, x[j] - x)".to_string())],
+//!     ..LawText::default()
+//! };
+//! let law = text.compile(3).unwrap();
+//! let rates = law.rates(&0.0, &[0.0, 1.0, 5.0], &Everyone(3)).unwrap();
+//! assert_eq!(rates, [3.0, 1.5, -4.5]);
+//! ```
+
+mod alike;
+mod compile;
+mod evaluate;
+mod law;
+mod number;
+mod problem;
+mod program;
+mod syntax;
+
+pub use alike::{nearest_ids, nearest_name};
+pub use evaluate::{Evaluator, Everyone, Fault, Hearing};
+pub use law::{Kind, Law, LawError, LawText, Parameter, Time, Variable};
+pub use number::{Function, Number};
+pub use problem::Problem;
+pub use program::Program;
+pub use syntax::{KEYWORDS, Located, Node, NodeKind, Relation, parse_domain, parse_property};

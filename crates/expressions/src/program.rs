@@ -1,0 +1,353 @@
+//! What is computed: each thing once, in the loops where it changes.
+//!
+//! Things are numbered in the order in which they were made, so that what a thing needs has a smaller number. An *agent variable* (a slot) is bound by
+//! a loop; slot 0 stands for the flock, slot 1 for the agent whose rates are asked for. A thing belongs to the innermost slot that it depends on.
+
+use super::number::Function;
+use super::syntax::Relation;
+use arithmetic::{Rational, Ring, rational};
+use num_traits::Zero;
+use std::collections::{BTreeSet, HashMap};
+
+/// The number of a thing.
+pub(crate) type Id = usize;
+/// An agent variable.
+pub(crate) type Slot = usize;
+
+/// The slot of the flock.
+pub(crate) const FLOCK: Slot = 0;
+/// The slot of the agent whose rates are asked for.
+pub(crate) const OWN: Slot = 1;
+
+/// Of whom a number of the state is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Of {
+    /// The agent of a variable.
+    Slot(Slot),
+    /// One agent, from 0.
+    Agent(usize),
+}
+
+/// What a thing is.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(crate) enum Op {
+    Number(Rational),
+    Pi,
+    Time,
+    /// A parameter with one value for each agent.
+    Parameter(usize, Of),
+    /// A number of the state: where those of agent 0 begin, numbers from one agent to the next, which.
+    State { start: usize, stride: usize, component: usize, of: Of },
+    Negated(Id),
+    Sum(Id, Id),
+    Difference(Id, Id),
+    Product(Id, Id),
+    Quotient(Id, Id),
+    Power(Id, u32),
+    Function(Function, Id),
+    /// The angle of `(x, y)`, from y and x.
+    Angle(Id, Id),
+    Absolute(Id),
+    Larger(Id, Id),
+    Smaller(Id, Id),
+    /// `if`: a condition and two numbers.
+    Choice(Id, Id, Id),
+    Compared(Relation, Id, Id),
+    Both(Id, Id),
+    Not(Id),
+    /// What a loop has gathered: the loop and which of its results.
+    Gathered(usize, usize),
+}
+
+/// What a loop does with the numbers of its agents.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Gather {
+    Sum,
+    Mean,
+    Largest,
+    Smallest,
+    Count,
+}
+
+/// A loop over agents: all of them in the flock, those whom an agent hears elsewhere.
+#[derive(Debug, Clone)]
+pub(crate) struct Loop {
+    pub slot: Slot,
+    parent: Slot,
+    pub condition: Option<Id>,
+    pub bodies: Vec<(Gather, Id)>,
+    rank: usize,
+}
+
+/// An agent variable.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Variable {
+    /// The variable that is bound outside of it.
+    parent: Slot,
+    /// It runs over those whom this agent hears; over all where nobody is named.
+    pub hears: Option<Of>,
+    name: String,
+}
+
+/// Things under construction.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Things {
+    pub ops: Vec<Op>,
+    known: HashMap<Op, Id>,
+    slot_of: Vec<Slot>,
+    /// How many loops stand below a thing, one inside another's argument: loops of one rank never need each other.
+    rank: Vec<usize>,
+    slots: Vec<Variable>,
+    pub loops: Vec<Loop>,
+}
+
+/// What is done in turn.
+#[derive(Debug, Clone)]
+pub(crate) enum Step {
+    Thing(Id),
+    Loop(Box<Round>),
+}
+
+/// A loop with what is done for each agent.
+#[derive(Debug, Clone)]
+pub(crate) struct Round {
+    pub number: usize,
+    /// Before the condition is looked at.
+    pub before: Vec<Step>,
+    /// After it.
+    pub after: Vec<Step>,
+    /// The things that hold the results.
+    pub results: Vec<(usize, Id)>,
+}
+
+/// Numbers that are computed together, for the flock or for each agent.
+#[derive(Debug, Clone)]
+pub struct Program {
+    pub(crate) ops: Vec<Op>,
+    pub(crate) loops: Vec<Loop>,
+    /// Once.
+    pub(crate) once: Vec<Step>,
+    /// For each agent.
+    pub(crate) each: Vec<Step>,
+    /// The results.
+    pub(crate) outputs: Vec<Id>,
+    pub(crate) slots: Vec<Variable>,
+}
+
+impl Things {
+    /// The flock and an agent of its own.
+    pub fn new() -> Self {
+        let variable = |name: &str| Variable { parent: FLOCK, hears: None, name: name.to_string() };
+        Things { slots: vec![variable(""), variable("i")], ..Things::default() }
+    }
+
+    /// The variable of a loop of that name inside another variable's scope, over those whom an agent hears.
+    pub fn slot(&mut self, parent: Slot, hears: Option<Of>, name: &str) -> Slot {
+        let wanted = Variable { parent, hears, name: name.to_string() };
+        let found = (OWN + 1..self.slots.len()).find(|&slot| self.slots[slot] == wanted);
+        found.unwrap_or_else(|| {
+            self.slots.push(wanted);
+            self.slots.len() - 1
+        })
+    }
+
+    /// The variable that is bound last.
+    pub fn deepest(&self, slots: impl Iterator<Item = Slot>) -> Slot {
+        slots.fold(FLOCK, |a, b| self.deeper(a, b))
+    }
+
+    fn depth(&self, mut slot: Slot) -> usize {
+        let mut depth = 0;
+        while slot != FLOCK {
+            slot = self.slots[slot].parent;
+            depth += 1;
+        }
+        depth
+    }
+
+    fn deeper(&self, a: Slot, b: Slot) -> Slot {
+        if self.depth(b) > self.depth(a) { b } else { a }
+    }
+
+    fn needs(&self, op: &Op) -> Vec<Id> {
+        match op {
+            Op::Number(_) | Op::Pi | Op::Time | Op::Parameter(..) | Op::State { .. } | Op::Gathered(..) => Vec::new(),
+            Op::Negated(a) | Op::Power(a, _) | Op::Function(_, a) | Op::Absolute(a) | Op::Not(a) => vec![*a],
+            Op::Sum(a, b)
+            | Op::Difference(a, b)
+            | Op::Product(a, b)
+            | Op::Quotient(a, b)
+            | Op::Angle(a, b)
+            | Op::Larger(a, b)
+            | Op::Smaller(a, b)
+            | Op::Compared(_, a, b)
+            | Op::Both(a, b) => vec![*a, *b],
+            Op::Choice(a, b, c) => vec![*a, *b, *c],
+        }
+    }
+
+    fn constant(&self, id: Id) -> Option<&Rational> {
+        match &self.ops[id] {
+            Op::Number(q) => Some(q),
+            _ => None,
+        }
+    }
+
+    /// The same from constants, computed once.
+    fn folded(&self, op: &Op) -> Option<Rational> {
+        let of = |id: &Id| self.constant(*id);
+        match op {
+            Op::Negated(a) => of(a).map(|a| -a),
+            Op::Sum(a, b) => Some(of(a)? + of(b)?),
+            Op::Difference(a, b) => Some(of(a)? - of(b)?),
+            Op::Product(a, b) => Some(of(a)? * of(b)?),
+            Op::Quotient(a, b) => of(b).filter(|b| !b.is_zero()).and_then(|b| Some(of(a)? / b)),
+            Op::Power(a, k) if *k <= 64 => of(a).map(|a| a.power(u64::from(*k))),
+            _ => None,
+        }
+    }
+
+    /// What it is the same as without computing anything.
+    fn simplified(&self, op: &Op) -> Option<Id> {
+        let is = |id: &Id, n: i64| self.constant(*id).is_some_and(|q| *q == rational(n, 1));
+        match op {
+            Op::Sum(a, b) if is(a, 0) => Some(*b),
+            Op::Sum(a, b) | Op::Difference(a, b) if is(b, 0) => Some(*a),
+            Op::Product(a, b) if is(a, 1) => Some(*b),
+            Op::Product(a, b) | Op::Quotient(a, b) if is(b, 1) => Some(*a),
+            Op::Power(a, 1) => Some(*a),
+            _ => None,
+        }
+    }
+
+    /// The number of a thing, which is made where it is new.
+    pub fn add(&mut self, op: Op) -> Id {
+        let op = self.folded(&op).map_or(op, Op::Number);
+        if let Some(id) = self.simplified(&op).or_else(|| self.known.get(&op).copied()) {
+            return id;
+        }
+        let needs = self.needs(&op);
+        let own = match &op {
+            Op::Parameter(_, Of::Slot(slot)) | Op::State { of: Of::Slot(slot), .. } => *slot,
+            Op::Gathered(number, _) => self.loops[*number].parent,
+            _ => FLOCK,
+        };
+        let slot = needs.iter().fold(own, |slot, id| self.deeper(slot, self.slot_of[*id]));
+        let own = match &op {
+            Op::Gathered(number, _) => self.loops[*number].rank + 1,
+            _ => 0,
+        };
+        let rank = needs.iter().fold(own, |rank, id| rank.max(self.rank[*id]));
+        let id = self.ops.len();
+        self.known.insert(op.clone(), id);
+        self.ops.push(op);
+        self.slot_of.push(slot);
+        self.rank.push(rank);
+        id
+    }
+
+    pub fn number(&mut self, q: Rational) -> Id {
+        self.add(Op::Number(q))
+    }
+
+    pub fn integer(&mut self, n: i64) -> Id {
+        self.number(rational(n, 1))
+    }
+
+    /// What a loop over a variable gathers; loops over the same agents are one where neither needs the other.
+    pub fn gather(&mut self, slot: Slot, condition: Option<Id>, gather: Gather, body: Id) -> Id {
+        let parent = self.slots[slot].parent;
+        let rank = self.rank[body].max(condition.map_or(0, |id| self.rank[id]));
+        let same = |l: &Loop| (l.slot, l.condition, l.rank) == (slot, condition, rank);
+        let number = self.loops.iter().position(same).unwrap_or_else(|| {
+            self.loops.push(Loop { slot, parent, condition, bodies: Vec::new(), rank });
+            self.loops.len() - 1
+        });
+        let bodies = &mut self.loops[number].bodies;
+        let place = bodies.iter().position(|known| *known == (gather, body)).unwrap_or_else(|| {
+            bodies.push((gather, body));
+            bodies.len() - 1
+        });
+        self.add(Op::Gathered(number, place))
+    }
+
+    /// The things of a slot that these need, in turn, and what they need from outside.
+    fn plan(&self, slot: Slot, roots: &[Id], done: &BTreeSet<Id>) -> (Vec<Step>, BTreeSet<Id>, BTreeSet<Id>) {
+        let (mut here, mut outside) = (BTreeSet::new(), BTreeSet::new());
+        let mut rounds: HashMap<usize, Round> = HashMap::new();
+        let mut open = roots.to_vec();
+        while let Some(id) = open.pop() {
+            if done.contains(&id) {
+                continue;
+            }
+            if self.slot_of[id] != slot {
+                outside.insert(id);
+                continue;
+            }
+            if !here.insert(id) {
+                continue;
+            }
+            open.extend(self.needs(&self.ops[id]));
+            if let Op::Gathered(number, place) = self.ops[id] {
+                if !rounds.contains_key(&number) {
+                    let (round, needed) = self.round(number);
+                    open.extend(needed);
+                    rounds.insert(number, round);
+                }
+                if let Some(round) = rounds.get_mut(&number) {
+                    round.results.push((place, id));
+                }
+            }
+        }
+        let gathered = |id: &Id| matches!(self.ops[*id], Op::Gathered(..));
+        let things = here.iter().filter(|id| !gathered(id)).map(|&id| ((self.rank[id], 0, id), Step::Thing(id)));
+        let mut steps: Vec<_> = things.collect();
+        steps.extend(rounds.into_values().map(|mut round| {
+            round.results.sort_unstable();
+            ((self.loops[round.number].rank, 1, round.number), Step::Loop(Box::new(round)))
+        }));
+        steps.sort_by_key(|(key, _)| *key);
+        (steps.into_iter().map(|(_, step)| step).collect(), here, outside)
+    }
+
+    /// A loop, and what it needs from outside.
+    fn round(&self, number: usize) -> (Round, BTreeSet<Id>) {
+        let this = &self.loops[number];
+        let first: Vec<Id> = this.condition.into_iter().collect();
+        let (before, done, mut outside) = self.plan(this.slot, &first, &BTreeSet::new());
+        let bodies: Vec<Id> = this.bodies.iter().map(|(_, body)| *body).collect();
+        let (after, _, further) = self.plan(this.slot, &bodies, &done);
+        outside.extend(further);
+        (Round { number, before, after, results: Vec::new() }, outside)
+    }
+
+    /// The program that computes these things: of each agent where they may depend on it, of the flock otherwise.
+    pub fn program(&self, outputs: Vec<Id>) -> Program {
+        let (each, _, outside) = self.plan(OWN, &outputs, &BTreeSet::new());
+        let outside: Vec<Id> = outside.into_iter().collect();
+        let (once, ..) = self.plan(FLOCK, &outside, &BTreeSet::new());
+        Program {
+            ops: self.ops.clone(),
+            loops: self.loops.clone(),
+            once,
+            each,
+            outputs,
+            slots: self.slots.clone(),
+        }
+    }
+}
+
+impl Program {
+    /// Whether every number in it is rational where the state is.
+    pub fn is_rational(&self) -> bool {
+        let needed = |step: &Step| self.irrational(step);
+        !self.once.iter().chain(&self.each).any(needed)
+    }
+
+    fn irrational(&self, step: &Step) -> bool {
+        match step {
+            Step::Thing(id) => matches!(self.ops[*id], Op::Function(..) | Op::Pi | Op::Angle(..)),
+            Step::Loop(round) => round.before.iter().chain(&round.after).any(|step| self.irrational(step)),
+        }
+    }
+}

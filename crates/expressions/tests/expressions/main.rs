@@ -1,0 +1,7 @@
+//! Tests of the language of laws.
+
+extern crate flockproof_expressions as expressions;
+
+mod errors;
+mod laws;
+mod twin;

@@ -1,0 +1,236 @@
+//! The slow twin: a walk through the syntax tree for each agent, without sharing anything, against the compiled program; over random expressions.
+
+use super::laws::{Lists, second_order};
+use arithmetic::random::{generator, uniform};
+use expressions::{Node, NodeKind, Relation, parse_property};
+use rand_chacha::ChaCha8Rng;
+
+/// What a walk has found.
+#[derive(Debug, Clone, PartialEq)]
+enum Found {
+    Numbers(Vec<f64>),
+    Truth(bool),
+}
+
+struct Walk<'a> {
+    lists: &'a [Vec<usize>],
+    state: &'a [f64],
+}
+
+impl Walk<'_> {
+    fn numbers(&self, node: &Node, bound: &[(String, usize)]) -> Vec<f64> {
+        match self.found(node, bound) {
+            Found::Numbers(list) => list,
+            Found::Truth(_) => panic!("{node} is no number"),
+        }
+    }
+
+    fn number(&self, node: &Node, bound: &[(String, usize)]) -> f64 {
+        self.numbers(node, bound)[0]
+    }
+
+    fn truth(&self, node: &Node, bound: &[(String, usize)]) -> bool {
+        self.found(node, bound) == Found::Truth(true)
+    }
+
+    fn found(&self, node: &Node, bound: &[(String, usize)]) -> Found {
+        let all = |list: Vec<f64>| Found::Numbers(list);
+        match &node.kind {
+            NodeKind::Number(q) => all(vec![num_traits::ToPrimitive::to_f64(q).unwrap()]),
+            NodeKind::Negated(body) => all(self.numbers(body, bound).iter().map(|x| -x).collect()),
+            NodeKind::Sum(terms) => all(terms
+                .iter()
+                .map(|(minus, term)| {
+                    self.numbers(term, bound).iter().map(|x| if *minus { -x } else { *x }).collect::<Vec<f64>>()
+                })
+                .reduce(|a, b| a.iter().zip(&b).map(|(x, y)| x + y).collect())
+                .unwrap()),
+            NodeKind::Product(factors) => all(factors
+                .iter()
+                .map(|(divides, factor)| {
+                    let list = self.numbers(factor, bound);
+                    if *divides { list.iter().map(|x| 1.0 / x).collect() } else { list }
+                })
+                .reduce(|a, b| match (a.len(), b.len()) {
+                    (1, _) => b.iter().map(|x| x * a[0]).collect(),
+                    _ => a.iter().map(|x| x * b[0]).collect(),
+                })
+                .unwrap()),
+            NodeKind::Power(base, exponent) => all(vec![self.number(base, bound).powf(self.number(exponent, bound))]),
+            NodeKind::Relation(first, others) => {
+                let mut left = self.number(first, bound);
+                Found::Truth(others.iter().all(|(relation, node)| {
+                    let right = self.number(node, bound);
+                    let holds = match relation {
+                        Relation::Less => left < right,
+                        Relation::AtMost => left <= right,
+                        Relation::Greater => left > right,
+                        Relation::AtLeast => left >= right,
+                        Relation::Equal => left == right,
+                        Relation::Different => left != right,
+                    };
+                    left = right;
+                    holds
+                }))
+            }
+            NodeKind::Not(body) => Found::Truth(!self.truth(body, bound)),
+            NodeKind::And(list) => Found::Truth(list.iter().all(|node| self.truth(node, bound))),
+            NodeKind::Or(list) => Found::Truth(list.iter().any(|node| self.truth(node, bound))),
+            NodeKind::Name { name, arguments, .. } => self.named(name, arguments, bound),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn named(&self, name: &str, arguments: &[Node], bound: &[(String, usize)]) -> Found {
+        let agents = self.lists.len();
+        if ["sum", "mean", "count", "largest"].contains(&name) || name == "max" && arguments.len() == 2 {
+            let (agent, filter) = match &arguments[0].kind {
+                NodeKind::Where(agent, filter) => (agent.to_string(), Some(filter.as_ref())),
+                _ => (arguments[0].to_string(), None),
+            };
+            let inside = |j: usize| [bound, &[(agent.clone(), j)]].concat();
+            let heard = &self.lists[bound.last().unwrap().1];
+            let chosen: Vec<usize> =
+                heard.iter().copied().filter(|&j| filter.is_none_or(|f| self.truth(f, &inside(j)))).collect();
+            if name == "count" {
+                let holds = |j: &&usize| arguments.get(1).is_none_or(|f| self.truth(f, &inside(**j)));
+                return Found::Numbers(vec![chosen.iter().filter(holds).count() as f64]);
+            }
+            let values: Vec<Vec<f64>> = chosen.iter().map(|&j| self.numbers(&arguments[1], &inside(j))).collect();
+            if name == "max" {
+                return Found::Numbers(vec![values.iter().map(|list| list[0]).fold(f64::NEG_INFINITY, f64::max)]);
+            }
+            let sum = values.iter().cloned().reduce(|a, b| a.iter().zip(&b).map(|(x, y)| x + y).collect());
+            // Both kinds of expressions that are drawn have a sum of none.
+            let Some(sum) = sum else {
+                let some = self.numbers(&arguments[1], &inside(0)).len();
+                return Found::Numbers(vec![0.0; some]);
+            };
+            let parts = if name == "mean" { values.len() as f64 } else { 1.0 };
+            return Found::Numbers(sum.iter().map(|x| x / parts).collect());
+        }
+        let list = |k: usize| self.numbers(&arguments[k], bound);
+        let one = |x: f64| Found::Numbers(vec![x]);
+        match name {
+            "norm2" => one(list(0).iter().map(|x| x * x).sum()),
+            "dot" => one(list(0).iter().zip(list(1)).map(|(x, y)| x * y).sum()),
+            "cross" => one(list(0)[0] * list(1)[1] - list(0)[1] * list(1)[0]),
+            "sin" => one(list(0)[0].sin()),
+            "abs" => one(list(0)[0].abs()),
+            "exp" => one(list(0)[0].exp()),
+            "if" => self.found(&arguments[if self.truth(&arguments[0], bound) { 1 } else { 2 }], bound),
+            _ => {
+                let (base, index) = name.split_once('[').map_or((name, None), |(a, b)| (a, b.strip_suffix(']')));
+                let of = |name: &str| bound.iter().rev().find(|(known, _)| known == name).unwrap().1;
+                let agent = index.map_or(bound[0].1, of);
+                let start = if base == "x" { 0 } else { 2 * agents };
+                Found::Numbers(self.state[start + 2 * agent..start + 2 * agent + 2].to_vec())
+            }
+        }
+    }
+}
+
+struct Draw {
+    random: ChaCha8Rng,
+}
+
+impl Draw {
+    fn pick<'a>(&mut self, list: &[&'a str]) -> &'a str {
+        list[(uniform(&mut self.random) * list.len() as f64) as usize]
+    }
+
+    fn chance(&mut self, p: f64) -> bool {
+        uniform(&mut self.random) < p
+    }
+
+    /// A vector in terms of these agents.
+    fn vector(&mut self, agents: &[&str], depth: usize) -> String {
+        if depth == 0 || self.chance(0.2) {
+            let agent = self.pick(agents);
+            let base = self.pick(&["x", "v"]);
+            return if agent == "i" && self.chance(0.5) { base.to_string() } else { format!("{base}[{agent}]") };
+        }
+        let (less, next) = (depth - 1, ["j", "k", "l"][(agents.len() - 1).min(2)]);
+        match self.pick(&["sum", "difference", "times", "over", "gather", "if"]) {
+            "sum" => format!("{} + {}", self.vector(agents, less), self.vector(agents, less)),
+            "difference" => format!("{} - ({})", self.vector(agents, less), self.vector(agents, less)),
+            "times" => format!("({})*({})", self.number(agents, less), self.vector(agents, less)),
+            "over" => format!("({})/(1 + norm2({}))", self.vector(agents, less), self.vector(agents, less)),
+            "if" => {
+                let condition = self.condition(agents, less);
+                format!("if({condition}, {}, {})", self.vector(agents, less), self.vector(agents, less))
+            }
+            _ if agents.len() > 3 => self.vector(agents, 0),
+            _ => {
+                let inner = [agents, &[next]].concat();
+                let filter =
+                    if self.chance(0.4) { format!(" where {}", self.condition(&inner, less)) } else { String::new() };
+                let word = self.pick(&["sum", "mean"]);
+                format!("{word}({next}{filter}, {})", self.vector(&inner, less))
+            }
+        }
+    }
+
+    fn number(&mut self, agents: &[&str], depth: usize) -> String {
+        if depth == 0 {
+            return self.pick(&["1", "2", "1/3", "-1/2"]).to_string();
+        }
+        let less = depth - 1;
+        match self.pick(&["dot", "cross", "norm2", "sin", "sum", "abs", "count"]) {
+            "dot" => format!("dot({}, {})", self.vector(agents, less), self.vector(agents, less)),
+            "cross" => format!("cross({}, {})", self.vector(agents, less), self.vector(agents, less)),
+            "norm2" => format!("norm2({})", self.vector(agents, less)),
+            "sin" => format!("sin({})", self.number(agents, less)),
+            "abs" => format!("abs({})", self.number(agents, less)),
+            "sum" => format!("{} - ({})", self.number(agents, less), self.number(agents, less)),
+            _ if agents.len() > 3 => self.number(agents, 0),
+            _ => {
+                let next = ["j", "k", "l"][(agents.len() - 1).min(2)];
+                let inner = [agents, &[next]].concat();
+                let condition = self.condition(&inner, less);
+                format!("count({next}, {condition})")
+            }
+        }
+    }
+
+    fn condition(&mut self, agents: &[&str], depth: usize) -> String {
+        let relation = self.pick(&["<", ">", "<=", "!="]);
+        let one = format!("{} {relation} {}", self.number(agents, depth), self.number(agents, depth));
+        match self.pick(&["one", "one", "not", "and", "or"]) {
+            "not" => format!("not ({one})"),
+            "and" => format!("({one} and {} < 1)", self.number(agents, depth)),
+            "or" => format!("({one} or {} > 0)", self.number(agents, depth)),
+            _ => one,
+        }
+    }
+}
+
+#[test]
+fn random_expressions_as_by_a_walk_through_the_tree() {
+    let lists = [vec![vec![1, 2, 3], vec![0], vec![], vec![0, 2]], vec![vec![1, 2, 3], vec![0, 2, 3], vec![0, 1, 3], vec![0, 1, 2]]];
+    let mut compared = 0;
+    for case in 0..600 {
+        let mut draw = Draw { random: generator("expressions", "twin", case) };
+        let text = draw.vector(&["i"], 4);
+        let lists = &lists[(case % 2) as usize];
+        let state: Vec<f64> = (0..16).map(|_| 2.0 * uniform(&mut draw.random) - 1.0).collect();
+        let node = parse_property(&text).unwrap();
+        // The canonical text is the same expression.
+        assert_eq!(parse_property(&node.to_string()).unwrap().to_string(), node.to_string());
+        let law = second_order(&[], &text, &[]).compile(4).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let rates = law.rates(&0.0, &state, &Lists(lists.clone())).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let walk = Walk { lists, state: &state };
+        for agent in 0..4 {
+            let wanted = walk.numbers(&node, &[("i".to_string(), agent)]);
+            for c in 0..2 {
+                let (found, wanted) = (rates[8 + 2 * agent + c], wanted[c]);
+                let size = 1.0 + wanted.abs();
+                if size.is_finite() && size < 1e6 {
+                    compared += 1;
+                    assert!((found - wanted).abs() < 1e-9 * size, "{text}: {found} for {wanted} (agent {agent})");
+                }
+            }
+        }
+    }
+    assert!(compared > 4000, "{compared}");
+}

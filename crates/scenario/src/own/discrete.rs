@@ -1,0 +1,172 @@
+//! A law of one's own in discrete time, over floats or exact rationals.
+
+use super::measured::{Heard, frame, in_words, observe};
+use super::read::Described;
+use crate::error::RunError;
+use crate::network::{Change, Network, Pair, Rule};
+use crate::observables::Observable;
+use crate::simulation::{Event, Frame, Simulation};
+use arithmetic::{ArithmeticError, Progress, Rational, Sign};
+use expressions::{Evaluator, Law, Number};
+use num_traits::ToPrimitive;
+use std::cell::RefCell;
+use std::cmp::Ordering;
+use std::sync::Arc;
+
+/// The law with its state.
+pub(super) struct Stepping<T> {
+    law: Arc<Law>,
+    network: Network,
+    radius: Option<T>,
+    step: Rational,
+    /// Steps taken.
+    taken: u64,
+    state: Vec<T>,
+    next: Vec<T>,
+    evaluator: Evaluator<T>,
+    observed: RefCell<Evaluator<f64>>,
+    rounded: fn(&T) -> f64,
+    declaration: Vec<String>,
+}
+
+impl<T: Number> Stepping<T> {
+    /// The law at its start; `zero` tells the scalar.
+    pub fn new(own: Described, state: Vec<T>, zero: &T, rounded: fn(&T) -> f64) -> Self {
+        let mut stepping = Stepping {
+            radius: own.radius.map(|radius| zero.rational(&radius)),
+            evaluator: own.law.evaluator(zero),
+            observed: RefCell::new(own.law.observing(&0.0)),
+            next: vec![zero.clone(); state.len()],
+            law: own.law,
+            network: own.network,
+            step: own.step,
+            taken: 0,
+            state,
+            rounded,
+            declaration: own.declaration,
+        };
+        stepping.relink();
+        stepping
+    }
+
+    fn floats(&self) -> Vec<f64> {
+        self.state.iter().map(self.rounded).collect()
+    }
+
+    fn time(&self) -> Rational {
+        &self.step * Rational::from_integer(self.taken.into())
+    }
+
+    /// The numbers of an agent's place.
+    fn place(&self, agent: usize) -> &[T] {
+        self.law.position().map_or(&[], |position| {
+            let from = position.start + agent * position.stride;
+            &self.state[from..from + position.width]
+        })
+    }
+
+    fn square(&self, (i, j): Pair) -> Option<T> {
+        let products = self.place(i).iter().zip(self.place(j)).map(|(x, y)| (x.clone() - y).square());
+        products.reduce(|sum, square| sum + square)
+    }
+
+    /// The links of the places, or those that are due; what has changed.
+    fn relink(&mut self) -> Vec<Change> {
+        let pairs = match self.network.rule() {
+            Rule::Fixed => {
+                let now = self.time().to_f64().unwrap_or(f64::NAN);
+                let mut changes = Vec::new();
+                while self.network.next_time().is_some_and(|due| due <= now) {
+                    changes.extend(self.network.replace());
+                }
+                return changes;
+            }
+            Rule::Within(radius) => self.within(radius),
+            Rule::Nearest(count) => self.nearest(count),
+        };
+        self.network.exchange(pairs)
+    }
+
+    /// Floats propose who may be near, the scalar decides: at most the radius.
+    fn within(&self, radius: f64) -> Vec<Pair> {
+        let Some(exact) = &self.radius else { return Vec::new() };
+        let floats = self.floats();
+        let far = floats.iter().fold(radius, |most: f64, x| most.max(x.abs()));
+        let is_near = |pair: &Pair| {
+            let excess = self.square(*pair).map(|square| (square - exact.square()).sign());
+            matches!(excess, Some(Some(Sign::Negative | Sign::Zero)))
+        };
+        self.network.within(&floats, radius + 1e-9 * far).into_iter().filter(is_near).collect()
+    }
+
+    /// The so many nearest of each; of two at one distance the one with the smaller number.
+    fn nearest(&self, count: usize) -> Vec<Pair> {
+        let agents = self.law.agents();
+        let mut arcs = Vec::new();
+        for agent in 0..agents {
+            let mut others: Vec<(T, usize)> = (0..agents)
+                .filter(|other| *other != agent)
+                .filter_map(|other| Some((self.square((agent, other))?, other)))
+                .collect();
+            others.sort_by(|a, b| {
+                let order = match (a.0.clone() - &b.0).sign() {
+                    Some(Sign::Negative) => Ordering::Less,
+                    Some(Sign::Positive) => Ordering::Greater,
+                    _ => Ordering::Equal,
+                };
+                order.then(a.1.cmp(&b.1))
+            });
+            arcs.extend(others.into_iter().take(count).map(|(_, other)| (agent, other)));
+        }
+        arcs
+    }
+}
+
+impl<T: Number> Simulation for Stepping<T> {
+    fn advance(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
+        let length = self.step.to_f64().unwrap_or(f64::NAN);
+        let last = (until / length).round();
+        while (self.taken as f64) < last {
+            if progress.is_cancelled() {
+                return Ok(false);
+            }
+            let time = self.time();
+            let now = time.to_f64().unwrap_or(f64::NAN);
+            let scalar = self.state.first().map(|like| like.rational(&time));
+            let Some(scalar) = scalar else { return Ok(true) };
+            let written = self.law.write_rates(
+                &mut self.evaluator,
+                (&scalar, &self.state),
+                &Heard(&self.network),
+                &mut self.next,
+            );
+            written.map_err(|fault| RunError::Own { time: now, fault: in_words(&self.law, &fault) })?;
+            if self.next.iter().any(|x| !(self.rounded)(x).is_finite()) {
+                return Err(RunError::Own { time: now, fault: "a number grows beyond the floats".to_string() });
+            }
+            std::mem::swap(&mut self.state, &mut self.next);
+            self.taken += 1;
+            let time = self.time().to_f64().unwrap_or(f64::NAN);
+            events.extend(self.relink().iter().map(|change| Event::new(time, change)));
+        }
+        Ok(true)
+    }
+
+    fn frame(&self) -> Frame {
+        frame(&self.law, &self.floats())
+    }
+
+    fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
+        let time = self.time().to_f64().unwrap_or(f64::NAN);
+        let observed = observe(&self.law, &self.network, (&mut self.observed.borrow_mut(), time), &self.floats());
+        observed.map_err(|fault| fault.error)
+    }
+
+    fn links(&self) -> Vec<(usize, usize)> {
+        self.network.links()
+    }
+
+    fn declaration(&self) -> Vec<String> {
+        self.declaration.clone()
+    }
+}

@@ -1,0 +1,117 @@
+//! What is shown and measured of agents with a law of one's own.
+
+use crate::network::Network;
+use crate::observables::{Observable, min_distance};
+use crate::simulation::{Frame, Part};
+use arithmetic::{ArithmeticError, Complex};
+use expressions::{Evaluator, Fault, Hearing, Kind, Law};
+use models::oscillator::moment;
+
+/// Orders that are measured of an angle.
+const ORDERS: u32 = 4;
+
+/// A network as the law hears it.
+pub(super) struct Heard<'a>(pub &'a Network);
+
+impl Hearing for Heard<'_> {
+    fn agents(&self) -> usize {
+        self.0.order()
+    }
+
+    fn heard(&self, agent: usize) -> Option<&[usize]> {
+        if self.0.is_all_to_all() { None } else { Some(self.0.neighbours(agent)) }
+    }
+}
+
+/// The rows of a part of the state.
+fn rows(law: &Law, name: &str, state: &[f64]) -> Vec<Vec<f64>> {
+    let variable = law.variables().iter().find(|variable| variable.name == name);
+    let row = |agent: usize| {
+        variable.map_or_else(Vec::new, |variable| {
+            let from = variable.start + agent * variable.stride;
+            state[from..from + variable.width].to_vec()
+        })
+    };
+    (0..law.agents()).map(row).collect()
+}
+
+/// Where the agents are, with every part of the state by its name.
+pub(super) fn frame(law: &Law, state: &[f64]) -> Frame {
+    let mut frame = Frame::default();
+    if let Some(position) = law.position() {
+        // Pictures are of the plane.
+        frame.positions = rows(law, &position.name, state).into_iter().map(|row| row.into_iter().take(2).collect()).collect();
+    }
+    for variable in law.variables() {
+        let list = rows(law, &variable.name, state);
+        if variable.name == "v" && variable.width == 2 {
+            frame.velocities = list.clone();
+        }
+        let own = if variable.kind == Kind::Vector {
+            Part::Vectors(list)
+        } else {
+            let numbers = list.concat();
+            if variable.kind == Kind::Angle && frame.phases.is_empty() {
+                frame.phases = numbers.clone();
+            }
+            Part::Numbers(numbers)
+        };
+        frame.own.push((variable.name.clone(), own));
+    }
+    if frame.positions.is_empty() && frame.phases.is_empty() {
+        // Somebody is there, though nowhere.
+        frame.phases = law.variables().first().map_or(Vec::new(), |first| rows(law, &first.name, state).concat());
+    }
+    frame
+}
+
+/// The general observables, then those of the law.
+pub(super) fn observe(
+    law: &Law,
+    network: &Network,
+    (evaluator, time): (&mut Evaluator<f64>, f64),
+    state: &[f64],
+) -> Result<Vec<Observable>, Fault> {
+    let is_own = |name: &str| law.observables().iter().any(|(own, _)| own == name);
+    let mut all = Vec::new();
+    if let Some(position) = law.position() {
+        all.push(Observable::number("min_distance", min_distance(&rows(law, &position.name, state))));
+    }
+    all.push(Observable::count("components", network.components()));
+    if law.variables().iter().any(|variable| variable.name == "v" && variable.kind != Kind::Angle) {
+        all.push(Observable::number("disagreement", disagreement(&rows(law, "v", state))));
+    }
+    if let Some(angle) = law.variables().iter().find(|variable| variable.kind == Kind::Angle) {
+        let phases = rows(law, &angle.name, state).concat();
+        all.push(Observable::list("order", orders(&phases).unwrap_or_default()));
+    }
+    all.retain(|observable| !is_own(&observable.name));
+    let mut numbers = evaluator.flock(&time, state, &Heard(network))?.into_iter();
+    for (name, count) in law.observables() {
+        let values: Vec<f64> = numbers.by_ref().take(*count).collect();
+        all.push(match values[..] {
+            [one] => Observable::number(name.clone(), one),
+            _ => Observable::list(name.clone(), values),
+        });
+    }
+    Ok(all)
+}
+
+/// `sqrt(sum |v_i - mean|²)`.
+fn disagreement(velocities: &[Vec<f64>]) -> f64 {
+    let count = velocities.len() as f64;
+    let width = velocities.first().map_or(0, Vec::len);
+    let mean: Vec<f64> = (0..width).map(|c| velocities.iter().map(|v| v[c]).sum::<f64>() / count).collect();
+    let square = |v: &Vec<f64>| v.iter().zip(&mean).map(|(x, m)| (x - m) * (x - m)).sum::<f64>();
+    velocities.iter().map(square).sum::<f64>().sqrt()
+}
+
+fn orders(phases: &[f64]) -> Result<Vec<f64>, ArithmeticError> {
+    let phasors: Vec<Complex<f64>> = phases.iter().map(|theta| Complex::new(theta.cos(), theta.sin())).collect();
+    (1..=ORDERS.min(phases.len() as u32)).map(|m| Ok(moment(&phasors, m)?.norm_squared().sqrt())).collect()
+}
+
+/// A fault in words.
+pub(super) fn in_words(law: &Law, fault: &Fault) -> String {
+    format!("`{}` {fault}", law.name_of(fault))
+}

@@ -1,0 +1,9 @@
+//! Laws of one's own: `model = "own"`. What is written in `[law]` is compiled by `expressions` and run like every other law.
+
+mod continuous;
+mod discrete;
+mod measured;
+mod read;
+mod start;
+
+pub(super) use read::read;

@@ -1,0 +1,238 @@
+//! From the tables of a law to the law, with the place of what is wrong.
+
+use super::continuous::Moving;
+use super::discrete::Stepping;
+use super::start::{Ranges, start};
+use crate::error::{ConfigError, Problem};
+use crate::network::{Abilities, Kind as NetworkKind, Network, Rule};
+use crate::simulation::{Continuous, Simulation};
+use crate::source::{Entry, Section, Source};
+use crate::stepped::Stepped;
+use arithmetic::{Rational, rational};
+use expressions::{Kind, Law, LawError, LawText, Parameter, Time};
+use num_traits::ToPrimitive;
+use std::sync::Arc;
+
+const KINDS: [(&str, Kind); 3] = [("vector", Kind::Vector), ("number", Kind::Number), ("angle", Kind::Angle)];
+const TIMES: [(&str, Time); 2] = [("continuous", Time::Continuous), ("discrete", Time::Discrete)];
+const KEYS: [&str; 11] =
+    ["name", "time", "step", "dimension", "state", "position", "parameters", "define", "rates", "next", "observables"];
+
+/// A law of one's own with everything that a run needs.
+pub(crate) struct Described {
+    pub law: Arc<Law>,
+    /// The start: exact, in the order of the law's state.
+    pub state: Vec<Rational>,
+    pub network: Network,
+    /// Exact, where links are those within a radius.
+    pub radius: Option<Rational>,
+    pub time: Time,
+    /// The length of a step in discrete time.
+    pub step: Rational,
+    pub declaration: Vec<String>,
+}
+
+/// Reads a scenario with a law of its own; with it the step of discrete time.
+pub(crate) fn read(source: &Source, tolerance: f64) -> Result<(Box<dyn Simulation>, Option<Rational>), ConfigError> {
+    let mut own = describe(source)?;
+    let run = source.needed("run")?;
+    let fixed = run.get("step").map(|entry| entry.positive()).transpose()?;
+    if own.time == Time::Discrete {
+        if let Some(entry) = run.get("step") {
+            return Err(entry.range("left out: in discrete time `step` stands in [law]"));
+        }
+        let exact = run.get("exact").map_or(Ok(false), |entry| entry.flag())?;
+        if exact && !own.law.is_rational() {
+            let why = "false: the law has functions whose values are not rational";
+            return Err(run.need("exact", "true or false")?.range(why));
+        }
+        let step = own.step.clone();
+        let state = std::mem::take(&mut own.state);
+        let simulation: Box<dyn Simulation> = if exact {
+            own.declaration.push("exact steps on rational numbers, rounded once where they are written".to_string());
+            Box::new(Stepping::new(own, state, &rational(0, 1), rounded))
+        } else {
+            let state = state.iter().map(rounded).collect();
+            Box::new(Stepping::new(own, state, &0.0, |x| *x))
+        };
+        return Ok((simulation, Some(step)));
+    }
+    if let Some(entry) = run.get("exact") {
+        return Err(entry.range("left out: only laws in discrete time run exactly; `check` encloses continuous ones"));
+    }
+    let state: Vec<f64> = own.state.iter().map(rounded).collect();
+    let mut moving = Moving::new(own);
+    moving.start(&state).map_err(|problem| source.top().problem(problem))?;
+    let simulation: Box<dyn Simulation> = match fixed {
+        Some(step) => Box::new(Stepped::settled(moving, state, step)),
+        None => Box::new(Continuous::new(moving, &state, tolerance)),
+    };
+    Ok((simulation, None))
+}
+
+fn rounded(x: &Rational) -> f64 {
+    x.to_f64().unwrap_or(f64::NAN)
+}
+
+/// Everything but how it is run.
+pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
+    let section = source.needed("law")?;
+    section.allow(&KEYS, " of a law of one's own")?;
+    let mut text = LawText { dimension: 2, ..LawText::default() };
+    text.time = section.get("time").map_or(Ok(Time::Continuous), |entry| entry.choice(&TIMES))?;
+    text.dimension = section.get("dimension").map_or(Ok(2), |entry| entry.count(1, 3))?;
+    let discrete = text.time == Time::Discrete;
+    let (rates, other) = if discrete { ("next", "rates") } else { ("rates", "next") };
+    if let Some(entry) = section.get(other) {
+        return Err(entry.range(format!("left out: a law in {} time has [law.{rates}]", if discrete { "discrete" } else { "continuous" })));
+    }
+    let step = match section.get("step") {
+        None => rational(1, 1),
+        Some(entry) if !discrete => return Err(entry.range("left out: time is continuous")),
+        Some(entry) => {
+            entry.positive()?;
+            entry.exact()?
+        }
+    };
+    let what = "a table such as { x = \"vector\", v = \"vector\" }";
+    for (name, entry) in section.need("state", what)?.table("law.state")?.leaves() {
+        text.state.push((name, entry.choice(&KINDS)?));
+    }
+    let position = section.get("position").map(|entry| entry.word()).transpose()?;
+    text.position = position.map(str::to_string).or_else(|| usual_position(&text));
+    if let Some(entry) = section.get("parameters") {
+        for (name, entry) in entry.table("law.parameters")?.leaves() {
+            let value = if entry.is_list() {
+                let each = entry.items("a list with one number for each agent")?;
+                Parameter::Each(each.iter().map(Entry::exact).collect::<Result<_, _>>()?)
+            } else {
+                Parameter::One(entry.exact()?)
+            };
+            text.parameters.push((name, value));
+        }
+    }
+    text.define = texts(&section, "define")?;
+    text.rates = texts(&section, rates)?;
+    text.observables = texts(&section, "observables")?;
+    let ranges = Ranges::of(&text);
+    let (parts, agents, drawn) = start(source, &ranges)?;
+    let planar = text.dimension <= 2 && text.position.is_some();
+    let can = Abilities {
+        model: "own",
+        positions: planar,
+        directed: true,
+        edges: false,
+        timed: true,
+        default: Some(NetworkKind::AllToAll),
+    };
+    let network = network(source, agents, can, text.dimension)?;
+    text.planar = text.dimension == 1 && network.switches();
+    let law = text.compile(agents).map_err(|error| refused(&section, rates, error))?;
+    let state = laid_out(&law, &parts);
+    let radius = match network.rule() {
+        Rule::Within(_) => Some(source.needed("graph")?.need("radius", "a number above 0")?.exact()?),
+        _ => None,
+    };
+    let name = section.get("name").map(|entry| entry.word()).transpose()?;
+    let mut declaration = declaration(&text, name, &step);
+    declaration.push(network.declaration().to_string());
+    declaration.extend(drawn);
+    Ok(Described { law: Arc::new(law), state, network, radius, time: text.time, step, declaration })
+}
+
+/// The first vector; in one dimension the first part that is no angle.
+fn usual_position(text: &LawText) -> Option<String> {
+    let is_place = |kind: Kind| kind == Kind::Vector || text.dimension == 1 && kind == Kind::Number;
+    text.state.iter().find(|(_, kind)| is_place(*kind)).map(|(name, _)| name.clone())
+}
+
+/// Links by distance need places in the plane or on a line.
+fn network(source: &Source, agents: usize, can: Abilities, dimension: usize) -> Result<Network, ConfigError> {
+    let distances = ["within", "nearest"];
+    if let Some(section) = source.section("graph")?
+        && let Some(entry) = section.get("kind").filter(|_| dimension == 3)
+        && distances.contains(&entry.word()?)
+    {
+        let needs = "a fixed graph in three dimensions: links by distance are there in one and two";
+        return Err(entry.problem(Problem::Network { model: "own", needs }));
+    }
+    Network::read(source, agents, can)
+}
+
+fn texts(section: &Section, key: &'static str) -> Result<Vec<(String, String)>, ConfigError> {
+    let Some(entry) = section.get(key) else { return Ok(Vec::new()) };
+    let leaves = entry.table(titled(key))?.leaves();
+    leaves.into_iter().map(|(name, entry)| Ok((name, entry.word()?.to_string()))).collect()
+}
+
+/// The numbers in the order of the law's state.
+fn laid_out(law: &Law, parts: &[(String, Vec<Vec<Rational>>)]) -> Vec<Rational> {
+    let mut state = vec![rational(0, 1); law.size()];
+    for variable in law.variables() {
+        let rows = parts.iter().find(|(name, _)| *name == variable.name).map(|(_, rows)| rows);
+        for (agent, row) in rows.into_iter().flatten().enumerate() {
+            let from = variable.start + agent * variable.stride;
+            state[from..from + row.len()].clone_from_slice(row);
+        }
+    }
+    state
+}
+
+/// How a table of the law is called.
+fn titled(table: &str) -> &'static str {
+    const TITLES: [&str; 6] = ["law.state", "law.parameters", "law.define", "law.rates", "law.next", "law.observables"];
+    TITLES.into_iter().find(|title| title.strip_prefix("law.") == Some(table)).unwrap_or("law")
+}
+
+/// The place of what is wrong with a law.
+fn refused(section: &Section, rates: &'static str, error: LawError) -> ConfigError {
+    let table = if error.table == "rates" { rates } else { error.table };
+    let inner = section.get(table);
+    let entry = inner.as_ref().and_then(|entry| {
+        let inside = entry.is_table().then(|| entry.table(titled(table)).ok()).flatten()?;
+        inside.leaves().into_iter().find(|(name, _)| *name == error.key).map(|(_, entry)| entry)
+    });
+    match (entry, inner) {
+        (Some(entry), _) => entry.in_text(error.at, error.problem),
+        (None, Some(inner)) => inner.in_text(None, error.problem),
+        (None, None) => section.problem(Problem::Expression(error.problem)),
+    }
+}
+
+/// The law in words: equations and every choice that is open.
+fn declaration(text: &LawText, name: Option<&str>, step: &Rational) -> Vec<String> {
+    let mut lines = Vec::new();
+    let title = name.map_or(String::new(), |name| format!(" \"{name}\""));
+    let discrete = text.time == Time::Discrete;
+    lines.push(match discrete {
+        true => format!("law of one's own{title}, discrete time in steps of {step}; all agents change at once"),
+        false => format!("law of one's own{title}, continuous time"),
+    });
+    for (name, rate) in &text.rates {
+        let kind = text.state.iter().find(|(known, _)| known == name).map_or(Kind::Number, |(_, kind)| *kind);
+        let word = match kind {
+            Kind::Vector => format!("vector of {} numbers", text.dimension),
+            Kind::Number => "number".to_string(),
+            Kind::Angle => "angle, radians".to_string(),
+        };
+        lines.push(match discrete {
+            true => format!("{name}(t + {step}) = {rate} ({word})"),
+            false => format!("d{name}/dt = {rate} ({word})"),
+        });
+    }
+    lines.extend(text.define.iter().map(|(name, body)| format!("{name} = {body}")));
+    let value = |parameter: &Parameter| match parameter {
+        Parameter::One(q) => q.to_string(),
+        Parameter::Each(list) => format!("[{}]", list.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
+    };
+    if !text.parameters.is_empty() {
+        let all: Vec<String> = text.parameters.iter().map(|(name, given)| format!("{name} = {}", value(given))).collect();
+        lines.push(format!("parameters: {}", all.join(", ")));
+    }
+    lines.extend(text.observables.iter().map(|(name, body)| format!("observable {name} = {body}")));
+    lines.push("sum, mean, max, min and count run over the agents that agent i hears in the network, in observables over all agents, inside each other over those whom that agent hears; a mean over none is 0; a mean of angles is the direction of the mean unit vector".to_string());
+    if let Some(position) = &text.position {
+        lines.push(format!("agents are where `{position}` says; distances are those of `{position}`"));
+    }
+    lines
+}

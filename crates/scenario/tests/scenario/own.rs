@@ -1,0 +1,211 @@
+//! Laws of one's own beside the built-in ones, and what is refused.
+
+use super::{run, value as number};
+use scenario::{Outcome, Part, Row, Scenario};
+
+const VELOCITIES: &str = r#"
+[law]
+state = { x = "vector", v = "vector" }
+[law.define]
+"q(i, j)" = "norm2(x[i] - x[j])"
+[law.rates]
+x = "v"
+v = "sum(j, v[j] - v) - sum(j, 2*(1/q(i, j) - 1/q(i, j)^2)*(x - x[j]))"
+[law.observables]
+kinetic = "sum(i, norm2(v[i])) / 2"
+momentum = "sum(i, v[i])"
+"#;
+
+fn part(row: &Row, name: &str) -> Vec<f64> {
+    row.frame.parts().into_iter().find(|(known, _)| *known == name).map_or_else(Vec::new, |(_, part)| part.flat())
+}
+
+/// The same samples and events, whatever the network; own names for what the built-in law calls otherwise.
+fn assert_alike(own: &Outcome, built_in: &Outcome, names: &[(&str, &str)], tolerance: f64) {
+    assert_eq!(own.rows.len(), built_in.rows.len());
+    for (a, b) in own.samples().zip(built_in.samples()) {
+        for (mine, theirs) in names {
+            let (mine, theirs) = (part(a, mine), part(b, theirs));
+            assert!(!mine.is_empty() && mine.len() == theirs.len());
+            for (x, y) in mine.iter().zip(&theirs) {
+                assert!((x - y).abs() < tolerance, "t = {}: {x} for {y}", a.time);
+            }
+        }
+        for name in ["kinetic", "min_distance", "disagreement", "components"] {
+            if b.observables.iter().any(|o| o.name == name) && a.observables.iter().any(|o| o.name == name) {
+                assert!((number(a, name) - number(b, name)).abs() < 10.0 * tolerance, "{name}");
+            }
+        }
+    }
+    assert_eq!(own.events.len(), built_in.events.len());
+    for (a, b) in own.events.iter().zip(&built_in.events) {
+        assert_eq!((a.pair, a.gained), (b.pair, b.gained));
+        assert!((a.time - b.time).abs() < tolerance.max(1e-8), "{} {}", a.time, b.time);
+    }
+}
+
+#[test]
+fn velocity_alignment_as_a_file_moves_as_the_built_in_law() {
+    let graphs = [
+        "kind = \"complete\"",
+        "kind = \"path\"",
+        "kind = \"within\"\nradius = \"5/2\"",
+        "kind = \"edges\"\nedges = [[1, 2]]\nswitches = [{ at = 2, edges = [[2, 3], [1, 3]] }]",
+    ];
+    for graph in graphs {
+        let common = format!(
+            "[graph]\n{graph}\n[run]\nuntil = 8\nsamples = [1, 4, 8]\nrows = 8\ntolerance = 1e-12\n[state]\n"
+        );
+        let places = "[[0, 0], [2, 0], [\"0.3\", 1]]";
+        let moving = "[[1, 0], [0, 1], [-1, \"1.1\"]]";
+        let own = run(&format!("model = \"own\"\n{common}x = {places}\nv = {moving}\n{VELOCITIES}"));
+        let built_in = run(&format!(
+            "model = \"velocity-alignment\"\n{common}positions = {places}\nvelocities = {moving}\n[law]\npotential = \"inverse-square-log\"\n"
+        ));
+        assert_alike(&own, &built_in, &[("x", "positions"), ("v", "velocities")], 1e-9);
+    }
+}
+
+/// Three arcs among three agents are not all pairs.
+#[test]
+fn phases_on_directed_networks_as_the_built_in_law() {
+    for graph in [
+        "kind = \"complete\"",
+        "kind = \"ring\"",
+        "kind = \"edges\"\ndirected = true\nedges = [[1, 2], [2, 3]]",
+        "kind = \"edges\"\ndirected = true\nedges = [[1, 2], [1, 3], [2, 3], [3, 1]]",
+    ] {
+        let common = format!("[graph]\n{graph}\n[run]\nuntil = 3\nsamples = [1, 3]\ntolerance = 1e-12\n[state]\n");
+        let phases = "[0, 1, 3]";
+        let law = "[law]\nstate = { theta = \"angle\" }\nparameters = { omega = \"1/3\", K = -1 }\n[law.rates]\ntheta = \"omega - K/agents*sum(j, sin(theta[j] - theta))\"\n";
+        let own = run(&format!("model = \"own\"\n{common}theta = {phases}\n{law}"));
+        let built_in =
+            run(&format!("model = \"phase\"\n{common}phases = {phases}\n[law]\nomega0 = \"1/3\"\nK1 = \"-1\"\n"));
+        // The built-in gain multiplies the sum without 1/N.
+        let by_sum = run(&format!(
+            "model = \"own\"\n{common}theta = {phases}\n{}",
+            law.replace("K/agents*", "K*")
+        ));
+        let difference = |own: &Outcome| {
+            let last = |outcome: &Outcome, name: &str| part(outcome.rows.last().expect("a row"), name);
+            let pairs = last(own, "theta").into_iter().zip(last(&built_in, "phases"));
+            pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+        };
+        assert!(difference(&own).min(difference(&by_sum)) < 1e-9, "{} {}", difference(&own), difference(&by_sum));
+    }
+}
+
+const AVERAGING: &str = r#"
+model = "own"
+[graph]
+kind = "within"
+radius = 1
+[state]
+x = ["0", "1", "2", "4"]
+[law]
+time = "discrete"
+dimension = 1
+state = { x = "number" }
+[law.next]
+x = "(x + sum(j, x[j])) / (1 + count(j))"
+[run]
+until = 3
+"#;
+
+/// Links at exactly the radius are there, on rationals and on floats alike; the exact run is that of the law by hand.
+#[test]
+fn averaging_within_a_radius_is_exact_where_asked() {
+    for text in [AVERAGING.to_string(), AVERAGING.replace("until = 3", "until = 3\nexact = true")] {
+        let outcome = run(&text);
+        assert_eq!(outcome.rows.len(), 4);
+        let places: Vec<Vec<f64>> = outcome.rows.iter().map(|row| part(row, "x")).collect();
+        let hand = [
+            vec![0.0, 1.0, 2.0, 4.0],
+            vec![0.5, 1.0, 1.5, 4.0],
+            vec![1.0, 1.0, 1.0, 4.0],
+            vec![1.0, 1.0, 1.0, 4.0],
+        ];
+        for (found, wanted) in places.iter().zip(&hand) {
+            for (x, y) in found.iter().zip(wanted) {
+                assert!((x - y).abs() < 1e-15, "{places:?}");
+            }
+        }
+        let gained: Vec<(usize, usize)> = outcome.events.iter().map(|event| event.pair).collect();
+        assert_eq!(gained, [(1, 3)]);
+        assert_eq!(outcome.events[0].time, 1.0);
+        assert_eq!(number(&outcome.rows[3], "components"), 2.0);
+    }
+    let text = AVERAGING.replace("until = 3", "until = 3\nexact = true").replace("1 + count(j)", "sqrt(2)");
+    let error = Scenario::read(&text).unwrap_err().to_string();
+    assert!(error.contains("not rational"), "{error}");
+}
+
+#[test]
+fn drawn_starts_and_fixed_steps() {
+    let text = format!(
+        "model = \"own\"\n[state.random]\nagents = 30\nseed = 5\nx = 3\nv = [\"-1\", 1]\n[graph]\nkind = \"complete\"\n[run]\nuntil = 1\nstep = \"1/100\"\n{}",
+        r#"
+        [law]
+        state = { x = "vector", v = "vector" }
+        parameters = { K = 1, beta = "1/4" }
+        [law.rates]
+        x = "v"
+        v = "mean(j, K / (1 + norm2(x[j] - x))^beta * (v[j] - v))"
+        [law.observables]
+        momentum = "sum(i, v[i])"
+        fluctuation = "sum(i, norm2(v[i] - centre)) / 2"
+        [law.define]
+        centre = "mean(k, v[k])"
+        "#
+    );
+    let outcome = run(&text);
+    let of = |row: &Row| number(row, "fluctuation");
+    assert!(of(&outcome.rows[0]) > of(&outcome.rows[outcome.rows.len() - 1]));
+    let fine = run(&text.replace("step = \"1/100\"\n", ""));
+    let last = |outcome: &Outcome| part(outcome.rows.last().expect("a row"), "v");
+    for (x, y) in last(&outcome).iter().zip(last(&fine)) {
+        assert!((x - y).abs() < 1e-9);
+    }
+    assert!(outcome.declaration.iter().any(|line| line.contains("dv/dt = mean(j")));
+    assert!(outcome.rows[0].frame.parts().iter().any(|(name, part)| *name == "x" && matches!(part, Part::Vectors(_))));
+}
+
+#[test]
+fn what_is_wrong_is_told_with_line_and_column() {
+    let text = |rate: &str| {
+        format!(
+            "model = \"own\"\n[state]\nx = [[0, 0], [1, 0]]\n[run]\nuntil = 1\n[law]\nstate = {{ x = \"vector\" }}\n[law.rates]\nx = \"{rate}\"\n"
+        )
+    };
+    for (rate, wanted) in [
+        ("mean(j, y[j] - x)", "line 9, column 14: `law.rates.x`: there is no name `y`; the nearest known name is `x`"),
+        ("x[3]", "line 9, column 6: `law.rates.x`: an agent from 1 to 2 is expected here, but it is 3"),
+        ("1", "line 9, column 6: `law.rates.x`: a vector is expected here, but it is a number"),
+        ("x +", "line 9, column 9: `law.rates.x`: a number, a name or a bracket is expected here, but it is the end"),
+        ("x/norm(x)", "the law has no value at the start: `x` of agent 1: division by zero"),
+    ] {
+        let error = Scenario::read(&text(rate)).unwrap_err().to_string();
+        assert!(error.contains(wanted), "{rate}: {error}");
+    }
+    let good = text("-x");
+    for (from, to, wanted) in [
+        ("[law.rates]\nx", "[law.rates]\ny", "there is no part of the state `y`"),
+        ("[law.rates]\nx = \"-x\"", "", "the rate of `x` is missing"),
+        ("state = { x = \"vector\" }", "state = { x = \"matrix\" }", "allowed are vector, number, angle"),
+        ("[law.rates]", "[law.next]", "a law in continuous time has [law.rates]"),
+        ("x = [[0, 0], [1, 0]]", "x = [[0, 0], [1]]", "there are 1 coordinates instead of 2"),
+        ("until = 1", "until = 1\nexact = true", "only laws in discrete time run exactly"),
+    ] {
+        let error = Scenario::read(&good.replace(from, to)).unwrap_err().to_string();
+        assert!(error.contains(wanted), "{to}: {error}");
+    }
+}
+
+/// A collision ends the run with the agent and the number that has no value.
+#[test]
+fn a_number_without_a_value_ends_the_run_and_is_named() {
+    let text = "model = \"own\"\n[state]\nx = [\"1\", \"3\"]\n[run]\nuntil = 5\n[law]\ntime = \"discrete\"\ndimension = 1\nstate = { x = \"number\" }\n[law.next]\nx = \"x - 1/(2 - t) + 0*x\"\n";
+    let outcome = run(text);
+    assert_eq!(outcome.reached(), 2.0);
+    assert!(format!("{:?}", outcome.end).contains("of agent 1"), "{:?}", outcome.end);
+}
