@@ -36,7 +36,7 @@ impl Question {
         at: &Bindings,
         progress: &dyn Progress,
     ) -> Result<Option<Decisive>, QuestionError> {
-        let case = Case::new(self, at.clone(), false, progress);
+        let case = Case::new(self, at.clone(), progress);
         for precision in BITS {
             progress.checkpoint()?;
             let evaluator = Evaluator { case: &case, precision, moment: None, piece: None };
