@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 119] = sources![
+const SOURCES: [(&str, &str); 120] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -127,6 +127,7 @@ const SOURCES: [(&str, &str); 119] = sources![
     "audit_independent_veerman",
     "audit_independent_corrected",
     "audit_independent_corrected_more",
+    "audit_independent_cars",
     "audit_independent_hessian",
     "audit_independent_inertia",
     "audit_independent_links",
