@@ -9,6 +9,7 @@ mod matrices;
 mod motions;
 mod numbers;
 mod oscillators;
+mod questions;
 mod readers;
 mod spectra;
 mod symmetries;
@@ -77,6 +78,7 @@ pub fn table() -> impl Iterator<Item = &'static Invariant> {
         symmetries::TABLE,
         motions::TABLE,
         readers::TABLE,
+        questions::TABLE,
         certificates::TABLE,
     ]
     .into_iter()

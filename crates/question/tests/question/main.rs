@@ -5,6 +5,7 @@ mod decisions;
 mod examples;
 mod families;
 mod language;
+mod missing;
 mod motions;
 
 use arithmetic::Unwatched;
