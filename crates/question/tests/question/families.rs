@@ -73,7 +73,7 @@ fn directed_graphs_stay_directed() {
     let again = answer(&found.replay.expect("a replay"));
     assert_eq!(
         (again.verdict, again.counterexample.expect("it").to_string()),
-        (Verdict::False, "g = arcs:2:1-2,2-1".to_string())
+        (Verdict::False, "n = 2, g = arcs:2:1-2,2-1".to_string())
     );
     for (graph, edges) in [
         ("arcs:2:1-2,2-1", 2),
