@@ -248,3 +248,13 @@ def test_wrong_values(name: str) -> None:
             assert str(error) and "internal error" not in str(error)
         except BaseException as error:
             pytest.fail(f"{name}({type(wrong).__name__} {str(wrong)[:60]!r}): {type(error).__name__}: {error}")
+
+
+@pytest.mark.parametrize("graph", [
+    [(1, 2), (2, 3), (2, 1)],
+    nx.MultiGraph([(0, 1), (0, 1)]),
+    nx.MultiDiGraph([(0, 1), (0, 1)]),
+])  # fmt: skip
+def test_an_edge_is_listed_once(graph: Any) -> None:
+    with pytest.raises(ValueError, match="is given twice, as number 1 and number"):
+        flockproof.spectrum(graph)

@@ -79,7 +79,7 @@ fn bad_sweeps_are_refused() {
     let large = file(
         &folder,
         "large.toml",
-        b"[question]\nid = \"a\"\n[for]\nn = \"1..2000000\"\nm = \"1..1000000\"\n[values]\nx = \"n\"\n",
+        b"[question]\nid = \"a\"\n[for]\nn = \"1..2000000\"\nm = \"1..1000000\"\n[values]\nx = \"n*m\"\n",
     );
     assert_refused(&["sweep", &large, "--store", &path("s")], "large.toml");
     assert!(flockproof(&["sweep", &question, "--store", &path("s")]).status.success());

@@ -63,6 +63,13 @@ impl Ord for Open {
     }
 }
 
+/// Points without a value: the first one found, and how many there were.
+#[derive(Default)]
+struct Missing {
+    first: Option<QuestionError>,
+    count: u64,
+}
+
 /// Boxes that are still looked at for a counterexample when a value is missing.
 const AFTER_MISSING: u64 = 1024;
 
@@ -76,7 +83,7 @@ impl Division<'_> {
         let mut heap = BinaryHeap::new();
         let mut queue = vec![whole.clone()];
         let (mut number, mut probes, mut kept, mut most) = (0, 0u64, false, self.most);
-        let mut missing: Option<QuestionError> = None;
+        let mut missing = Missing::default();
         loop {
             for bindings in queue.drain(..) {
                 self.progress.checkpoint()?;
@@ -110,18 +117,25 @@ impl Division<'_> {
                 };
                 heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin, inequalities });
             }
-            if missing.is_some() {
+            if missing.first.is_some() {
                 most = most.min(found.boxes + AFTER_MISSING).min(self.most);
             }
-            let Some(worst) = heap.pop() else {
+            let Some(mut worst) = heap.pop() else {
                 found.excluded = !kept;
-                return missing.map_or(Ok(found), Err);
+                return missing.first.map_or(Ok(found), Err);
             };
             probes += 1;
+            let before = missing.count;
             if (probes <= PROBED || probes.is_multiple_of(PROBED_LATER))
                 && self.fails_at(worst.bindings.middle(), &mut found, &mut missing)?
             {
                 return Ok(found);
+            }
+            // Around a point without a value boxes stay open; the others come first.
+            if missing.count > before && worst.margin < f64::INFINITY && !heap.is_empty() {
+                worst.margin = f64::INFINITY;
+                heap.push(worst);
+                continue;
             }
             let halves = if found.boxes < most { halved(&worst.bindings, &original) } else { None };
             match halves {
@@ -130,7 +144,7 @@ impl Division<'_> {
                     if self.fails_at(worst.bindings.simplest(), &mut found, &mut missing)? {
                         return Ok(found);
                     }
-                    if let Some(missing) = missing {
+                    if let Some(missing) = missing.first {
                         return Err(missing);
                     }
                     let open = heap.iter().fold(worst.bounds, |least, open| least.least(open.bounds));
@@ -148,13 +162,11 @@ impl Division<'_> {
     }
 
     /// What was found, or nothing where a value is missing, which is kept; the first one is told.
-    fn unless_missing<T>(
-        found: Result<T, QuestionError>,
-        missing: &mut Option<QuestionError>,
-    ) -> Result<Option<T>, QuestionError> {
+    fn unless_missing<T>(found: Result<T, QuestionError>, missing: &mut Missing) -> Result<Option<T>, QuestionError> {
         match found {
             Err(error @ QuestionError::At { .. }) => {
-                missing.get_or_insert(error);
+                missing.first.get_or_insert(error);
+                missing.count += 1;
                 Ok(None)
             }
             found => found.map(Some),
@@ -196,7 +208,7 @@ impl Division<'_> {
         &self,
         bindings: &Bindings,
         found: &mut Decided,
-        missing: &mut Option<QuestionError>,
+        missing: &mut Missing,
     ) -> Result<bool, QuestionError> {
         const MOST_SIDES: usize = 4;
         let boxes = bindings.boxes();
@@ -217,12 +229,7 @@ impl Division<'_> {
     }
 
     /// Whether the property fails at a point, exactly or by enclosure; its margin bounds the smallest one from above. A value that is missing there is kept.
-    fn fails_at(
-        &self,
-        point: Bindings,
-        found: &mut Decided,
-        missing: &mut Option<QuestionError>,
-    ) -> Result<bool, QuestionError> {
+    fn fails_at(&self, point: Bindings, found: &mut Decided, missing: &mut Missing) -> Result<bool, QuestionError> {
         let kept = self.question.kept(&point, self.progress);
         match &kept {
             Err(QuestionError::At { .. }) | Ok(Truth::True) => {}

@@ -9,6 +9,7 @@ mod matrices;
 mod motions;
 mod numbers;
 mod oscillators;
+mod questions;
 mod readers;
 mod simulated;
 mod spectra;
@@ -80,6 +81,7 @@ pub fn table() -> impl Iterator<Item = &'static Invariant> {
         motions::TABLE,
         simulated::TABLE,
         readers::TABLE,
+        questions::TABLE,
         certificates::TABLE,
         traces::TABLE,
     ]

@@ -1,6 +1,6 @@
 use arithmetic::{Progress, Unwatched};
 use campaign::job::{Campaign, JobError};
-use campaign::store::{MERGED, Shard, StoreError, merge, run_in_memory, run_shard};
+use campaign::store::{MERGED, Shard, StoreError, aside, merge, run_in_memory, run_shard};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -169,4 +169,16 @@ fn shards_are_read() {
     let shard = |index: u64| Shard { index, of: 4 };
     let all: Vec<u64> = (1..=4).flat_map(|i| (0..shard(i).count(10)).map(move |k| shard(i).case(k))).collect();
     assert_eq!(all, [0, 4, 8, 1, 5, 9, 2, 6, 3, 7]);
+}
+
+#[test]
+fn what_is_written_aside_has_a_name_of_its_own() {
+    let path = Path::new("folder/table.jsonl");
+    let names = std::thread::scope(|scope| {
+        let running = [(); 4].map(|()| scope.spawn(|| (0..100).map(|_| aside(path)).collect::<Vec<PathBuf>>()));
+        running.map(|one| one.join().expect("no panic")).concat()
+    });
+    let different: std::collections::BTreeSet<&PathBuf> = names.iter().collect();
+    assert_eq!(different.len(), 400);
+    assert!(names.iter().all(|name| name.parent() == path.parent() && name != path));
 }

@@ -261,6 +261,12 @@ impl Check<'_> {
                 "`{name}` is that of the gains `f` and `g` in [for], which the scenario does not have; ask about one of them"
             ));
         }
+        let followers = question.bounds.iter().find(|bound| bound.name.as_ref() == "followers");
+        if followers.is_some_and(
+            |bound| matches!(&bound.domain, Domain::Written(node) if matches!(node.kind, Kind::Interval(..))),
+        ) {
+            return Err(Problem::NotInteger { what: "`followers`".to_string(), found: "an interval".to_string() });
+        }
         match (&graphs[..], question.sort("followers")) {
             ([graph, ..], Some(_)) => {
                 other(format!("`followers` and {graph} both say who tracks whom; `{name}` needs one of them"))

@@ -35,6 +35,9 @@ pub(crate) struct PlatoonSubject {
 /// Bits of an abscissa on a graph: each of them costs a test of all roots.
 const MOST_BITS: u32 = 64;
 
+/// Digits of the eigenvalues of a graph whose modes are enclosed over a box of gains.
+const DIGITS: u32 = 20;
+
 /// Most followers whose response is solved on a graph.
 const MOST_ON_GRAPH: usize = 64;
 
@@ -280,8 +283,10 @@ impl PlatoonSubject {
         let rows = reduced.to_rows();
         let entries =
             rows.into_iter().enumerate().flat_map(|(i, row)| row.into_iter().enumerate().map(move |(j, x)| (i, j, x)));
-        let spectrum = matrix_spectrum(&SparseMatrix::from_entries(reduced.rows(), entries), None)
-            .map_err(|error| unclosed(error.to_string()))?;
+        let matrix = SparseMatrix::from_entries(reduced.rows(), entries);
+        // Where digits cannot be had, what floating point encloses.
+        let spectrum = matrix_spectrum(&matrix, Some(DIGITS)).or_else(|_| matrix_spectrum(&matrix, None));
+        let spectrum = spectrum.map_err(|error| unclosed(error.to_string()))?;
         let mut largest: Option<Interval> = None;
         for part in &spectrum.eigenvalues {
             let (re, im) = (part.re.with_precision(precision), part.im.with_precision(precision));

@@ -28,7 +28,7 @@ fn families_that_are_empty_or_too_large() {
     refused(&asked("graph = \"connected(12)\"", "edges > 0", "1 < 0"), "line 4", "164059830476");
     refused(&asked("graph = \"connected(40)\"", "edges > 0", "1 < 0"), "line 4", "more than 164059830476");
     refused(&asked("n = \"1..10000000\"", "n > 0", "1 < 0"), "line 4", "10000000 members");
-    refused(&asked("n = \"1..100000\"\nm = \"1..n\"", "n > 0", "1 < 0"), "line 4", "at least");
+    refused(&asked("n = \"1..100000\"\nm = \"1..n\"", "m > 0", "1 < 0"), "line 4", "at least");
     refused(&asked("m = \"products(4, 10, 4)\"", "tau_1 > 0", "1 < 0"), "line 4", "members");
 }
 
@@ -50,8 +50,8 @@ fn reals_where_integers_are_needed() {
 
 #[test]
 fn division_by_zero() {
-    refused(&asked("x = \"[-1, 2]\"", "1/x < 3", "1 < 0"), "line 6, column 15: ", "x = [-1, 2]");
-    refused(&asked("x = \"[-1, 2]\"", "1/(3*x - 1) < 3", "1 < 0"), "line 6, column 15: ", "zero somewhere");
+    refused(&asked("x = \"[-1, 2]\"", "1/x != 0", "1 < 0"), "line 6, column 15: ", "x = 0");
+    refused(&asked("x = \"[-1, 2]\"", "(3*x - 1)/(3*x - 1) < 3", "1 < 0"), "line 6, column 23: ", "x = 1/3");
     refused(&asked("n = \"1..4\"", "1/(n - 2) < 3", "1 < 0"), "line 6, column 15: ", "n = 2");
     refused(&asked("n = \"1..4\"", "sqrt(n - 2) < 3", "1 < 0"), "line 6, column 18: ", "n = 1");
 }
@@ -96,9 +96,9 @@ fn what_would_exhaust_the_program() {
     refused(&asked("n = 1", &format!("1{} > 0", "+1".repeat(20_000)), "1 < 0"), "line 6", "parts");
     refused(&asked("n = 1", &format!("{} > 0", "7".repeat(1_000_000)), "1 < 0"), "line 6", "digits");
     refused(&asked(&format!("n = \"{}\"", "7".repeat(1_000_000)), "n > 0", "1 < 0"), "line 4", "digits");
-    refused(&asked("n = 1", "10^10^10 > 0", "1 < 0"), "line 6", "digits");
+    refused(&asked("", "10^10^10 > 0", "1 < 0"), "line 6", "digits");
     refused(&asked("n = 1", "1e999999999 > 0", "1 < 0"), "line 6", "digits");
-    refused(&asked("n = 1", "exp(-10^30) < exp(10^30)", "1 < 0"), "line 6", "digits");
+    refused(&asked("", "exp(-10^30) < exp(10^30)", "1 < 0"), "line 6", "digits");
 }
 
 #[test]

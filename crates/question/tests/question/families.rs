@@ -1,4 +1,4 @@
-use super::{answer, asked, read, verdict};
+use super::{answer, asked, read, refusal, verdict};
 use algebra::graph::Graph;
 use algebra::graph::classes::{connected_graphs, digraphs, graphs, trees};
 use arithmetic::Unwatched;
@@ -31,14 +31,14 @@ fn classes_are_those_of_the_naive_enumeration() {
 
 #[test]
 fn cases_are_numbered_without_gaps() {
-    for (family, number) in [
-        ("n = \"2..5\"\ngraph = \"connected(n)\"", 30),
-        ("a = \"1..3\"\nb = \"a..4\"\nc = \"1..2\"", 18),
-        ("a = \"1..3\"\nb = \"1..4\"", 12),
-        ("a = [1, 5, \"7/2\"]\nb = \"a + 1\"", 3),
-        ("graph = [\"ring:5\", \"path(4)\", \"edges:3:1-2,2-3\"]", 3),
+    for (family, property, number) in [
+        ("n = \"2..5\"\ngraph = \"connected(n)\"", "edges > 0", 30),
+        ("a = \"1..3\"\nb = \"a..4\"\nc = \"1..2\"", "b > c", 18),
+        ("a = \"1..3\"\nb = \"1..4\"", "a > b", 12),
+        ("a = [1, 5, \"7/2\"]\nb = \"a + 1\"", "b > 0", 3),
+        ("graph = [\"ring:5\", \"path(4)\", \"edges:3:1-2,2-3\"]", "edges > 0", 3),
     ] {
-        let question = read(&asked(family, "1 > 0", "1 < 0")).expect("a question");
+        let question = read(&asked(family, property, "1 < 0")).expect("a question");
         assert_eq!(question.cases(&Unwatched), Ok(number), "{family}");
         let texts: std::collections::BTreeSet<String> =
             (0..number).map(|k| question.case(k, &Unwatched).expect("a case").expect("a member").to_string()).collect();
@@ -61,4 +61,58 @@ fn samples_never_hold() {
     let answer = answer(&asked(family, "edges <= 15", "edges < 3"));
     assert_eq!((answer.verdict, answer.cases, &answer.grades[..]), (Verdict::Undecided, 20, &["fuzzed"][..]));
     assert_eq!(verdict(family, "edges <= 8"), Verdict::False);
+}
+
+/// Arcs each way are two arcs, in a family, in a text and in a file; what is found false is said with arcs again, and stays so when it is decided once more.
+#[test]
+fn directed_graphs_stay_directed() {
+    let family = "n = \"2..3\"\ng = \"digraphs(n)\"";
+    assert_eq!(verdict(family, "connected implies edges >= n"), Verdict::Holds);
+    let found = answer(&asked(family, "connected implies edges > 2", "n < 0"));
+    assert_eq!(found.counterexample.expect("a counterexample").to_string(), "n = 2, g = arcs:2:1-2,2-1");
+    let again = answer(&found.replay.expect("a replay"));
+    assert_eq!(
+        (again.verdict, again.counterexample.expect("it").to_string()),
+        (Verdict::False, "n = 2, g = arcs:2:1-2,2-1".to_string())
+    );
+    for (graph, edges) in [
+        ("arcs:2:1-2,2-1", 2),
+        ("arcs:3:1-2*2,2-1*2", 2),
+        ("edges:2:1-2", 1),
+        ("edges:3:1-2*2,2-3", 2),
+        ("cycle:2", 2),
+        ("cycle:3", 3),
+        ("ring:3", 3),
+        ("platoon2:1", 1),
+        ("complete:3", 3),
+    ] {
+        assert_eq!(verdict(&format!("g = \"{graph}\""), &format!("edges = {edges}")), Verdict::Holds, "{graph}");
+    }
+    for (file, edges) in [
+        ("1 2\n", 1),
+        ("directed\n1 2\n2 1\n", 2),
+        ("%%MatrixMarket matrix coordinate pattern symmetric\n2 2 1\n2 1\n", 1),
+        ("%%MatrixMarket matrix coordinate pattern general\n2 2 2\n2 1\n1 2\n", 2),
+    ] {
+        let text = asked("g = \"file:net\"", &format!("edges = {edges}"), "edges < 0");
+        let question = question::Question::read(&text, &|_| Ok(file.to_string())).expect("a question");
+        assert_eq!(question::decide(&question, &Unwatched).expect("an answer").verdict, Verdict::Holds, "{file}");
+    }
+}
+
+/// An edge that is listed twice is refused, in either direction and with any weight, with both places.
+#[test]
+fn edges_are_listed_once() {
+    for (graph, second, first) in [
+        ("edges:3:1-2,2-3,1-2", 3, 1),
+        ("edges:3:1-2,2-1", 2, 1),
+        ("edges:3:1-2,2-1*2", 2, 1),
+        ("arcs:3:1-2,2-1,1-2*3", 3, 1),
+    ] {
+        let message = refusal(&asked(&format!("g = \"{graph}\""), "edges > 0", "edges < 0"));
+        let places = format!("number {second} of the list, is its number {first} already");
+        assert!(message.starts_with("line 4") && message.contains(&places), "{message}");
+    }
+    let message = refusal(&asked("g = \"edges:3:1-2,2-1\"", "edges > 0", "edges < 0"));
+    assert!(message.starts_with("line 4, column 18: "), "{message}");
 }

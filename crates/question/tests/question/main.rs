@@ -8,6 +8,7 @@ mod exact_facts;
 mod examples;
 mod families;
 mod language;
+mod missing;
 mod motions;
 mod traces;
 

@@ -11,6 +11,8 @@ pub(super) fn answered(scenario: &str, family: &str, property: &str, control: &s
 }
 
 fn asked(family: &str, property: &str, control: &str) -> String {
+    // One member, which needs no name.
+    let family = if family == "n = 1" { "" } else { family };
     format!(
         "[question]\nid = \"test\"\nscenario = \"motion.toml\"\n[for]\n{family}\n[holds]\nproperty = \"{property}\"\n\
          controls = [\"{control}\"]\n"
