@@ -47,23 +47,3 @@ fn the_page_has_the_table_of_names() {
     let missing = missing.lines().find(|line| !line.is_empty() && !page.contains(*line));
     assert_eq!(missing, None);
 }
-
-#[test]
-fn zzz_print() {
-    for name in [
-        "gap_and_diameter",
-        "more_links_are_faster",
-        "never_meets",
-        "agreement_time",
-        "order_grows",
-        "altered_sign",
-        "no_collision",
-        "open_question",
-    ] {
-        let dir = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/questions/");
-        let text = std::fs::read_to_string(format!("{dir}{name}.toml")).unwrap();
-        let files = |file: &str| std::fs::read_to_string(format!("{dir}{file}")).map_err(|e| e.to_string());
-        let question = question::Question::read(&text, &files).unwrap();
-        println!("{}", question::decide(&question, &arithmetic::Unwatched).unwrap().text(Some("REPLAY")));
-    }
-}

@@ -2,6 +2,7 @@
 
 mod steps;
 mod time;
+mod until;
 
 pub(crate) use time::horizon;
 
