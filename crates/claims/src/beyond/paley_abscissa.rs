@@ -310,8 +310,7 @@ pub fn pattern_abscissa() -> Record<AbscissaVariant> {
         "Under (22), N = 12, w0 = 0.1, in the turning frame, the largest real parts of the eigenvalues other than 0 and the pair ± i w0 of \
          the translations are, to ten decimals: on C_12 with K_0 = 1.2 synchronised -0.0068228870 (K_1 = -0.3), splay m = 5 -0.0045001538 \
          and m = 6 -0.0062033862 (K_1 = 0.3); all-to-all with K_0 = 0.1 synchronised -0.0053355402 (K_1 = -0.2), and at balanced phases, \
-         where 0 is an eigenvalue N - 2 times (N - 1 times at M = 2) along the set of these, splay -0.0153051399 and M = 2 -0.0500000000 \
-         (K_1 = 0.2).",
+         where 0 is an eigenvalue N - 2 times (N - 1 times at M = 2), splay -0.0153051399 and M = 2 -0.0500000000 (K_1 = 0.2).",
     ])
     .control("without D_q", altered(Altered { twist: 0, ..Altered::NOT }))
     .control("K_M with the other sign in h_q", altered(Altered { last: -1, ..Altered::NOT }))

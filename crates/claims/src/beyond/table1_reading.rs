@@ -39,7 +39,9 @@ pub fn table1_reading() -> Record<ReadingVariant> {
     )
     .stated("explains veerman, Table 1", "")
     .clauses(&[
-        "Let the first follower of system (2), f = g = -1, take the velocity of the leader as 0 and else be as in equation (2). With N followers, the amplitude of the last one at the frequency TFREQ is TAMP up to a relative 1.8e-5 in every row of Table 1.",
+        "Let the first follower of system (2), f = g = -1, take the velocity of the leader as 0 and else be as in equation (2). With N \
+         followers and a leader of amplitude 1, the amplitude of the last one at the frequency TFREQ is TAMP up to a relative 1.8e-5 in \
+         every row of Table 1.",
         "It has a local maximum within a relative 3.2e-4 of TFREQ in every row, within 2.6e-5 at N = 4.",
     ])
     .altered("system (2) as it is", |v| v.seen = 1)

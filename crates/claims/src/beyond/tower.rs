@@ -33,9 +33,9 @@ pub fn tower() -> Record<TowerVariant> {
     )
     .stated("what the initial conditions at the end of Section 1 can be changed into", "")
     .clauses(&[
-        "Sixteen birds on the line with lazy weights, x(0) = (0, 2/3, 2, 8/3, ..., 14, 44/3) and v(1) = (0, 8, 0, -8, \
-         7, 1, -9, 1, -1, 9, -1, -7, 8, 0, -8, 0)/4096: the network changes first at t = 171, with the hysteresis of \
-         the paper or without.",
+        "Sixteen birds on the line in model D with the lazy weights c_i = 2/(3 d_i), x(0) = (0, 2/3, 2, 8/3, ..., 14, 44/3) and v(1) = (0, \
+         8, 0, -8, 7, 1, -9, 1, -1, 9, -1, -7, 8, 0, -8, 0)/4096: the network changes first at t = 171, with the hysteresis of the paper or \
+         without.",
         "The second change is at a time of 85 digits, with the hysteresis of the paper or without.",
         "The third change is at a time between 2^(2.116 10^84) and 2^(2.117 10^84), with the hysteresis of the paper or \
          without.",

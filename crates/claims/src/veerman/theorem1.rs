@@ -246,7 +246,7 @@ pub fn epsilon() -> Record<EpsilonVariant> {
     .repaired_by(
         Fault::Slip,
         "For w > 0 and f, g < 0, eps = sqrt(gamma^2 - 1), the principal root, = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- \
-         (3/4) g^2/f^2 - 1/(2|f|)) ) + O(w^4).",
+         (3/4) g^2/f^2 - 1/(2|f|)) ) + O(w^4) as w -> 0, for fixed f and g.",
         |v| v.damping = (-3, 4),
     )
     .altered("+ 3/4 g²/f²", |v| v.damping = (3, 4))
