@@ -111,6 +111,8 @@ fn documents_keep_to_their_schemas() {
     let (birds, matrices) = (asset("four_birds.json"), asset("two_matrices.txt"));
     let (scenario, tracks) = (asset("scenarios/switching_flock.toml"), asset("example_tracks.csv"));
     let (names, floats) = (asset("graphs/path.graphml"), asset("float_matrices.json"));
+    // Three cars in a circle, hardly led: stable with strong gains only.
+    let circle = file(&folder, "circle.txt", b"directed\nb a 1\nb d 9\nc b\nd c\n");
     let single = file(&folder, "k.json", br#"{"model": "K", "speed": 1, "positions": [[0, 0]], "headings": [0]}"#);
     let free = std::fs::read_to_string(&birds).expect("text").replace("\"paper\"", "\"none\"");
     let free = file(&folder, "free.json", free.as_bytes());
@@ -126,7 +128,9 @@ fn documents_keep_to_their_schemas() {
         ("explain", vec!["explain", "chazelle.tau1", "--json"]),
         ("resonance", vec!["resonance", "--followers", "4", "--f", "-1", "--g=-1/2", "--json"]),
         ("response", vec!["resonance", "--graph", "circulant:7:1,2", "--f", "-1", "--g=-1", "--json"]),
-        ("response", vec!["resonance", "--graph", "front", "--followers", "70", "--f", "-1", "--g=-1", "--json"]),
+        ("response", vec!["resonance", "--graph", "front", "--followers", "120", "--f", "-1", "--g=-1", "--json"]),
+        ("response", vec!["resonance", "--graph", &circle, "--from", "a", "--f", "-5", "--g=-1/10", "--json"]),
+        ("response", vec!["resonance", "--graph", &circle, "--from", "a", "--f", "-5", "--g=-10", "--json"]),
         ("resonance-sweep", vec!["resonance", "--followers", "4", "--sweep", "f=-2..-1:3,g=-1", "--json"]),
         ("spectrum", vec!["spectrum", "--graph", "ring:12", "--json"]),
         ("spectrum", vec!["spectrum", "--graph", &names, "--kind", "adjacency", "--json"]),

@@ -3,11 +3,12 @@
 use super::super::{CliError, output, progress, spectrum};
 use super::peak::Found;
 use super::{Arguments, followers};
-use flockproof::arithmetic::{ArithmeticError, Complex, Rational, Unwatched};
+use flockproof::arithmetic::{ArithmeticError, Complex, Interval, Rational, Unwatched, decimals};
 use flockproof::graph::{NamedGraph, WeightedGraph};
 use flockproof::matrix::{RationalMatrix, SparseMatrix};
+use flockproof::platoon::gain_margin::{GainMargin, MOST_MODES, gain_margin};
 use flockproof::platoon::growth::peak_of_car;
-use flockproof::platoon::margins::{Margins, margins, margins_of_cars};
+use flockproof::platoon::margins::{margins, phase_margin_of_cars};
 use flockproof::platoon::vector_form::motion_rows_of_cars;
 use flockproof::platoon::{Communication, CommunicationGraph, Gains, peak_on_graph};
 use flockproof::report::{NamedMatrix, Provenance, matrix_files};
@@ -21,10 +22,10 @@ use std::process::ExitCode;
 const MOST: u64 = 2000;
 /// Most followers of which the peak is enclosed over all frequencies; the cost grows like the fourth power of their number.
 const MOST_PROVED: usize = 100;
-/// Most followers of which the margins are computed.
-const MOST_MARGINS: usize = 400;
-/// Most followers with gains of their own of which the margins are computed.
+/// Most followers with gains of their own of which the phase margin is computed.
 const MOST_OWN_MARGINS: usize = 12;
+/// Digits of gain margins.
+const DIGITS: u32 = 15;
 
 /// A platoon with the car that is looked at.
 pub(super) struct Platoon {
@@ -177,19 +178,63 @@ fn is_stable_line(platoon: &Platoon, gains: &[Gains<Rational>]) -> Option<bool> 
     }
 }
 
-/// The margins.
-fn margins_of(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Option<Margins> {
+/// How far a stable platoon is from instability.
+struct Margins {
+    /// Radians.
+    phase: Option<f64>,
+    gain: GainMargin,
+}
+
+impl Margins {
+    fn of(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Option<Self> {
+        Some(Margins { phase: phase_margin(reduced, gains), gain: gain_margin(reduced, gains).ok()? })
+    }
+
+    fn document(&self) -> Value {
+        let of =
+            |x: &Option<Interval>| x.as_ref().map(|x| decimals(x, DIGITS)).map(|(lo, hi)| json!({"lo": lo, "hi": hi}));
+        let gain = match &self.gain {
+            GainMargin::Infinite => json!({"decided": true, "below": null, "above": null, "why": null}),
+            GainMargin::Ends { below, above } => {
+                json!({"decided": true, "below": of(below), "above": of(above), "why": null})
+            }
+            GainMargin::Open(why) => json!({"decided": false, "below": null, "above": null, "why": why}),
+        };
+        let critical = match &self.gain {
+            GainMargin::Ends { below: Some(k), .. } => Some(format!("~{:?}", k.to_f64())),
+            _ => None,
+        };
+        json!({"phase": self.phase.map(|phase| format!("~{phase:?}")), "critical_factor": critical, "gain": gain})
+    }
+
+    fn text(&self) -> String {
+        let phase = self.phase.map_or("not decided".to_string(), |phase| format!("~ {phase:.6} rad"));
+        let gain = match &self.gain {
+            GainMargin::Infinite => "infinite: stable whatever factor the gains are multiplied by".to_string(),
+            GainMargin::Ends { below, above } => {
+                let ends = [below, above].into_iter().flatten().map(|k| format!("{:.6}", k.to_f64()));
+                let ends = ends.collect::<Vec<_>>().join(" or ");
+                format!("stability ends where the gains are multiplied by {ends}")
+            }
+            GainMargin::Open(why) => format!("not decided ({why})"),
+        };
+        format!("phase margin: {phase}\ngain margin: {gain}\n")
+    }
+}
+
+/// The phase margin, in floating point.
+fn phase_margin(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Option<f64> {
     let equal = gains.iter().all(|other| *other == gains[0]);
     if !equal {
-        return if gains.len() <= MOST_OWN_MARGINS { margins_of_cars(reduced, gains).ok() } else { None };
+        return if gains.len() <= MOST_OWN_MARGINS { phase_margin_of_cars(reduced, gains).ok()? } else { None };
     }
-    if gains.len() > MOST_MARGINS {
+    if gains.len() > MOST_MODES {
         return None;
     }
     let spectrum = matrix_spectrum(&SparseMatrix::from_dense(reduced).ok()?, None).ok()?;
     let values: Vec<Complex<f64>> =
         spectrum.eigenvalues.iter().map(|part| Complex::new(part.re.to_f64(), part.im.to_f64())).collect();
-    margins(&floats(&gains[..1])[0], &values)
+    margins(&floats(&gains[..1])[0], &values)?.phase
 }
 
 /// `x' = A x + B u, y = C x`: the state is `y_1, u_1, y_2, u_2, ..`, the input position and velocity of the leader, the output the
@@ -224,9 +269,8 @@ pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode,
     let found = found?;
     let reduced = platoon.graph.reduced_laplacian().map_err(|error| CliError::Use(error.to_string()))?;
     let stable = found.stable().or_else(|| is_stable_line(&platoon, &gains));
-    let margins = margins_of(&reduced, &gains);
-    // The phase by which an unstable platoon could be turned means nothing.
-    let margins = margins.map(|m| Margins { phase: m.phase.filter(|_| stable != Some(false)), ..m });
+    // What is not stable has no margins.
+    let margins = if stable == Some(true) { Margins::of(&reduced, &gains) } else { None };
     let list =
         |value: fn(&Gains<Rational>) -> &Rational| given.iter().map(|g| value(g).to_string()).collect::<Vec<_>>();
     let (f, g) = (list(|gains| &gains.f), list(|gains| &gains.g));
@@ -248,9 +292,7 @@ pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode,
             "graph": arguments.graph, "followers": gains.len(), "from": platoon.leader, "to": platoon.name, "f": f, "g": g,
             "peak": found.document(arguments.digits),
             "stable": stable,
-            "margins": margins.map(|m| json!({
-                "phase": m.phase.map(|phase| format!("~{phase:?}")), "critical_factor": m.critical_factor.map(|k| format!("~{k:?}")),
-            })),
+            "margins": margins.as_ref().map(Margins::document),
         })))?;
         return Ok(ExitCode::SUCCESS);
     }
@@ -258,13 +300,7 @@ pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode,
     let word = if followers == 1 { "follower" } else { "followers" };
     let head = format!("{followers} {word} on {graph}, leader {}, car {}", platoon.leader, platoon.name);
     let mut text = found.text(&head, arguments.digits, stable);
-    if let Some(margins) = margins {
-        let factor = margins.critical_factor.map_or("at no common factor of the gains".to_string(), |k| {
-            format!("where the gains are multiplied by {k:.6}")
-        });
-        let phase = margins.phase.map_or("none".to_string(), |phase| format!("~ {phase:.6} rad"));
-        text += &format!("phase margin {phase}; on the verge {factor}\n");
-    }
+    text += &margins.map_or(String::new(), |margins| margins.text());
     output::print_folded(&text)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -13,9 +13,10 @@
 //! So in the end every number is in a piece where `h <= L`, or is one of a few candidates whose values are enclosed. No float decides
 //! anything: they order the pieces and tell where Descartes' rule is worth a try.
 
+use super::bernstein::{bernstein, binomials, halves, without_twos};
 use super::{Polynomial, RealRoot};
 use arithmetic::{
-    Cancelled, Field, Interval, Progress, Rational, Ring, Sign, Signed as _, lcm, rational, significant_digits,
+    Cancelled, Field, Interval, Progress, Rational, Ring, Sign, Signed as _, rational, significant_digits,
 };
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
@@ -167,10 +168,7 @@ impl Search {
             Side { p: stretched(p, scale), q: stretched(q, scale) },
             Side { p: stretched(&backwards(p), -scale), q: stretched(&backwards(q), -scale) },
         ];
-        let mut binomials = vec![BigInt::from(1)];
-        for k in 0..degree {
-            binomials.push(&binomials[k] * (degree - k) / (k + 1));
-        }
+        let binomials = binomials(degree);
         let start = Candidate { side: 0, spot: Spot::Point(rational(0, 1)) };
         let level = rounded_down(&p[0], &q[0]);
         let mut search = Search {
@@ -188,28 +186,12 @@ impl Search {
         if !(0..q.len()).all(|k| &p[k] * &q[0] == &q[k] * &p[0]) {
             for side in 0..2 {
                 let Side { p, q } = &search.sides[side];
-                let (p, q) = (search.bernstein(p), search.bernstein(q));
+                let (p, q) = (bernstein(p), bernstein(q));
                 search.look_at(side, rational(1, 1), &p[degree], &q[degree]);
                 search.push(side, BigInt::ZERO, 0, (p, q));
             }
         }
         search
-    }
-
-    /// Bernstein coefficients on `[0, 1]`, times the least common multiple of the binomial coefficients.
-    fn bernstein(&self, coefficients: &[BigInt]) -> Vec<BigInt> {
-        let all = self.binomials.iter().fold(BigInt::from(1), |sum, b| lcm(&sum, b));
-        let weighted: Vec<BigInt> = coefficients.iter().zip(&self.binomials).map(|(c, b)| c * (&all / b)).collect();
-        // b_i = sum_k C(i, k) w_k.
-        let mut row = vec![BigInt::from(1)];
-        (0..weighted.len())
-            .map(|_| {
-                let value = row.iter().zip(&weighted).map(|(c, w)| c * w).sum();
-                let next = row.windows(2).map(|pair| &pair[0] + &pair[1]);
-                row = std::iter::once(BigInt::from(1)).chain(next).chain([BigInt::from(1)]).collect();
-                value
-            })
-            .collect()
     }
 
     /// A value `p/q` of `h`, `q > 0`, at the number `t`.
@@ -318,7 +300,9 @@ impl Search {
     fn halve(&mut self, piece: Piece) -> Result<(), LargestError> {
         let (left_p, right_p) = halves(piece.p);
         let (left_q, right_q) = halves(piece.q);
-        let (left, right) = (without_twos(left_p, left_q), without_twos(right_p, right_q));
+        let (mut left, mut right) = ((left_p, left_q), (right_p, right_q));
+        without_twos(&mut [&mut left.0, &mut left.1]);
+        without_twos(&mut [&mut right.0, &mut right.1]);
         let index: BigInt = &piece.index * 2;
         let (p, q) = (&right.0[0], &right.1[0]);
         if !q.is_positive() {
@@ -479,28 +463,6 @@ fn turns(list: &[f64]) -> usize {
     let steps = list.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| step.abs() > 1e-10);
     let rising: Vec<bool> = steps.map(|step| step > 0.0).collect();
     rising.windows(2).filter(|pair| pair[0] != pair[1]).count()
-}
-
-/// The coefficients on both halves, both times `2^degree`.
-fn halves(mut b: Vec<BigInt>) -> (Vec<BigInt>, Vec<BigInt>) {
-    let degree = b.len() - 1;
-    let mut left = Vec::with_capacity(b.len());
-    for stage in 0..=degree {
-        left.push(&b[0] << (degree - stage));
-        for i in 0..degree - stage {
-            let (head, tail) = b.split_at_mut(i + 1);
-            head[i] += &tail[0];
-        }
-    }
-    b.iter_mut().enumerate().for_each(|(i, c)| *c <<= i);
-    (left, b)
-}
-
-/// Both lists divided by the largest power of two that divides all numbers.
-fn without_twos(mut p: Vec<BigInt>, mut q: Vec<BigInt>) -> (Vec<BigInt>, Vec<BigInt>) {
-    let twos = p.iter().chain(&q).filter_map(BigInt::trailing_zeros).min().unwrap_or(0);
-    p.iter_mut().chain(&mut q).for_each(|c| *c >>= twos);
-    (p, q)
 }
 
 /// `p' q - p q'`.

@@ -5,6 +5,7 @@
 //! polynomial, or floating point with proved bounds. Every number comes with its enclosure, or there is an error.
 
 mod abscissa;
+mod bernstein;
 mod block;
 mod choose;
 mod circulant;
@@ -17,6 +18,7 @@ mod float_bounds;
 mod fourier;
 mod general;
 mod largest;
+mod nearest;
 mod polynomial;
 mod recurrence;
 mod reduction;
@@ -44,6 +46,7 @@ pub use error::{
 };
 pub use exact::real_spectrum;
 pub use largest::{Largest, LargestError, Place, largest_quotient};
+pub use nearest::Nearest;
 pub use polynomial::{Polynomial, RealRoot};
 pub use recurrence::{Eventual, Leading, Recurrence, RecurrenceError};
 pub use small::small_symmetric_eigenvalues;

@@ -10,6 +10,7 @@ mod motions;
 mod numbers;
 mod oscillators;
 mod questions;
+mod platoons;
 mod readers;
 mod simulated;
 mod spectra;
@@ -77,6 +78,7 @@ pub fn table() -> impl Iterator<Item = &'static Invariant> {
         averaging::TABLE,
         alignment::TABLE,
         oscillators::TABLE,
+        platoons::TABLE,
         symmetries::TABLE,
         motions::TABLE,
         simulated::TABLE,
@@ -113,6 +115,12 @@ fn require(holds: bool, why: impl Display, instance: impl FnOnce() -> String) ->
 trait OrFails<T> {
     /// The result, or a failure that says what was refused.
     fn or_fails(self, what: &str) -> Result<T, Stop>;
+}
+
+impl<T> OrFails<T> for Option<T> {
+    fn or_fails(self, what: &str) -> Result<T, Stop> {
+        self.ok_or_else(|| Stop::Fails { why: what.to_string(), instance: String::new() })
+    }
 }
 
 impl<T, E: Display> OrFails<T> for Result<T, E> {

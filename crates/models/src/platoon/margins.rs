@@ -1,11 +1,12 @@
-//! How far a platoon with equal gains is from instability: phase and gain margins of its modes, in floating point.
+//! How far a platoon is from instability: the phase margin, in floating point; and the critical factor of the modes of equal gains. The gain margin that is
+//! decided is in [`super::gain_margin`].
 //!
 //! With the reduced Laplacian `P`, `det(s² - (f + g s) P) = 0`. For an eigenvalue `lambda` of `P` the loop is
 //! `L(iw) = lambda (|f| + i w |g|)/w²`, and the mode is on the verge where `L(iw) = 1`. The phase margin is the least angle by which all
 //! control would have to be turned for that, the critical factor the one by which it would have to be multiplied.
 
 //!
-//! Where each car has its own gains there are no such loops. There all control is turned, or multiplied, by one number after the other, and
+//! Where each car has its own gains there are no such loops. There all control is turned by one angle after the other, and
 //! stability is read off enclosed eigenvalues of `x' = A x`; the margin is where it ends, found by bisection.
 
 use super::Gains;
@@ -19,7 +20,7 @@ use std::f64::consts::PI;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margins {
     /// The least angle, in radians, by which all control has to be turned for a mode to be on the verge: the least `|arg L(iw)|` where
-    /// `|L(iw)| = 1`. Nothing for cars with gains of their own that are not stable, or for which enclosures do not tell.
+    /// `|L(iw)| = 1`.
     pub phase: Option<f64>,
     /// The largest factor by which both gains may be multiplied so that a mode is on the verge; a stable platoon is stable for every
     /// larger factor. Nothing where no factor does that, as for real eigenvalues.
@@ -54,12 +55,15 @@ pub fn margins(gains: &Gains<f64>, eigenvalues: &[Complex<f64>]) -> Option<Margi
     all
 }
 
-/// The margins where follower `k` has the gains `gains[k - 1]`, below zero, and the reduced Laplacian is `reduced`. Angles are tried in steps of
-/// pi/32, factors from 2^20 down to 2^-20 in steps of a factor of 2: what is stable again between two of them is passed over.
+/// The phase margin where follower `k` has the gains `gains[k - 1]`, below zero, and the reduced Laplacian is `reduced`. Angles are tried in steps of
+/// pi/32: what is stable again between two of them is passed over. Nothing where the cars are not stable, or enclosures do not tell.
 ///
 /// # Errors
 /// [`ArithmeticError::Domain`] where there are not as many gains as rows and columns of `reduced`.
-pub fn margins_of_cars(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Result<Margins, ArithmeticError> {
+pub fn phase_margin_of_cars(
+    reduced: &RationalMatrix,
+    gains: &[Gains<Rational>],
+) -> Result<Option<f64>, ArithmeticError> {
     if [reduced.rows(), reduced.cols()] != [gains.len(); 2] {
         return Err(ArithmeticError::Domain("gains for each follower"));
     }
@@ -67,13 +71,7 @@ pub fn margins_of_cars(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> R
     let turned = |angle: f64| turned_is_stable(reduced, gains, angle);
     let first = (0..=STEPS).map(|k| PI * f64::from(k) / f64::from(STEPS)).find(|angle| turned(*angle) != Some(true));
     let phase = first.filter(|angle| *angle > 0.0);
-    let phase = phase.and_then(|angle| edge(angle - PI / f64::from(STEPS), angle, turned));
-    const POWERS: i32 = 20;
-    let multiplied = |power: f64| multiplied_is_stable(reduced, gains, power.exp2());
-    let last = (-POWERS..=POWERS).rev().map(f64::from).find(|power| multiplied(*power) != Some(true));
-    let last = last.filter(|power| *power < f64::from(POWERS));
-    let critical_factor = last.and_then(|power| edge(power + 1.0, power, multiplied)).map(f64::exp2);
-    Ok(Margins { phase, critical_factor })
+    Ok(phase.and_then(|angle| edge(angle - PI / f64::from(STEPS), angle, turned)))
 }
 
 /// Where stability ends between a number with and one without; nothing where enclosures leave that open.
@@ -99,12 +97,6 @@ fn is_stable(rows: &[Vec<Rational>]) -> Option<bool> {
         () if ends.iter().any(|(lo, _)| *lo > zero) => Some(false),
         () => None,
     }
-}
-
-fn multiplied_is_stable(reduced: &RationalMatrix, gains: &[Gains<Rational>], factor: f64) -> Option<bool> {
-    let factor = Rational::from_float(factor)?;
-    let gains: Vec<Gains<Rational>> = gains.iter().map(|gains| gains.map(|q| q * &factor)).collect();
-    is_stable(&motion_rows_of_cars(reduced, |k| &gains[k]))
 }
 
 /// All control turned by about this angle, exactly on the circle; `u + iv` as the pair `(u, v)`.

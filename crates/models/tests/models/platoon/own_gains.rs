@@ -3,8 +3,9 @@
 use algebra::spectrum::Polynomial;
 use arithmetic::{ArithmeticError, Complex, Rational, rational};
 use models::platoon::banded::BandedPlatoon;
+use models::platoon::gain_margin::{GainMargin, gain_margin};
 use models::platoon::growth::peak_of_car;
-use models::platoon::margins::{margins, margins_of_cars};
+use models::platoon::margins::{margins, phase_margin_of_cars};
 use models::platoon::state_space::StateSpace;
 use models::platoon::vector_form::{motion_matrix, motion_rows_of_cars};
 use models::platoon::{
@@ -103,14 +104,17 @@ fn margins_are_where_stability_ends() {
         .collect();
     let known = margins(&gains(-5.0, -1.0), &eigenvalues).unwrap();
     let factor = known.critical_factor.unwrap();
-    // The way for cars with gains of their own finds the same, from a stable start.
-    let own = |f: i64| vec![Gains { f: rational(-5 * f, 1), g: rational(-f, 1) }; 3];
-    let found = margins_of_cars(&reduced, &own(1)).unwrap();
-    assert!((found.critical_factor.unwrap() / factor - 1.0).abs() < 1e-6, "{found:?}");
+    // The exact way finds the same, from a stable start.
+    let own = vec![Gains { f: rational(-50, 1), g: rational(-10, 1) }; 3];
     let strong = margins(&gains(-50.0, -10.0), &eigenvalues).unwrap();
-    let found = margins_of_cars(&reduced, &own(10)).unwrap();
-    assert!((found.phase.unwrap() - strong.phase.unwrap()).abs() < 1e-6, "{found:?} {strong:?}");
-    assert!((10.0 * found.critical_factor.unwrap() / factor - 1.0).abs() < 1e-6, "{found:?}");
+    let found = phase_margin_of_cars(&reduced, &own).unwrap().unwrap();
+    assert!((found - strong.phase.unwrap()).abs() < 1e-6, "{found:?} {strong:?}");
+    match gain_margin(&reduced, &own).unwrap() {
+        GainMargin::Ends { below: Some(below), above: None } => {
+            assert!((10.0 * below.to_f64() / factor - 1.0).abs() < 1e-12, "{below} {factor}");
+        }
+        other => panic!("{other:?}"),
+    }
     let stable = |factor: f64| {
         let factor = Rational::from_float(factor).unwrap();
         let scaled = Gains { f: rational(-5, 1) * &factor, g: rational(-1, 1) * factor };
@@ -171,29 +175,61 @@ fn margins_are_those_of_the_loops() {
     }
 }
 
-/// Three cars that track each other in a circle are stable for strong gains only. The factor is looked for up to 2^20.
+/// Rings of cars, the first of which tracks the leader, too, with equal gains: the exact way for up to 12, the enclosed modes beyond. The modes are
+/// `1 - r e^(2 pi i k/n)` with `r^n = 1/2`.
 #[test]
-fn margins_of_unstable_cars() {
-    let graph = CommunicationGraph::new(vec![
-        vec![(0, rational(1, 10)), (3, rational(9, 10))],
-        vec![(1, rational(1, 1))],
-        vec![(2, rational(1, 1))],
-    ]);
-    let reduced = graph.unwrap().reduced_laplacian().unwrap();
-    let root = 0.9f64.cbrt();
-    let eigenvalue = Complex::new(1.0 + 0.5 * root, 0.75f64.sqrt() * root);
-    let small = Complex::new(1.0 - root, 0.0);
-    for (f, scale) in [(-5i64, 1i64 << 10), (-5, 1 << 40)] {
-        let own = vec![Gains { f: rational(f, scale), g: rational(-1, scale) }; 3];
-        let known = margins(&gains(f as f64 / scale as f64, -1.0 / scale as f64), &[small.clone(), eigenvalue.clone()]);
-        let known = known.unwrap().critical_factor.unwrap();
-        let found = margins_of_cars(&reduced, &own).unwrap();
-        assert_eq!(found.phase, None, "unstable as they are");
-        match found.critical_factor {
-            Some(factor) => assert!((factor / known - 1.0).abs() < 1e-6 && factor > 4.0),
-            None => assert!(known > f64::from(1 << 20)),
+fn gain_margins_of_rings_are_those_of_their_modes() {
+    for n in [3usize, 7, 12, 13, 20] {
+        let half = || rational(1, 2);
+        let rows = (1..=n).map(|k| if k == 1 { vec![(0, half()), (n, half())] } else { vec![(k - 1, rational(1, 1))] });
+        let reduced = CommunicationGraph::new(rows.collect()).unwrap().reduced_laplacian().unwrap();
+        let own = vec![Gains { f: rational(-2, 1), g: rational(-60, 1) }; n];
+        let r = 0.5f64.powf(1.0 / n as f64);
+        let mode = |k: usize| 2.0 * std::f64::consts::PI * k as f64 / n as f64;
+        let modes: Vec<_> = (0..n).map(mode).map(|a| Complex::new(1.0 - r * a.cos(), -r * a.sin())).collect();
+        // What is real is not met by rounding.
+        let modes: Vec<_> = modes.into_iter().filter(|lambda| lambda.im.abs() > 1e-9).collect();
+        let known = margins(&gains(-2.0, -60.0), &modes).unwrap().critical_factor.unwrap();
+        match gain_margin(&reduced, &own).unwrap() {
+            GainMargin::Ends { below: Some(below), above: None } => {
+                assert!((below.to_f64() / known - 1.0).abs() < 1e-9, "{n}: {below} {known}");
+            }
+            other => panic!("{n}: {other:?}"),
         }
-        assert_eq!(found.critical_factor.is_some(), scale == 1 << 10);
+    }
+}
+
+/// Twelve different cars in a ring, for which enclosed eigenvalues do not tell where stability ends; and what is open says so.
+#[test]
+fn gain_margins_are_decided_or_open() {
+    let ring = |n: usize| {
+        let half = || rational(1, 2);
+        let rows = (1..=n).map(|k| if k == 1 { vec![(0, half()), (n, half())] } else { vec![(k - 1, rational(1, 1))] });
+        CommunicationGraph::new(rows.collect()).unwrap().reduced_laplacian().unwrap()
+    };
+    let own = |n: usize| -> Vec<Gains<Rational>> {
+        (1..=n as i64).map(|k| Gains { f: rational(-1, k), g: rational(-50 - k, 1) }).collect()
+    };
+    let stable = |gains: &[Gains<Rational>], factor: &Rational| {
+        let gains: Vec<_> = gains.iter().map(|gains| gains.map(|q| q * factor)).collect();
+        let rows = motion_rows_of_cars(&ring(gains.len()), |k| &gains[k]);
+        models::platoon::vector_form::is_stable(&algebra::matrix::RationalMatrix::from_rows(&rows).unwrap()).unwrap()
+    };
+    let gains = own(12);
+    assert!(stable(&gains, &rational(1, 1)));
+    match gain_margin(&ring(12), &gains).unwrap() {
+        GainMargin::Ends { below: Some(below), above: None } => {
+            let (lo, hi) = below.to_rationals();
+            assert!(stable(&gains, &(hi * rational(1_000_001, 1_000_000))));
+            assert!(!stable(&gains, &(lo * rational(999_999, 1_000_000))));
+        }
+        other => panic!("{other:?}"),
+    }
+    assert!(matches!(gain_margin(&ring(13), &own(13)).unwrap(), GainMargin::Open(why) if why == "more than 12 cars"));
+    assert!(gain_margin(&ring(3), &own(4)).is_err());
+    for n in [1, 2, 12] {
+        let line = CommunicationGraph::of(Communication::FrontAndBack, n).unwrap().reduced_laplacian().unwrap();
+        assert!(matches!(gain_margin(&line, &vec![own(1)[0].clone(); n]).unwrap(), GainMargin::Infinite), "{n}");
     }
 }
 
@@ -202,11 +238,11 @@ fn margins_of_unstable_cars() {
 fn margins_of_different_cars_are_those_of_the_worst() {
     let reduced = CommunicationGraph::of(Communication::Front, 3).unwrap().reduced_laplacian().unwrap();
     let own = [(-1, -1), (-4, -1), (-2, -3)].map(|(f, g)| Gains { f: rational(f, 1), g: rational(g, 1) });
-    let found = margins_of_cars(&reduced, &own).unwrap();
+    let found = phase_margin_of_cars(&reduced, &own).unwrap().unwrap();
     let single = |(f, g): (f64, f64)| margins(&gains(f, g), &[Complex::real(1.0)]).unwrap().phase.unwrap();
     let least = [(-1.0, -1.0), (-4.0, -1.0), (-2.0, -3.0)].map(single).into_iter().fold(9.0, f64::min);
-    assert!((found.phase.unwrap() - least).abs() < 1e-6, "{found:?}, {least}");
-    assert!(found.critical_factor.is_none());
+    assert!((found - least).abs() < 1e-6, "{found:?}, {least}");
+    assert!(matches!(gain_margin(&reduced, &own).unwrap(), GainMargin::Infinite));
 }
 
 /// The matrices of a platoon have the response and the peak of the platoon.
