@@ -2,6 +2,7 @@
 
 use super::IntervalVector;
 use arithmetic::{FloatInterval, Ring};
+use nalgebra::DMatrix;
 
 /// A square matrix of intervals, by rows.
 pub(super) type IntervalMatrix = Vec<IntervalVector>;
@@ -44,31 +45,11 @@ impl Frame {
         self.0.iter().map(|column| column.iter().map(|&x| FloatInterval::point(x)).collect()).collect()
     }
 
-    /// The orthogonal factor of a matrix given by its columns: the product of Householder's reflections that make it triangular.
-    fn orthogonal(mut columns: Vec<Vec<f64>>) -> Self {
+    /// The orthogonal factor of a matrix given by its columns, by nalgebra.
+    fn orthogonal(columns: &[Vec<f64>]) -> Self {
         let size = columns.len();
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-        let reflect = |normal: &[f64], column: &mut [f64]| {
-            let twice = 2.0 * product(normal, column);
-            column.iter_mut().zip(normal).for_each(|(x, n)| *x -= twice * n);
-        };
-        let mut normals: Vec<Vec<f64>> = Vec::with_capacity(size);
-        for k in 0..size {
-            let mut normal = columns[k][k..].to_vec();
-            let length = product(&normal, &normal).sqrt();
-            normal[0] += if normal[0] < 0.0 { -length } else { length };
-            let length = product(&normal, &normal).sqrt();
-            if length > 0.0 {
-                normal.iter_mut().for_each(|x| *x /= length);
-                columns[k..].iter_mut().for_each(|column| reflect(&normal, &mut column[k..]));
-            }
-            normals.push(normal);
-        }
-        let mut frame = Frame::unit(size);
-        for (k, normal) in normals.iter().enumerate().rev() {
-            frame.0.iter_mut().for_each(|column| reflect(normal, &mut column[k..]));
-        }
-        frame
+        let factor = DMatrix::from_fn(size, size, |i, j| columns[j][i]).qr().q();
+        Frame(factor.column_iter().map(|column| column.iter().copied().collect()).collect())
     }
 }
 
@@ -86,7 +67,7 @@ pub(super) fn frame_of(a: &[IntervalVector], lengths: &[f64]) -> Frame {
     let mut columns: Vec<Vec<f64>> = lengths.iter().enumerate().map(column).collect();
     let square = |column: &[f64]| column.iter().map(|x| x * x).sum::<f64>();
     columns.sort_by(|x, y| square(y).total_cmp(&square(x)));
-    Frame::orthogonal(columns)
+    Frame::orthogonal(&columns)
 }
 
 /// A bound of `‖(FᵀF)⁻¹ - I‖` in the norm of row sums, for a frame that is nearly orthogonal; `None` where it is not.
