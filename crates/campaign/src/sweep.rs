@@ -106,7 +106,7 @@ fn tabulated(value: &Tabulated) -> Value {
             let like = Interval::from_rational(q, BITS);
             enclosed(&(like.pi() * &like))
         }
-        Tabulated::Number(Number::Enclosed(x, _) | Number::Beyond(_, x)) => enclosed(x),
+        Tabulated::Number(Number::Enclosed(x, ..) | Number::Beyond(_, x)) => enclosed(x),
         Tabulated::Truth(truth) => (*truth).into(),
         Tabulated::Unknown(why) => json!({"unknown": why}),
     }

@@ -59,7 +59,7 @@ enum Formula {
 }
 
 fn term(draws: &mut Draws, names: usize, depth: usize) -> Term {
-    let mut part = |draws: &mut Draws| Box::new(term(draws, names, depth.saturating_sub(1)));
+    let part = |draws: &mut Draws| Box::new(term(draws, names, depth.saturating_sub(1)));
     match if depth == 0 { draws.below(2) } else { draws.below(9) } {
         0 => Term::Constant(rational(draws.between(0, 6) as i64 - 3, draws.between(1, 2) as i64)),
         1 => Term::Name(draws.below(names as u64) as usize),
@@ -74,13 +74,13 @@ fn term(draws: &mut Draws, names: usize, depth: usize) -> Term {
 
 fn formula(draws: &mut Draws, names: usize, depth: usize) -> Formula {
     if depth == 0 || draws.once_in(4) {
-        let relation = draws.choice(&["=", "!=", "<", "<=", ">", ">="]);
+        let relation = *draws.choice(&["=", "!=", "<", "<=", ">", ">="]);
         return Formula::Compare(relation, term(draws, names, 2), term(draws, names, 2));
     }
-    let mut part = |draws: &mut Draws| Box::new(formula(draws, names, depth - 1));
+    let part = |draws: &mut Draws| Box::new(formula(draws, names, depth - 1));
     match draws.below(4) {
         0 => Formula::Not(part(draws)),
-        _ => Formula::Joint(draws.choice(&["and", "or", "implies"]), part(draws), part(draws)),
+        _ => Formula::Joint(*draws.choice(&["and", "or", "implies"]), part(draws), part(draws)),
     }
 }
 

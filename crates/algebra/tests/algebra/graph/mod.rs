@@ -385,3 +385,41 @@ fn places_that_are_not_there_are_zero() {
     assert!(sparse.row(70).is_empty() && sparse.get(70, 0).is_none());
     assert_eq!(sparse.principal(&[0, 99]).order(), 2);
 }
+
+/// An edge is an arc each way: in every format it stands beside no arc between its ends, and both lines are told.
+#[test]
+fn edges_and_arcs_are_listed_once_in_every_format() {
+    let graphml = |edges: &str| {
+        format!(
+            "<graphml><graph edgedefault=\"undirected\">\n<node id=\"a\"/><node id=\"b\"/>\n{edges}</graph></graphml>"
+        )
+    };
+    let twice = [
+        ("1 2\n2 3\n2 1 5\n".to_string(), 3, 1),
+        ("directed\n1 2\n2 1\n1 2\n".to_string(), 4, 2),
+        ("%%MatrixMarket matrix coordinate pattern general\n2 2 2\n1 2\n1 2\n".to_string(), 4, 3),
+        (graphml("<edge source=\"a\" target=\"b\"/>\n<edge source=\"b\" target=\"a\"/>\n"), 4, 3),
+        (graphml("<edge source=\"a\" target=\"b\"/>\n<edge source=\"b\" target=\"a\" directed=\"true\"/>\n"), 4, 3),
+        (graphml("<edge source=\"a\" target=\"b\" directed=\"true\"/>\n<edge source=\"b\" target=\"a\"/>\n"), 4, 3),
+    ];
+    for (text, again, before) in twice {
+        match read_graph(&text) {
+            Err(GraphReadError::Repeated { line, first, .. }) => assert_eq!((line, first), (again, before), "{text}"),
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+    // Both arcs between two vertices are no repetition, and stay arcs.
+    for (text, directed) in [
+        ("directed\n1 2\n2 1\n".to_string(), true),
+        ("1 2\n".to_string(), false),
+        ("%%MatrixMarket matrix coordinate pattern general\n2 2 2\n1 2\n2 1\n".to_string(), true),
+        (graphml("<edge source=\"a\" target=\"b\"/>\n"), false),
+        (graphml("<edge source=\"a\" target=\"b\" directed=\"true\"/>\n"), true),
+    ] {
+        let file = algebra::graph::read::read_graph_file(&text, false).expect("a graph");
+        assert_eq!(
+            (file.directed, file.graph.adjacency().entries().count() > 1),
+            (directed, !text.contains("\"true\""))
+        );
+    }
+}
