@@ -7,6 +7,7 @@ use crate::syntax::{Kind, Node, Relation};
 use crate::timeline::{Piece, Timeline};
 use crate::truth::{Margin, Truth};
 use arithmetic::Rational;
+use num_traits::Signed;
 
 /// Whether there is a time in the span at which `second` holds, and `first` does from now until before then.
 pub(super) fn until(
@@ -100,6 +101,25 @@ fn is_closed_opposite(evaluator: &Evaluator, first: &Node, second: &Node) -> boo
         && is_same(a, c)
         && is_same(b, d)
         && moving_names(evaluator, second).iter().all(|name| !JUMPING.contains(name))
+        && is_continuous(evaluator, second)
+}
+
+/// Whether an expression is continuous in its moving quantities wherever they are: no divisor moves, and no argument of a function with a domain.
+fn is_continuous(evaluator: &Evaluator, node: &Node) -> bool {
+    let is_still = |node: &Node| moving_names(evaluator, node).is_empty();
+    let mut continuous = true;
+    node.visit(&mut |node| {
+        continuous &= match &node.kind {
+            Kind::Product(factors) => factors.iter().all(|(divides, factor)| !divides || is_still(factor)),
+            Kind::Power(base, exponent) => {
+                is_still(base) && is_still(exponent)
+                    || matches!(&exponent.kind, Kind::Number(q) if q.is_integer() && !q.is_negative())
+            }
+            Kind::Name { name, .. } if matches!(name.as_str(), "log" | "sqrt" | "gcd") => is_still(node),
+            _ => true,
+        };
+    });
+    continuous
 }
 
 /// A bound of the margins, if at all times of a piece `q` comes at the first time that is meant, and `p` holds until then. Both are given negated.

@@ -130,6 +130,8 @@ fn until_of_a_motion_asks_for_its_first_part_before_the_second_one_comes() {
         ("min_distance < 2 until[3/2, 2] min_distance >= 2", Verdict::False),
         ("min_distance < 7 until[0, 2] min_distance >= 7", Verdict::False),
         ("always[0, 1/2](min_distance < 2 until[0, 2] min_distance >= 2)", Verdict::Holds),
+        // Nothing is said of the moment at which a divisor is 0, so that there is no first time.
+        ("1/(min_distance - 2) < 5 until[0, 2] 1/(min_distance - 2) >= 5", Verdict::Undecided),
         // At time 0 alone: nothing is asked of the first part.
         ("min_distance > 5 until[0, 0] min_distance = 1", Verdict::Holds),
         ("min_distance > 5 until[0, 2] min_distance < 2", Verdict::Holds),
