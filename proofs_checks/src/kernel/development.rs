@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 120] = sources![
+const SOURCES: [(&str, &str); 121] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -131,6 +131,7 @@ const SOURCES: [(&str, &str); 120] = sources![
     "audit_independent_hessian",
     "audit_independent_inertia",
     "audit_independent_links",
+    "audit_independent_sums",
     "audit_independent_chazelle_more",
 ];
 
