@@ -34,6 +34,7 @@ pub fn second_order(define: &[(&str, &str)], rate: &str, observables: &[(&str, &
         define: pairs(define),
         rates: pairs(&[("x", "v"), ("v", rate)]),
         observables: pairs(observables),
+        ..LawText::default()
     }
 }
 

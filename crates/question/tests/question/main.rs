@@ -5,7 +5,6 @@ extern crate flockproof_question as question;
 mod bad_input;
 mod decisions;
 mod exact_facts;
-mod examples;
 mod families;
 mod language;
 mod missing;
