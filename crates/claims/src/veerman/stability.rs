@@ -269,17 +269,21 @@ pub fn mode_eigenvalues() -> Record<ModeVariant> {
     .altered("1 instead of 1/2", |v| v.half = (1, 1))
 }
 
-/// When a platoon of any size is claimed to be stable.
-type Condition = fn(f: &Rational, g: &Rational) -> bool;
+/// When a platoon of any size is claimed to be stable, and the quadratic of a mode that is to decide it.
+#[derive(Clone, Copy)]
+pub struct StabilityVariant {
+    condition: fn(f: &Rational, g: &Rational) -> bool,
+    mode: ModeVariant,
+}
 
-pub fn stabilised() -> Record<Condition> {
+pub fn stabilised() -> Record<StabilityVariant> {
     Record::new(
         "veerman.lem1",
         "The eigenvalues are the roots of x² - lambda g x - lambda f with lambda in spec(P), and all \
          lambda are positive. A real quadratic x² + p x + q has both roots in the left half plane exactly if p > 0 and q > 0 (sum -p and \
          product q; complex roots have real part -p/2), so exactly if g < 0 and f < 0: for each N, and for all N together. Read as one rate of decay for \
          all N the lemma would hold for system (1) only: beyond.veerman.decay_rate.",
-        (|f, g| *f < rational(0, 1) && *g < rational(0, 1)) as Condition,
+        StabilityVariant { condition: |f, g| *f < rational(0, 1) && *g < rational(0, 1), mode: MODE },
         examine_stability,
     )
     .reading("Stabilised means, as the text before says, that all eigenvalues of M have negative real parts; uniformly in N: under one and the same condition for every N.")
@@ -287,12 +291,15 @@ pub fn stabilised() -> Record<Condition> {
         "If both f and g are strictly smaller than zero, systems (1) and (2) are stabilized for every N.",
         "If systems (1) and (2) are stabilized for every N, both f and g are strictly smaller than zero.",
     ])
-    .control("f <= 0", |f, g| *f <= rational(0, 1) && *g < rational(0, 1))
-    .control("g <= 0", |f, g| *f < rational(0, 1) && *g <= rational(0, 1))
-    .control("g² > 4|f| too", |f, g| *f < rational(0, 1) && *g < rational(0, 1) && g * g > rational(-4, 1) * f)
+    .altered("f <= 0", |v| v.condition = |f, g| *f <= rational(0, 1) && *g < rational(0, 1))
+    .altered("g <= 0", |v| v.condition = |f, g| *f < rational(0, 1) && *g <= rational(0, 1))
+    .altered("g² > 4|f| too", |v| {
+        v.condition = |f, g| *f < rational(0, 1) && *g < rational(0, 1) && g * g > rational(-4, 1) * f;
+    })
+    .altered("x² - lambda g x + lambda f, the quadratic of a mode", |v| v.mode.sign = 1)
 }
 
-fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, CheckError> {
+fn examine_stability(variant: &StabilityVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     const MOST: usize = 4;
     const VALUES: [(i64, i64); 7] = [(-3, 1), (-1, 1), (-1, 100), (0, 1), (1, 100), (1, 1), (3, 1)];
     let detail = format!(
@@ -306,7 +313,7 @@ fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, Ch
         let is = if stable { "stable" } else { "not stable" };
         let Gains { f, g } = gains;
         let what = || format!("{communication:?}, N = {}, f = {f}, g = {g}: M is {is}", followers - 1);
-        Ok((stable != condition(&f, &g)).then(what))
+        Ok((stable != (variant.condition)(&f, &g)).then(what))
     })?;
     let minus_one = enclosed(&unit(), 64);
     for followers in [10, 100] {
@@ -314,6 +321,6 @@ fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, Ch
         run.value(&name, interval_value(&slowest_rate(&minus_one, followers)?, 8));
     }
     let part = "the quadratic of every mode, whose coefficients decide";
-    let quadratic = run.identity(&mode_sides(&MODE), &["lambda", "g", "r", "x"], part);
+    let quadratic = run.identity(&mode_sides(&variant.mode), &["lambda", "g", "r", "x"], part);
     Run::all([quadratic, Ok(instances)]).on([1, 2])
 }

@@ -31,7 +31,7 @@ fn cases_are_counted_and_the_first_wrong_one_is_told() {
     let held = run.exhaustive("all", "looked at", 0..7, wrong(10)).unwrap();
     let evidence = Evidence::new(Grade::Exhaustive, "all", "looked at").for_all().cases(7);
     assert_eq!((held, evidence.cases), (Outcome::Holds(vec![evidence.clone()]), Some(7)));
-    let Ok(Outcome::Fails { counterexample, evidence }) = run.exhaustive("all", "looked at", 0..7, wrong(5)) else {
+    let Ok(Outcome::Fails { counterexample, evidence, .. }) = run.exhaustive("all", "looked at", 0..7, wrong(5)) else {
         panic!()
     };
     assert_eq!((counterexample.as_str(), evidence[0].grade), ("5 is too large", Grade::Exact));

@@ -6,10 +6,12 @@
 
 mod development;
 mod evidence;
+mod scan;
 mod theorems;
 mod transcript;
 
 pub use development::{Source, files, with_digests};
 pub use evidence::{Development, proofs_of};
+pub use scan::{Forbidden, scan};
 pub use theorems::{Covers, Theorem, theorems};
 pub use transcript::{AxiomSet, Transcript, recorded};

@@ -1,6 +1,8 @@
 //! The table of theorems, the digests and the transcript, against naive twins.
 
-use proofs::kernel::{AxiomSet, Covers, Source, Theorem, Transcript, files, recorded, theorems, with_digests};
+use proofs::kernel::{
+    AxiomSet, Covers, Forbidden, Source, Theorem, Transcript, files, recorded, scan, theorems, with_digests,
+};
 use sha2::{Digest, Sha256};
 
 #[test]
@@ -12,10 +14,17 @@ fn words_are_read_as_they_are_written() {
         assert_eq!(AxiomSet::parse(axioms.words()), Some(axioms));
     }
     assert_eq!(AxiomSet::parse("classic"), None);
-    let extensionality = "FunctionalExtensionality.functional_extensionality_dep";
-    for axiom in ["ClassicalDedekindReals.sig_not_dec", "ClassicalDedekindReals.sig_forall_dec", extensionality] {
-        assert_eq!(AxiomSet::of([axiom]), Ok(AxiomSet::Reals));
-        assert_eq!(AxiomSet::of(["Classical_Prop.classic", axiom]), Ok(AxiomSet::RealsAndClassic));
+    let reals = |name: &str| format!("Coq.Reals.ClassicalDedekindReals.{name}");
+    let extensionality = "Coq.Logic.FunctionalExtensionality.functional_extensionality_dep".to_string();
+    for axiom in [reals("sig_not_dec"), reals("sig_forall_dec"), extensionality] {
+        assert_eq!(AxiomSet::of([axiom.as_str()]), Ok(AxiomSet::Reals));
+        assert_eq!(AxiomSet::of(["Coq.Logic.Classical_Prop.classic", &axiom]), Ok(AxiomSet::RealsAndClassic));
+    }
+    // A file of the project, or of anyone else, is not the library.
+    for other in
+        ["Classical_Prop.classic", "Flockproof.Classical_Prop.classic", "classic", "Coq.Logic.Classical.classic"]
+    {
+        assert_eq!(AxiomSet::of([other]), Err(other.to_string()));
     }
 }
 
@@ -122,4 +131,76 @@ fn transcripts_pass_over_other_lines() {
     assert_eq!(first, "# What coqc said; written by `flockproof prove --transcript FILE`.");
     assert_eq!(rest, "coq 8.16.1\nfile a 01ab\ntheorem a.x reals+classic\n");
     assert_eq!(std::fs::read_to_string(super::folder().join("transcript.txt")).unwrap(), recorded().text());
+}
+
+/// What is said of a text that it is not to say: the line, and how the sentence begins.
+fn forbidden(text: &str) -> Option<(usize, String)> {
+    match scan("a", text) {
+        Ok(()) => None,
+        Err(Forbidden::Sentence { line, sentence, .. }) => Some((line, sentence)),
+        Err(other) => panic!("{other}"),
+    }
+}
+
+#[test]
+fn no_file_assumes_anything_for_good() {
+    for file in files() {
+        assert_eq!(scan(file.name, file.text), Ok(()), "{}", file.name);
+    }
+}
+
+#[test]
+fn what_assumes_something_is_refused_wherever_it_hides() {
+    let refused = [
+        "Axiom a : False.",
+        "Theorem t : True. Proof. exact I. Qed. Axiom a : False.",
+        "Variable classic : False.",
+        "Hypothesis h : False.",
+        "Hypotheses (h : False).",
+        "Context {h : False}.",
+        "Context{h : False}.",
+        "Variables(a b : False).",
+        "Parameter p : False.",
+        "Conjecture c : False.",
+        "Section S. Parameter p : False. End S.",
+        "Section S. End S. Variable v : False.",
+        "Module M. Variable v : False. End M.",
+        "Section S. Variable v : nat. End S. Module M. Hypothesis h : False. End M.",
+        "Local Axiom a : False.",
+        "#[local] Axiom a : False.",
+        "#[local] #[global] Time Timeout 5 Polymorphic Axiom a : False.",
+        "Redirect \"out\" Axiom a : False.",
+        "Theorem t : False. Proof. Admitted.",
+        "Proof with auto. intros... Axiom a : False.",
+        "Notation \"x .. y\" := (x, .. y ..). Axiom a : False.",
+        "(* a \"*)\" *) Axiom a : False.",
+        "(* (* *) *) Axiom a : False.",
+        "Definition s := \"(*\". Axiom a : False.",
+        "- Axiom a : False.",
+        "Declare Module M : T.",
+        "Declare Instance i : C.",
+        "Unset Guard Checking.",
+        "#[bypass_check(guard)] Fixpoint f (n : nat) : nat := f n.",
+        "Load other.",
+        "Add LoadPath \"elsewhere\".",
+    ];
+    for text in refused {
+        assert!(forbidden(text).is_some(), "{text}");
+    }
+    let (line, sentence) = forbidden("Section S.\n(* one\n two *)\nEnd S.\n\n  Variable v : nat -> False.\n").unwrap();
+    assert_eq!((line, sentence.as_str()), (6, "Variable v : nat"));
+    for good in [
+        "(* Axiom a : False. *) Definition x := 1.",
+        "Definition s := \"Axiom a. \". Definition t := \". Axiom a\".",
+        "Section S. Variable v : nat. Hypothesis h : v = v. Context {w : nat}. End S.",
+        "Module M. Section S. Variables (a b : nat). End S. End M.",
+        "Section S. Section T. End T. Variable v : nat. End S.",
+        "Theorem axiom : True. Proof. - exact I. Qed.",
+        "Module A := B. Definition x := A.Axiom.",
+    ] {
+        assert_eq!(forbidden(good), None, "{good}");
+    }
+    for name in ["Classical_Prop", "ClassicalDedekindReals", "FunctionalExtensionality"] {
+        assert_eq!(scan(name, ""), Err(Forbidden::Name(name.to_string())));
+    }
 }
