@@ -13,6 +13,8 @@ mod inputs;
 #[cfg(unix)]
 mod interrupt;
 mod pattern;
+#[cfg(unix)]
+mod prove;
 mod refused;
 mod resonance;
 mod schemas;

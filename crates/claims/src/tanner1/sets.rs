@@ -241,6 +241,7 @@ pub fn bounded() -> Record<BoundedVariant> {
     .reading(OMEGA)
     .altered("graphs with an edge", |v| v.graphs = |graph| !graph.edges().is_empty())
     .altered("V = 1/(2s²) - 1/s + 1/2, bounded", |v| v.potential = sloped(&[(-2, 1), (-3, -1)], 0))
+    .altered("step 3: V = s + 1/s - 3, negative at its minimum", |v| v.potential = sloped(&[(0, 1), (-2, -1)], -1))
     .altered("headings in [0, 2 pi)", |v| v.headings = HeadingVariant::Positive)
 }
 

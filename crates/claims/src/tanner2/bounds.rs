@@ -5,7 +5,7 @@ use super::graphs::{rational_spectrum, shown};
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use models::double_integrator::{Potential, State, kinetic_energy, potential_energy};
+use models::double_integrator::{Potential, State, kinetic_energy, potential_energy, random_vectors};
 
 /// For each pair a potential of Definition 3 with the least value 0, increasing beyond its minimum, and the squared distance of that.
 type Potentials = fn(usize, usize) -> (Potential, Rational);

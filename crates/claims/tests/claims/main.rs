@@ -4,4 +4,5 @@ mod attempted;
 mod attempts;
 mod motion_attempts;
 mod paley_runs;
+mod reached;
 mod recorded;

@@ -1,7 +1,8 @@
 //! The table of theorems, the digests and the transcript, against naive twins.
 
 use proofs::kernel::{
-    AxiomSet, Covers, Forbidden, Source, Theorem, Transcript, files, recorded, scan, theorems, with_digests,
+    AxiomSet, Covers, Forbidden, Source, Theorem, Transcript, audited_row, audited_rows, files, recorded, scan,
+    theorems, with_digests,
 };
 use sha2::{Digest, Sha256};
 
@@ -74,6 +75,18 @@ fn statements_are_those_of_the_audits() {
 fn a_theorem_counts_only_as_coq_saw_it() {
     let one = theorems().iter().find(|theorem| theorem.path() == "chazelle_worked.eps_inequality").unwrap();
     assert!(one.is_checked() && one.is_checked_by(recorded()));
+    // What the table says of it is what was audited, to the letter.
+    let part = format!("{} And more.", one.part);
+    let changed = [
+        Theorem { claim: "chazelle.eq2.3", ..one.clone() },
+        Theorem { covers: Covers::Part, ..one.clone() },
+        Theorem { clauses: vec![2], ..one.clone() },
+        Theorem { whole: !one.whole, ..one.clone() },
+        Theorem { part, ..one.clone() },
+    ];
+    for theorem in changed {
+        assert!(!theorem.is_checked(), "{theorem:?}");
+    }
     // Other axioms than it may rest on; a theorem, a file or an audit that the transcript does not have as it is now.
     let other = if one.axioms == AxiomSet::None { AxiomSet::Reals } else { AxiomSet::None };
     assert!(!Theorem { axioms: other, ..one.clone() }.is_checked());
@@ -202,5 +215,36 @@ fn what_assumes_something_is_refused_wherever_it_hides() {
     }
     for name in ["Classical_Prop", "ClassicalDedekindReals", "FunctionalExtensionality"] {
         assert_eq!(scan(name, ""), Err(Forbidden::Name(name.to_string())));
+    }
+}
+
+/// `audited.tsv` and the table say the same of every theorem; none of either is missing from the other.
+#[test]
+fn the_table_says_what_was_audited() {
+    let rows: Vec<String> = theorems().iter().map(audited_row).collect();
+    let again: Vec<&String> = rows.iter().filter(|row| !audited_rows().contains(row.as_str())).collect();
+    assert!(again.is_empty(), "read these statements against their clauses, then put into audited.tsv:\n{again:#?}");
+    let lost: Vec<&&str> = audited_rows().iter().filter(|row| !rows.iter().any(|own| own == **row)).collect();
+    assert!(lost.is_empty(), "audited, but not in theorems.tsv as it was: {lost:#?}");
+    assert_eq!(rows.len(), audited_rows().len(), "a theorem is there twice for one claim");
+}
+
+/// Edits of the table that say more, or less, than the statement: each makes the theorem count for nothing.
+#[test]
+fn edits_of_the_table_are_noticed() {
+    let find = |claim: &str, path: &str| {
+        let found = theorems().iter().find(|theorem| theorem.claim == claim && theorem.path() == path);
+        found.unwrap_or_else(|| panic!("{path} is there")).clone()
+    };
+    let chain = find("veerman.lem2_eigvec", "veerman_chain.equation_2_chain");
+    let decays = find("veerman.lem1", "veerman_settling.mode_decays");
+    let fails = find("veerman.thm1_x", "veerman_exponent.exponent_printed_fails");
+    assert_eq!((chain.clauses.as_slice(), decays.whole, fails.covers), (&[1, 2][..], false, Covers::Negation));
+    for edited in [
+        Theorem { clauses: vec![1], ..chain },
+        Theorem { whole: true, ..decays },
+        Theorem { covers: Covers::Part, ..fails },
+    ] {
+        assert!(!edited.is_checked() && !audited_rows().contains(audited_row(&edited).as_str()), "{edited:?}");
     }
 }
