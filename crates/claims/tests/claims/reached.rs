@@ -43,14 +43,20 @@ fn every_line_of_evidence_is_reached_by_a_control() {
         assert!(rows.insert((claim, part.to_string()), why).is_none(), "{claim}, {part} is there twice");
     }
     let new: Vec<_> = unreached.iter().filter(|line| !rows.contains_key(*line)).collect();
-    assert!(new.is_empty(), "no control fails in these lines: give each one, or say in unreached.tsv why none can: {new:#?}");
+    assert!(
+        new.is_empty(),
+        "no control fails in these lines: give each one, or say in unreached.tsv why none can: {new:#?}"
+    );
     let stale: Vec<_> = rows.keys().filter(|line| !unreached.contains(*line)).collect();
     assert!(stale.is_empty(), "a control reaches these, or they are gone: take them out of unreached.tsv: {stale:#?}");
     // The same part, computed alike, is altered where it says so.
     for ((claim, part), why) in &rows {
         if let Some(other) = why.strip_prefix(ELSEWHERE) {
             let own = part.trim_start_matches("corrected: ");
-            assert!(reached.iter().any(|(id, part)| *id == other && part == own), "{claim}, {part}: not reached in {other}");
+            assert!(
+                reached.iter().any(|(id, part)| *id == other && part == own),
+                "{claim}, {part}: not reached in {other}"
+            );
         }
     }
 }
@@ -69,7 +75,8 @@ fn lines_that_could_be_lost_have_controls() {
         ("beyond.paley.sync.par", "parallel where it is zero", 2),
     ] {
         let entry = report().entries.iter().find(|entry| entry.id == claim).unwrap();
-        let line = entry.evidence.iter().find(|e| e.part == part).unwrap_or_else(|| panic!("{claim} has no line {part}"));
+        let line =
+            entry.evidence.iter().find(|e| e.part == part).unwrap_or_else(|| panic!("{claim} has no line {part}"));
         assert!(line.controls.len() >= least && line.cases.is_some_and(|cases| cases > 0), "{claim}: {line:?}");
     }
 }

@@ -2,4 +2,5 @@
 
 mod clauses;
 mod judging;
+mod lines;
 mod runs;
