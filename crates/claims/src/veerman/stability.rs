@@ -145,6 +145,8 @@ pub struct ReducedSpectrumVariant {
     sign: i64,
     offset: i64,
     shift: i64,
+    /// How much more than M the degree of the Chebyshev polynomial is.
+    degree: usize,
 }
 
 pub fn reduced_spectrum() -> Record<ReducedSpectrumVariant> {
@@ -153,7 +155,7 @@ pub fn reduced_spectrum() -> Record<ReducedSpectrumVariant> {
         "P_2 v = lambda v with v_0 = 0 is v_{k-1} = 2(1 - lambda) v_k - v_{k+1}, and v_{M-1} = (1 - lambda) v_M in the last row. So \
          v_{M-j} = T_j(1 - lambda) v_M with v_M != 0, and v_0 = 0 says T_M(1 - lambda) = 0: 1 - lambda = cos((2k-1) pi/(2M)) for \
          k = 1, ..., M. These are M different real numbers because the angles differ and lie in (0, pi).",
-        ReducedSpectrumVariant { sign: -1, offset: -1, shift: 0 },
+        ReducedSpectrumVariant { sign: -1, offset: -1, shift: 0, degree: 0 },
         examine_reduced_spectrum,
     )
     .clauses(&[
@@ -163,6 +165,7 @@ pub fn reduced_spectrum() -> Record<ReducedSpectrumVariant> {
     .altered("2k + 1", |v| v.offset = 1)
     .altered("2k", |v| v.offset = 0)
     .altered("N + 2 in the denominator", |v| v.shift = 1)
+    .altered("a multiple of T_(M+1)(1 - x)", |v| v.degree = 1)
 }
 
 fn examine_reduced_spectrum(variant: &ReducedSpectrumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -177,8 +180,9 @@ fn examine_reduced_spectrum(variant: &ReducedSpectrumVariant, run: &mut Run) -> 
     let detail = format!("det(xI - P_2) is a multiple of T_M(1 - x) with M simple roots in (0, 2), M = 1 to {most}");
     let exact = run.instances("characteristic polynomial", &detail, 1..=most, |followers| {
         let (polynomial, roots) = isolated(followers)?;
-        let wrong =
-            polynomial != shifted_chebyshev(followers) || !polynomial.is_square_free() || roots.len() != followers;
+        let wrong = polynomial != shifted_chebyshev(followers + variant.degree)
+            || !polynomial.is_square_free()
+            || roots.len() != followers;
         let what = "det(xI - P_2) is not a multiple of T_M(1 - x) with simple real roots";
         Ok(wrong.then(|| format!("{followers} followers: {what}")))
     })?;
