@@ -15,6 +15,7 @@ mod interrupt;
 mod pattern;
 #[cfg(unix)]
 mod prove;
+mod record;
 mod refused;
 mod resonance;
 mod schemas;

@@ -2,7 +2,8 @@
 //! for which none is known, and why.
 
 use super::recorded::report;
-use ledger::{Entry, Evidence, Grade, Verdict, correction_id};
+use claims::EVIDENCE;
+use ledger::{Entry, Evidence, Grade, Options, Verdict, correction_id};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How a reason begins that says where the same part is reached.
@@ -78,5 +79,29 @@ fn lines_that_could_be_lost_have_controls() {
         let line =
             entry.evidence.iter().find(|e| e.part == part).unwrap_or_else(|| panic!("{claim} has no line {part}"));
         assert!(line.controls.len() >= least && line.cases.is_some_and(|cases| cases > 0), "{claim}: {line:?}");
+    }
+}
+
+/// A line that a check loses, gains, or rests on fewer cases is told: made here on the table, which then has a line more, one less, or another number.
+#[test]
+fn a_lost_line_differs_from_what_is_recorded() {
+    for claim in ["tanner1.Omega.bounded", "veerman.lem1", "paley.sync.par"] {
+        let differences = |table: String| {
+            let ledger = claims::ledger().unwrap().with_evidence(&table);
+            ledger.verify(&[claim.to_string()], &Options::default(), |_| {}).differences
+        };
+        assert_eq!(differences(EVIDENCE.to_string()), Vec::<String>::new());
+        let start = format!("{claim}\t");
+        let rows: Vec<&str> = EVIDENCE.lines().filter(|line| line.starts_with(&start)).collect();
+        for row in [rows[0], rows[rows.len() - 1]] {
+            let more = differences(format!("{EVIDENCE}{row}\n"));
+            assert!(more.len() == 1 && more[0].contains("was not reached"), "{more:?}");
+            let fewer = differences(EVIDENCE.replacen(&format!("{row}\n"), "", 1));
+            assert!(fewer.len() == 1 && fewer[0].contains("differs from what is recorded"), "{fewer:?}");
+            let mut words: Vec<&str> = row.split('\t').collect();
+            words[6] = "1000000";
+            let other = differences(EVIDENCE.replacen(row, &words.join("\t"), 1));
+            assert_eq!(other.len(), 2, "{other:?}");
+        }
     }
 }
