@@ -462,7 +462,7 @@ class Run:
                 return self._issue(Outcome("fails", said, (failed,)))
             count += 1
         if count == 0:
-            return self._issue(Outcome("holds"))
+            return self._issue(Outcome("undecided", f'no case was looked at for "{part}"'))
         if weakest == "simulated":
             grade, scope = ("fuzzed" if best == "fuzzed" else "simulated"), "instances"
         else:

@@ -225,7 +225,7 @@ fn outcome(value: &Value) -> Result<Outcome, CheckError> {
     let why = || value["why"].as_str().unwrap_or_default().to_string();
     match value["outcome"].as_str() {
         Some("holds") => Ok(Outcome::Holds(support()?)),
-        Some("fails") => Ok(Outcome::Fails { counterexample: why(), evidence: support()? }),
+        Some("fails") => Ok(Outcome::failure(why(), support()?)),
         Some("undecided") => Ok(Outcome::Undecided(why())),
         Some("not_checkable") => Ok(Outcome::NotCheckable(why(), support()?)),
         _ => Err(CheckError::Other(why())),

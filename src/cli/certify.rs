@@ -53,7 +53,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let certificate = certificate.map_err(|error| CliError::Use(format!("{}: {error}", row.name())))?;
         if let Some(folder) = &arguments.out {
             let path = made(folder)?.join(format!("{}.cert", row.name()));
-            write(&path, &certificate)?;
+            output::write_file(&path, certificate.text_for(row.claim, row.result).as_bytes())?;
             output::print(&format!("{}: {}\n", path.display(), certificate.claim()))?;
         }
         theorems.push(CoqTheorem { name: row.name().replace('.', "_"), certificate });
@@ -73,11 +73,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Writes one certificate.
-pub fn write(path: &Path, certificate: &Certificate) -> Result<(), CliError> {
-    output::write_file(path, certificate.text().as_bytes())
-}
-
 /// Refuses a file for a certificate that cannot be written.
 pub fn check_asked(path: Option<&Path>) -> Result<(), CliError> {
     path.map_or(Ok(()), output::check_writable)
@@ -89,7 +84,8 @@ pub fn write_asked(
     make: impl FnOnce() -> Result<Certificate, CertificateError>,
 ) -> Result<(), CliError> {
     let Some(path) = path else { return Ok(()) };
-    write(path, &make().map_err(|error| CliError::Use(format!("--certificate: {error}")))?)
+    let certificate = make().map_err(|error| CliError::Use(format!("--certificate: {error}")))?;
+    output::write_file(path, certificate.text().as_bytes())
 }
 
 /// The folder, made where it is not there.

@@ -5,7 +5,7 @@ use super::{CliError, output, progress};
 use flockproof::kernel;
 use flockproof::ledger::{Grade, Ledger, LedgerError, Options, Report, recorded_row, to_json_with};
 use flockproof::report::{ledger_origin, not_found, summary, verdict_table};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -26,8 +26,9 @@ pub struct Arguments {
     /// Write the ledger as JSON to this file; `-` prints it instead of the table
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Write what was reached as a table of recorded verdicts, for crates/claims/src/recorded.tsv
-    #[arg(long, value_name = "FILE")]
+    /// Write what was reached as the tables of what is recorded: recorded.tsv, the verdicts, and evidence.tsv, the lines of evidence, for crates/claims/src; with --full the
+    /// numbers of cases of full runs
+    #[arg(long, value_name = "DIR")]
     record: Option<PathBuf>,
     /// Seed of everything random
     #[arg(long, value_name = "S", default_value = "flockproof")]
@@ -60,8 +61,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let (claims, papers) = (arguments.claim.join(", "), arguments.paper.join(", "));
         return Err(CliError::Use(format!("--claim: {claims} is not a claim of {papers}")));
     }
-    let json_file = arguments.json.iter().filter(|path| path.as_os_str() != "-");
-    json_file.chain(&arguments.record).try_for_each(|path| output::check_writable(path))?;
+    let mut json_file = arguments.json.iter().filter(|path| path.as_os_str() != "-");
+    json_file.try_for_each(|path| output::check_writable(path))?;
+    arguments.record.as_deref().map_or(Ok(()), output::make_folder)?;
     let mut options = Options { seed: arguments.seed.clone(), full: arguments.full, ..Options::default() };
     if let Some(seconds) = arguments.limit {
         options.longest = Duration::from_secs(seconds);
@@ -75,6 +77,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     watch.finish();
     interrupt::finishing();
     write_report(arguments, &report, &options)?;
+    if let Some(folder) = &arguments.record {
+        write_tables(folder, &ledger, &report, options.full)?;
+    }
     Ok(match (!report.missing.is_empty(), report.is_as_recorded()) {
         (true, _) => ExitCode::from(interrupt::STATUS),
         (false, true) => ExitCode::SUCCESS,
@@ -97,11 +102,15 @@ fn write_report(arguments: &Arguments, report: &Report, options: &Options) -> Re
     if let Some(path) = arguments.json.as_ref().filter(|_| !printed_json) {
         output::write_file(path, json.as_bytes())?;
     }
-    if let Some(path) = &arguments.record {
-        let rows: String = report.entries.iter().map(|entry| recorded_row(entry) + "\n").collect();
-        output::write_file(path, format!("id\tverdict\tfault\treach\tgrades\n{rows}").as_bytes())?;
-    }
     Ok(())
+}
+
+/// The tables that later runs are compared with.
+fn write_tables(folder: &Path, ledger: &Ledger, report: &Report, full: bool) -> Result<(), CliError> {
+    let rows: String = report.entries.iter().map(|entry| recorded_row(entry) + "\n").collect();
+    let verdicts = format!("id\tverdict\tfault\treach\tgrades\n{rows}");
+    output::write_file(&folder.join("recorded.tsv"), verdicts.as_bytes())?;
+    output::write_file(&folder.join("evidence.tsv"), ledger.evidence_table(&report.entries, full).as_bytes())
 }
 
 fn table(report: &Report) -> String {

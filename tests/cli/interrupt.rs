@@ -182,7 +182,7 @@ fn tracks_keep_the_frames_that_were_measured() {
 #[test]
 fn proofs_end_with_the_coqc_that_runs() {
     let folder = folder("interrupt_prove");
-    let script = "#!/bin/sh\ncase \"$1\" in --print-version) echo 8.0 4.0; exit 0;; esac\necho $$ > \"$STARTED.part\"\nmv \"$STARTED.part\" \"$STARTED\"\nexec sleep 600\n";
+    let script = "#!/bin/sh\ncase \"$1\" in --print-version) echo 8.0 4.0; exit 0;; -where) echo /nowhere; exit 0;; esac\necho $$ > \"$STARTED.part\"\nmv \"$STARTED.part\" \"$STARTED\"\nexec sleep 600\n";
     let coqc = file(&folder, "coqc", script.as_bytes());
     assert!(Command::new("chmod").args(["+x", &coqc]).status().expect("chmod starts").success());
     let (started, out) = (folder.join("started"), folder.join("out"));

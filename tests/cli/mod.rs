@@ -13,6 +13,9 @@ mod inputs;
 #[cfg(unix)]
 mod interrupt;
 mod pattern;
+#[cfg(unix)]
+mod prove;
+mod record;
 mod refused;
 mod resonance;
 mod schemas;

@@ -116,5 +116,6 @@ pub(crate) fn argued_with(
     };
     let count = |e: &Evidence| e.cases.map_or(String::new(), |cases| format!(", {cases} cases"));
     let computed: Vec<String> = steps.iter().map(|e| format!("{} ({}{})", e.part, e.detail, count(e))).collect();
-    argued(clauses, part, &format!("{place}; computed beside it: {}", computed.join("; ")))
+    let place = format!("{place}; computed beside it: {}", computed.join("; "));
+    Ok(Outcome::Holds(vec![Evidence::argued(part, place).on(clauses).beside(steps)]))
 }

@@ -34,12 +34,16 @@ pub const LISTED: &str = include_str!("listed.tsv");
 /// The verdicts that the ledger is expected to reach, with the grades of their evidence.
 pub const RECORDED: &str = include_str!("recorded.tsv");
 
+/// The lines of evidence that the ledger is expected to reach, with their numbers of cases; `verify --record DIR` writes both tables.
+pub const EVIDENCE: &str = include_str!("evidence.tsv");
+
 /// The ledger of every claim that is built, and of the corrections of those whose printed form fails.
 ///
 /// # Errors
 /// [`LedgerError`] where a claim is registered twice or lacks a source; the tests rule that out.
 pub fn ledger() -> Result<Ledger, LedgerError> {
-    let mut ledger = Ledger::new().with_list(LISTED).with_record(RECORDED).with_proofs(Development);
+    let mut ledger =
+        Ledger::new().with_list(LISTED).with_record(RECORDED).with_evidence(EVIDENCE).with_proofs(Development);
     let papers = [chazelle::claims(), veerman::claims(), paley::claims(), tanner1::claims(), tanner2::claims()];
     for claim in papers.into_iter().flatten().chain(beyond::claims()) {
         ledger.register_boxed(claim)?;

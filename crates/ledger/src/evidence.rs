@@ -40,6 +40,11 @@ impl Grade {
         Grade::Text,
     ];
 
+    /// Whether evidence of this grade says how many cases it rests on.
+    pub fn counts_cases(self) -> bool {
+        matches!(self, Grade::Identity | Grade::Exhaustive | Grade::Fuzzed)
+    }
+
     /// The word used in the ledger.
     pub fn word(self) -> &'static str {
         match self {
@@ -66,6 +71,16 @@ pub enum Scope {
     Instances,
 }
 
+impl Scope {
+    /// The word used in the tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            Scope::All => "all",
+            Scope::Instances => "instances",
+        }
+    }
+}
+
 /// One piece of evidence for a stated part of a claim.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Evidence {
@@ -83,6 +98,13 @@ pub struct Evidence {
     pub cases: Option<u64>,
     /// `2^-k`, for identities.
     pub error_bound: Option<String>,
+    /// The negative controls, counted from 1, whose check fails in this part; `p` for the printed form, from which a correction is
+    /// to be told apart.
+    #[serde(skip)]
+    pub controls: Vec<String>,
+    /// What was computed of a proof on paper beside it, where that bears on no clause by itself.
+    #[serde(skip)]
+    pub steps: Vec<Evidence>,
 }
 
 impl Evidence {
@@ -98,6 +120,8 @@ impl Evidence {
             detail: detail.into(),
             cases: None,
             error_bound: None,
+            controls: Vec::new(),
+            steps: Vec::new(),
         }
     }
 
@@ -122,6 +146,18 @@ impl Evidence {
     pub fn cases(mut self, cases: usize) -> Self {
         self.cases = Some(cases as u64);
         self
+    }
+
+    /// The same with what was computed beside it ([`Evidence::steps`]).
+    pub fn beside(mut self, steps: Vec<Evidence>) -> Self {
+        self.steps = steps;
+        self
+    }
+
+    /// The piece that looked at nothing, this one or one beside it: where cases are counted, none is no evidence.
+    pub(super) fn empty(&self) -> Option<&Evidence> {
+        let is_empty = |e: &&Evidence| e.cases == Some(0) || e.cases.is_none() && e.grade.counts_cases();
+        std::iter::once(self).find(is_empty).or_else(|| self.steps.iter().find_map(Evidence::empty))
     }
 
     /// The same with an error bound of `2^-bits`.

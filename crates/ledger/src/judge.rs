@@ -30,9 +30,33 @@ impl Ruling {
         Ruling { verdict, fault: None, evidence, counterexample: None, corrected: None, why: None }
     }
 
+    /// Notes at each piece of evidence which controls fail through it: their failure names its part.
+    fn reached_by(&mut self, failures: &[Failure]) {
+        // Where the printed statement is refuted, the evidence for its correction is what the controls are to reach.
+        let judged = self.evidence.iter_mut().filter_map(|e| match &self.corrected {
+            None => Some((e.part.clone(), e)),
+            Some(_) => Some((e.part.strip_prefix(CORRECTED)?.to_string(), e)),
+        });
+        for (part, evidence) in judged.filter(|_| self.verdict != Verdict::False || self.corrected.is_some()) {
+            let through = |part: &str| -> Vec<String> {
+                failures.iter().filter(|f| f.parts.iter().any(|p| p == part)).map(|f| f.control.clone()).collect()
+            };
+            evidence.controls = through(&part);
+            evidence.steps.iter_mut().for_each(|step| step.controls = through(&step.part));
+        }
+    }
+
     fn undecided(why: impl Into<String>) -> Self {
         Ruling { why: Some(why.into()), ..Ruling::of(Verdict::Undecided, Vec::new()) }
     }
+}
+
+/// Where the check of a negative control fails.
+struct Failure {
+    /// Its number, from 1; `p` for the printed form.
+    control: String,
+    /// The parts that fail.
+    parts: Vec<String>,
 }
 
 /// Judges the printed statement of a claim, or its correction as a statement of its own.
@@ -63,11 +87,13 @@ impl Judge<'_> {
             }
             Ok(Outcome::Holds(evidence)) if evidence.is_empty() => Ruling::undecided("the check gave no evidence"),
             Ok(Outcome::Holds(evidence)) => Ruling::of(Verdict::Holds, self.placed(evidence, 0)),
-            Ok(Outcome::Fails { counterexample, evidence }) => {
+            Ok(Outcome::Fails { counterexample, evidence, .. }) => {
                 self.refuted(counterexample, self.placed(evidence, 0), &mut values)
             }
         };
-        let (controls, surviving_controls) = self.controls();
+        let (controls, surviving_controls, failures) = self.controls();
+        let mut ruling = ruling;
+        ruling.reached_by(&failures);
         let mut clauses = self.clauses();
         if ruling.corrected.is_some() {
             clauses.extend(self.corrected_clauses().into_iter().map(|clause| format!("{CORRECTED}{clause}")));
@@ -171,11 +197,17 @@ impl Judge<'_> {
         Ruling { counterexample, ..Ruling::undecided(problem) }
     }
 
-    fn controls(&self) -> (Controls, Vec<String>) {
+    /// What became of the controls, those that were not refuted, and where the others failed.
+    fn controls(&self) -> (Controls, Vec<String>, Vec<Failure>) {
         let own = self.claim.alterations().into_iter().enumerate().map(|(k, what)| (what, Form::Control(k)));
         let altered = own.chain(self.correction.then_some(("as printed", Form::Printed)));
-        let (mut controls, mut surviving) = (Controls::default(), Vec::new());
+        let (mut controls, mut surviving, mut failures) = (Controls::default(), Vec::new(), Vec::new());
+        // The printed form is one more where it is refuted: what holds is the correction.
+        failures.extend(self.failure("p", Form::Printed));
         for (what, form) in altered {
+            if let Form::Control(k) = form {
+                failures.extend(self.failure(&(k + 1).to_string(), form));
+            }
             let (refuted, said) = match self.outcome(form, &mut BTreeMap::new()) {
                 Ok(Outcome::Fails { counterexample, .. }) => (true, counterexample.clone()),
                 Ok(Outcome::Holds(_)) => (false, "it holds".to_string()),
@@ -190,7 +222,12 @@ impl Judge<'_> {
             controls.what.push(what.to_string());
             controls.failed.push(said);
         }
-        (controls, surviving)
+        (controls, surviving, failures)
+    }
+
+    fn failure(&self, control: &str, form: Form) -> Option<Failure> {
+        let parts = (self.examine)(form).outcome.as_ref().map(Outcome::failing_parts).unwrap_or_default();
+        (!parts.is_empty()).then(|| Failure { control: control.to_string(), parts })
     }
 }
 

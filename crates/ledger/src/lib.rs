@@ -9,6 +9,7 @@ mod document;
 mod entry;
 mod evidence;
 mod judge;
+mod lines;
 mod outcome;
 mod proofs;
 mod record;

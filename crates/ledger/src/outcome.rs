@@ -13,6 +13,8 @@ pub enum Outcome {
         counterexample: String,
         /// How that was established.
         evidence: Vec<Evidence>,
+        /// The parts after it that fail as well; [`Run::all`](super::Run::all) fills them in.
+        later: Vec<String>,
     },
     /// Neither could be established, and why.
     Undecided(String),
@@ -21,9 +23,24 @@ pub enum Outcome {
 }
 
 impl Outcome {
+    /// A failure on several pieces of evidence.
+    pub fn failure(counterexample: impl Into<String>, evidence: Vec<Evidence>) -> Self {
+        Outcome::Fails { counterexample: counterexample.into(), evidence, later: Vec::new() }
+    }
+
+    /// The parts that fail: those of the evidence of a failure, and those after it.
+    pub fn failing_parts(&self) -> Vec<String> {
+        match self {
+            Outcome::Fails { evidence, later, .. } => {
+                evidence.iter().map(|e| e.part.clone()).chain(later.clone()).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
     /// A failure on one piece of evidence.
     pub fn fails(counterexample: impl Into<String>, evidence: Evidence) -> Self {
-        Outcome::Fails { counterexample: counterexample.into(), evidence: vec![evidence] }
+        Outcome::failure(counterexample, vec![evidence])
     }
 
     /// The same with evidence that bears on these clauses, counted from 1.
@@ -44,7 +61,9 @@ impl Outcome {
         let each = |evidence: Vec<Evidence>| evidence.into_iter().map(&change).collect();
         match self {
             Outcome::Holds(evidence) => Outcome::Holds(each(evidence)),
-            Outcome::Fails { counterexample, evidence } => Outcome::Fails { counterexample, evidence: each(evidence) },
+            Outcome::Fails { counterexample, evidence, later } => {
+                Outcome::Fails { counterexample, evidence: each(evidence), later }
+            }
             Outcome::NotCheckable(why, evidence) => Outcome::NotCheckable(why, each(evidence)),
             Outcome::Undecided(why) => Outcome::Undecided(why),
         }
@@ -56,6 +75,8 @@ impl Outcome {
 pub enum CheckError {
     /// The limit of work or of time was reached, or the run was interrupted.
     Limit,
+    /// A part of the check looked at no case: that is no evidence.
+    NoCases(String),
     /// What the check computes with failed.
     Failed(Box<dyn std::error::Error + Send + Sync>),
     /// Anything else.
@@ -67,6 +88,7 @@ impl std::fmt::Display for CheckError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             CheckError::Limit => write!(f, "the limit of work was reached"),
+            CheckError::NoCases(part) => write!(f, "no case was looked at for \"{part}\""),
             CheckError::Failed(error) => write!(f, "{error}"),
             CheckError::Other(what) => write!(f, "{what}"),
         }

@@ -141,7 +141,8 @@ impl Run {
         count_judged(evidence, &mut || cases.next().map(|case| self.checkpoint().and_then(|()| wrong(case))))
     }
 
-    /// Runs parts in order; the evidence of all, or the first one that does not hold.
+    /// Runs parts in order; the evidence of all, or the first one that does not hold. After a failure the others are run all the same: those that
+    /// fail too are told with it, so that it is known of each part which controls it refutes.
     ///
     /// # Errors
     /// Whatever a part returns.
@@ -164,16 +165,23 @@ fn count_judged(evidence: Evidence, next: &mut dyn FnMut() -> Option<Judged>) ->
         }
         count += 1;
     }
-    // No case is no evidence.
-    Ok(Outcome::Holds(if count == 0 { Vec::new() } else { vec![evidence.cases(count)] }))
+    match count {
+        0 => Err(CheckError::NoCases(evidence.part)),
+        _ => Ok(Outcome::Holds(vec![evidence.cases(count)])),
+    }
 }
 
 /// [`Run::all`], compiled once.
 fn all_parts(parts: &mut dyn Iterator<Item = Result<Outcome, CheckError>>) -> Result<Outcome, CheckError> {
     let mut evidence = Vec::new();
-    for part in parts {
+    while let Some(part) = parts.next() {
         match part? {
             Outcome::Holds(more) => evidence.extend(more),
+            Outcome::Fails { counterexample, evidence, mut later } => {
+                // What is not decided after a failure changes nothing any more.
+                later.extend(parts.filter_map(Result::ok).flat_map(|part| part.failing_parts()));
+                return Ok(Outcome::Fails { counterexample, evidence, later });
+            }
             other => return Ok(other),
         }
     }

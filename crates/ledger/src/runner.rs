@@ -1,10 +1,11 @@
 //! The ledger and its parallel runner.
 
 use super::judge::{CORRECTED, Examined, Judge, correction_id};
+use super::lines::Lines;
 use super::proofs::{NoProofs, join};
 use super::{
-    CheckError, Claim, Controls, Correction, Entry, Evidence, Fault, Form, Grade, Proofs, Recorded, Run, Source,
-    Verdict, listed, recorded,
+    CheckError, Claim, Controls, Correction, Entry, Evidence, Fault, Form, Grade, Outcome, Proofs, Recorded, Run,
+    Source, Verdict, listed, recorded,
 };
 use arithmetic::{Progress, Unwatched};
 use std::collections::{BTreeMap, BTreeSet, btree_map};
@@ -75,6 +76,7 @@ pub struct Ledger {
     claims: BTreeMap<String, Arc<Registered>>,
     listed: BTreeMap<String, Source>,
     expected: BTreeMap<String, Expected>,
+    lines: Option<Lines>,
     proofs: Box<dyn Proofs>,
 }
 
@@ -92,6 +94,7 @@ impl Default for Ledger {
             claims: BTreeMap::new(),
             listed: BTreeMap::new(),
             expected: BTreeMap::new(),
+            lines: None,
             proofs: Box::new(NoProofs),
         }
     }
@@ -136,6 +139,20 @@ impl Ledger {
             (row.id.to_string(), expected)
         }));
         self
+    }
+
+    /// The same with the lines of evidence that are expected, as [`Ledger::evidence_table`] writes them. Without them only the verdicts
+    /// are compared.
+    pub fn with_evidence(mut self, table: &str) -> Self {
+        self.lines = Some(Lines::read(table));
+        self
+    }
+
+    /// The lines of evidence of these entries as a table: a header, then id, part, grade, scope, clauses, the controls that fail through the
+    /// line, and its number of cases in an ordinary and in a full run, separated by tabs. Entries of a `full` run leave the numbers of ordinary runs
+    /// as they came with [`Ledger::with_evidence`], and the other way round.
+    pub fn evidence_table(&self, entries: &[Entry], full: bool) -> String {
+        self.lines.clone().unwrap_or_default().table(entries, full)
     }
 
     /// The verdicts that came with [`Ledger::with_record`], by id.
@@ -274,7 +291,8 @@ impl Ledger {
         entries.sort_by(|a, b| a.id.cmp(&b.id));
         let reached: BTreeSet<&str> = entries.iter().map(|entry| entry.id.as_str()).collect();
         let missing = ids.iter().filter(|id| !reached.contains(id.as_str())).cloned().collect();
-        let differences = entries.iter().flat_map(|e| difference(e, self.expected.get(&e.id))).collect();
+        let of_lines = |e: &Entry| self.lines.as_ref().map_or(Vec::new(), |lines| lines.differences(e, options.full));
+        let differences = entries.iter().flat_map(|e| difference(e, self.expected.get(&e.id), of_lines(e))).collect();
         Report { entries, differences, missing }
     }
 
@@ -331,10 +349,22 @@ impl Check {
         cell.map_or(&self.nothing, |cell| {
             cell.get_or_init(|| {
                 let mut run = Run::new(self.claim.id(), &self.seed, self.full, self.most_work);
-                let outcome = self.claim.examine(form, &mut run);
+                let outcome = self.claim.examine(form, &mut run).and_then(with_cases);
                 Examined { outcome, values: run.into_values() }
             })
         })
+    }
+}
+
+/// What holds, unless a piece of its evidence rests on no case.
+fn with_cases(outcome: Outcome) -> Result<Outcome, CheckError> {
+    let support = match &outcome {
+        Outcome::Holds(evidence) | Outcome::NotCheckable(_, evidence) => evidence.as_slice(),
+        Outcome::Fails { .. } | Outcome::Undecided(_) => &[],
+    };
+    match support.iter().find_map(Evidence::empty) {
+        Some(empty) => Err(CheckError::NoCases(empty.part.clone())),
+        None => Ok(outcome),
     }
 }
 
@@ -401,8 +431,12 @@ pub fn recorded_row(entry: &Entry) -> String {
 }
 
 /// One sentence for each way in which an entry is not as recorded, or says more than its evidence.
-fn difference(entry: &Entry, expected: Option<&Expected>) -> Vec<String> {
+fn difference(entry: &Entry, expected: Option<&Expected>, of_lines: Vec<String>) -> Vec<String> {
     let mut sentences = not_as_recorded(entry, expected);
+    // A verdict that was not reached has lost its evidence with it.
+    if entry.verdict != Verdict::Undecided {
+        sentences.extend(of_lines);
+    }
     sentences.extend(entry.surviving_controls.iter().map(|what| format!("a negative control was not refuted: {what}")));
     let only_text = entry.grades() == [Grade::Text];
     if !matches!(entry.verdict, Verdict::Undecided | Verdict::NotCheckable) && !only_text {

@@ -23,6 +23,8 @@ pub struct Certified {
     pub kind: &'static str,
     /// What is certified, in words.
     pub claim: String,
+    /// The claim of the ledger that it belongs to, and which result of it; nothing where the file names none.
+    pub belongs: Option<(String, String)>,
 }
 
 /// Why a certificate is refused.
@@ -70,10 +72,25 @@ pub fn check_within(bytes: &[u8], work: u64) -> Result<Certified, Refusal> {
         return Err(reader.refusal("there is no such kind of certificate"));
     };
     let stated = reader.value("claim")?;
+    let belongs = reader.belongs()?;
     let claim = body(&mut reader)?;
     reader.end()?;
     if stated != claim {
         return Err(Refusal { line: 2, reason: format!("what is shown is: {claim}") });
     }
-    Ok(Certified { kind, claim })
+    Ok(Certified { kind, claim, belongs })
+}
+
+/// As [`check`], of a certificate that is to belong to this claim of the ledger.
+///
+/// # Errors
+/// As there, and where the file names another claim, or none.
+pub fn check_for(bytes: &[u8], claim: &str) -> Result<Certified, Refusal> {
+    let certified = check(bytes)?;
+    let reason = match &certified.belongs {
+        Some((own, _)) if own == claim => return Ok(certified),
+        Some((own, _)) => format!("it belongs to {own}, not to {claim}"),
+        None => format!("it names no claim that it belongs to, but {claim} is wanted"),
+    };
+    Err(Refusal { line: 3, reason })
 }

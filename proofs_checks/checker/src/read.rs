@@ -91,6 +91,17 @@ impl<'a> Reader<'a> {
         Some(value)
     }
 
+    /// The line `for CLAIM RESULT`, where it stands: two names of letters, digits, `_`, `-` and `.`.
+    pub fn belongs(&mut self) -> Result<Option<(String, String)>, Refusal> {
+        let Some(value) = self.value_if_any("for") else { return Ok(None) };
+        let is_name =
+            |word: &str| !word.is_empty() && word.bytes().all(|b| b.is_ascii_alphanumeric() || b"_-.".contains(&b));
+        match value.split_once(' ') {
+            Some((claim, result)) if is_name(claim) && is_name(result) => Ok(Some((claim.into(), result.into()))),
+            _ => Err(self.refusal("a line `for CLAIM RESULT` is expected")),
+        }
+    }
+
     /// The last line.
     pub fn end(&mut self) -> Result<(), Refusal> {
         let line = self.line()?;

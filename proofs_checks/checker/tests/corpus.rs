@@ -1,6 +1,6 @@
 //! The corpus, and bytes altered at random.
 
-use flockproof_checker::{check, check_within};
+use flockproof_checker::{check, check_for, check_within};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -63,6 +63,30 @@ fn a_flock_may_be_followed_for_no_step() {
     assert!(check(at_once.as_bytes()).is_ok());
 }
 
+/// A certificate of the ledger names its claim, and is refused for every other one; one that names none is refused for all.
+#[test]
+fn a_certificate_belongs_to_one_claim() {
+    for (name, bytes) in folder("pass") {
+        let certified = check(&bytes).unwrap();
+        let Some((claim, result)) = certified.belongs.clone() else {
+            assert!(name.starts_with("extra_"), "{name} names no claim");
+            assert!(check_for(&bytes, "veerman.lem1").is_err(), "{name}");
+            continue;
+        };
+        assert_eq!(format!("{claim}.{result}.cert"), name);
+        assert_eq!(check_for(&bytes, &claim), Ok(certified));
+        for other in ["veerman.lem1", "", &claim[1..], &format!("{claim}.{result}")] {
+            let refusal = check_for(&bytes, other).expect_err(&name);
+            assert!(refusal.reason.contains(&format!("belongs to {claim}")), "{name}: {refusal:?}");
+        }
+    }
+    let good = String::from_utf8(folder("pass")["chazelle.exAB.60_factors.cert"].clone()).unwrap();
+    for line in ["for chazelle.exAB", "for chazelle.exAB 60 factors", "for  60_factors", "for a b\nfor a b"] {
+        let text = good.replace("for chazelle.exAB 60_factors", line);
+        assert!(text != good && check(text.as_bytes()).is_err(), "{line}");
+    }
+}
+
 #[test]
 fn what_is_no_certificate_is_refused() {
     for (name, bytes) in folder("crash") {
@@ -84,6 +108,10 @@ impl Numbers {
 /// a column of L without weight, the denominator of zero.
 fn may_differ(kind: &str, before: &[&str], line: usize) -> bool {
     let place = |keyword: &str| before.iter().position(|line| line.starts_with(keyword)).unwrap_or(usize::MAX);
+    // What a certificate belongs to is compared where that is asked for.
+    if line == place("for ") {
+        return true;
+    }
     match kind {
         "switches" => place("weights ") <= line && line < place("until "),
         "peak" => line == place("at "),
@@ -164,6 +192,11 @@ fn the_program_tells_by_its_exit_status() {
     let refused = said.lines().nth(1).unwrap().to_string();
     assert!(status == Some(1) && refused.starts_with(&format!("REFUSED {}:", bad.display())), "{said}");
     assert_eq!(run(&[]).0, Some(2));
+    let of = |claim: &str| run(&["--claim".into(), claim.into(), good.clone()]);
+    assert_eq!(of("chazelle.ex4birds.alt").0, Some(0));
+    let (status, said) = of("chazelle.exAB");
+    assert!(status == Some(1) && said.contains("it belongs to chazelle.ex4birds.alt, not to chazelle.exAB"), "{said}");
+    assert_eq!((run(&["--claim".into()]).0, run(&["--claim".into(), "chazelle.exAB".into()]).0), (Some(2), Some(2)));
     assert_eq!(run(&[bad, corpus.join("nothing")]).0, Some(2));
 }
 

@@ -89,8 +89,17 @@ impl Certificate {
         }
     }
 
-    /// The file.
+    /// The file, of a result that belongs to no claim.
     pub fn text(&self) -> String {
+        self.text_with("")
+    }
+
+    /// The file of this result of a claim of the ledger, which it names.
+    pub fn text_for(&self, claim: &str, result: &str) -> String {
+        self.text_with(&format!("for {claim} {result}\n"))
+    }
+
+    fn text_with(&self, belongs: &str) -> String {
         let body = match self {
             Certificate::Product(product) => product.body(),
             Certificate::Limit(limit) => limit.body(),
@@ -98,7 +107,7 @@ impl Certificate {
             Certificate::Inertia(inertia) => inertia.body(),
             Certificate::Peak(peak) => peak.body(),
         };
-        format!("flockproof-certificate 1 {}\nclaim {}\n{body}end\n", self.kind(), self.claim())
+        format!("flockproof-certificate 1 {}\nclaim {}\n{belongs}{body}end\n", self.kind(), self.claim())
     }
 }
 

@@ -165,11 +165,20 @@ pub fn with_digests(sources: &[(&'static str, &'static str)]) -> Vec<Source> {
             hash.update([0]);
             hash.update(digests.get(need).map_or("", String::as_str).as_bytes());
         }
-        let digest: String = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+        let digest = hexadecimal(&hash.finalize());
         digests.insert(name, digest.clone());
         Source { name, text, needs, digest }
     };
     sources.iter().map(describe).collect()
+}
+
+/// SHA-256 in hexadecimal.
+pub fn digest_of(bytes: &[u8]) -> String {
+    hexadecimal(&Sha256::digest(bytes))
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The files named in `From Flockproof Require ...` sentences.

@@ -2,14 +2,19 @@
 //!
 //! The program carries the sources, the table `theorems.tsv` and the transcript that `flockproof prove` writes. A theorem
 //! counts as checked only where the transcript holds the digest of its file, of everything that file needs and of the
-//! audit that states it again; a changed file loses its theorems until coqc has seen it.
+//! audit that states it again, and where `audited.tsv` says the same of it as the table; a changed file loses its theorems until coqc has seen it,
+//! a changed row until somebody has read the statement again.
 
+mod audited;
 mod development;
 mod evidence;
+mod scan;
 mod theorems;
 mod transcript;
 
-pub use development::{Source, files, with_digests};
+pub use audited::{audited_rows, row as audited_row};
+pub use development::{Source, digest_of, files, with_digests};
 pub use evidence::{Development, proofs_of};
+pub use scan::{Forbidden, scan};
 pub use theorems::{Covers, Theorem, theorems};
 pub use transcript::{AxiomSet, Transcript, recorded};

@@ -1,7 +1,7 @@
 //! The table of theorems and what they say.
 
 use super::transcript::{AxiomSet, Transcript, recorded};
-use super::{Source, files};
+use super::{Source, audited_row, audited_rows, files};
 use std::sync::OnceLock;
 
 /// How much of a claim a theorem proves.
@@ -73,7 +73,7 @@ impl Theorem {
         })
     }
 
-    /// Whether the transcript holds it: for these sources, with these axioms.
+    /// Whether the transcript holds it: for these sources, with these axioms; and whether its row in the table is the one that was audited.
     pub fn is_checked(&self) -> bool {
         self.is_checked_by(recorded())
     }
@@ -84,7 +84,10 @@ impl Theorem {
         let Some(file) = files().iter().find(|file| file.name == self.file) else { return false };
         let known =
             |source: &Source| transcript.digests.get(source.name).is_some_and(|digest| *digest == source.digest);
-        known(file) && known(audit) && transcript.theorems.get(&self.path()) == Some(&self.axioms)
+        known(file)
+            && known(audit)
+            && transcript.theorems.get(&self.path()) == Some(&self.axioms)
+            && audited_rows().contains(audited_row(self).as_str())
     }
 }
 

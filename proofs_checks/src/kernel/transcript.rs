@@ -17,10 +17,13 @@ pub enum AxiomSet {
 
 /// Axioms of [`AxiomSet::Reals`].
 const REALS: [&str; 3] = [
-    "ClassicalDedekindReals.sig_not_dec",
-    "ClassicalDedekindReals.sig_forall_dec",
-    "FunctionalExtensionality.functional_extensionality_dep",
+    "Coq.Reals.ClassicalDedekindReals.sig_not_dec",
+    "Coq.Reals.ClassicalDedekindReals.sig_forall_dec",
+    "Coq.Logic.FunctionalExtensionality.functional_extensionality_dep",
 ];
+
+/// The axiom of [`AxiomSet::RealsAndClassic`] beside them.
+const CLASSIC: &str = "Coq.Logic.Classical_Prop.classic";
 
 impl AxiomSet {
     /// The word in the tables.
@@ -37,13 +40,13 @@ impl AxiomSet {
         [AxiomSet::None, AxiomSet::Reals, AxiomSet::RealsAndClassic].into_iter().find(|set| set.words() == word)
     }
 
-    /// The smallest set that holds all of these axioms.
+    /// The smallest set that holds all of these axioms, given by their full names: that of the library, of its file and their own.
     ///
     /// # Errors
     /// The name of an axiom that no set allows.
     pub fn of<'a>(axioms: impl IntoIterator<Item = &'a str>) -> Result<Self, String> {
         let mut sets = axioms.into_iter().map(|axiom| match axiom {
-            "Classical_Prop.classic" => Ok(AxiomSet::RealsAndClassic),
+            CLASSIC => Ok(AxiomSet::RealsAndClassic),
             _ if REALS.contains(&axiom) => Ok(AxiomSet::Reals),
             _ => Err(axiom.to_string()),
         });

@@ -1,6 +1,9 @@
 //! The table of theorems, the digests and the transcript, against naive twins.
 
-use proofs::kernel::{AxiomSet, Covers, Source, Theorem, Transcript, files, recorded, theorems, with_digests};
+use proofs::kernel::{
+    AxiomSet, Covers, Forbidden, Source, Theorem, Transcript, audited_row, audited_rows, files, recorded, scan,
+    theorems, with_digests,
+};
 use sha2::{Digest, Sha256};
 
 #[test]
@@ -12,10 +15,17 @@ fn words_are_read_as_they_are_written() {
         assert_eq!(AxiomSet::parse(axioms.words()), Some(axioms));
     }
     assert_eq!(AxiomSet::parse("classic"), None);
-    let extensionality = "FunctionalExtensionality.functional_extensionality_dep";
-    for axiom in ["ClassicalDedekindReals.sig_not_dec", "ClassicalDedekindReals.sig_forall_dec", extensionality] {
-        assert_eq!(AxiomSet::of([axiom]), Ok(AxiomSet::Reals));
-        assert_eq!(AxiomSet::of(["Classical_Prop.classic", axiom]), Ok(AxiomSet::RealsAndClassic));
+    let reals = |name: &str| format!("Coq.Reals.ClassicalDedekindReals.{name}");
+    let extensionality = "Coq.Logic.FunctionalExtensionality.functional_extensionality_dep".to_string();
+    for axiom in [reals("sig_not_dec"), reals("sig_forall_dec"), extensionality] {
+        assert_eq!(AxiomSet::of([axiom.as_str()]), Ok(AxiomSet::Reals));
+        assert_eq!(AxiomSet::of(["Coq.Logic.Classical_Prop.classic", &axiom]), Ok(AxiomSet::RealsAndClassic));
+    }
+    // A file of the project, or of anyone else, is not the library.
+    for other in
+        ["Classical_Prop.classic", "Flockproof.Classical_Prop.classic", "classic", "Coq.Logic.Classical.classic"]
+    {
+        assert_eq!(AxiomSet::of([other]), Err(other.to_string()));
     }
 }
 
@@ -65,6 +75,18 @@ fn statements_are_those_of_the_audits() {
 fn a_theorem_counts_only_as_coq_saw_it() {
     let one = theorems().iter().find(|theorem| theorem.path() == "chazelle_worked.eps_inequality").unwrap();
     assert!(one.is_checked() && one.is_checked_by(recorded()));
+    // What the table says of it is what was audited, to the letter.
+    let part = format!("{} And more.", one.part);
+    let changed = [
+        Theorem { claim: "chazelle.eq2.3", ..one.clone() },
+        Theorem { covers: Covers::Part, ..one.clone() },
+        Theorem { clauses: vec![2], ..one.clone() },
+        Theorem { whole: !one.whole, ..one.clone() },
+        Theorem { part, ..one.clone() },
+    ];
+    for theorem in changed {
+        assert!(!theorem.is_checked(), "{theorem:?}");
+    }
     // Other axioms than it may rest on; a theorem, a file or an audit that the transcript does not have as it is now.
     let other = if one.axioms == AxiomSet::None { AxiomSet::Reals } else { AxiomSet::None };
     assert!(!Theorem { axioms: other, ..one.clone() }.is_checked());
@@ -122,4 +144,107 @@ fn transcripts_pass_over_other_lines() {
     assert_eq!(first, "# What coqc said; written by `flockproof prove --transcript FILE`.");
     assert_eq!(rest, "coq 8.16.1\nfile a 01ab\ntheorem a.x reals+classic\n");
     assert_eq!(std::fs::read_to_string(super::folder().join("transcript.txt")).unwrap(), recorded().text());
+}
+
+/// What is said of a text that it is not to say: the line, and how the sentence begins.
+fn forbidden(text: &str) -> Option<(usize, String)> {
+    match scan("a", text) {
+        Ok(()) => None,
+        Err(Forbidden::Sentence { line, sentence, .. }) => Some((line, sentence)),
+        Err(other) => panic!("{other}"),
+    }
+}
+
+#[test]
+fn no_file_assumes_anything_for_good() {
+    for file in files() {
+        assert_eq!(scan(file.name, file.text), Ok(()), "{}", file.name);
+    }
+}
+
+#[test]
+fn what_assumes_something_is_refused_wherever_it_hides() {
+    let refused = [
+        "Axiom a : False.",
+        "Theorem t : True. Proof. exact I. Qed. Axiom a : False.",
+        "Variable classic : False.",
+        "Hypothesis h : False.",
+        "Hypotheses (h : False).",
+        "Context {h : False}.",
+        "Context{h : False}.",
+        "Variables(a b : False).",
+        "Parameter p : False.",
+        "Conjecture c : False.",
+        "Section S. Parameter p : False. End S.",
+        "Section S. End S. Variable v : False.",
+        "Module M. Variable v : False. End M.",
+        "Section S. Variable v : nat. End S. Module M. Hypothesis h : False. End M.",
+        "Local Axiom a : False.",
+        "#[local] Axiom a : False.",
+        "#[local] #[global] Time Timeout 5 Polymorphic Axiom a : False.",
+        "Redirect \"out\" Axiom a : False.",
+        "Theorem t : False. Proof. Admitted.",
+        "Proof with auto. intros... Axiom a : False.",
+        "Notation \"x .. y\" := (x, .. y ..). Axiom a : False.",
+        "(* a \"*)\" *) Axiom a : False.",
+        "(* (* *) *) Axiom a : False.",
+        "Definition s := \"(*\". Axiom a : False.",
+        "- Axiom a : False.",
+        "Declare Module M : T.",
+        "Declare Instance i : C.",
+        "Unset Guard Checking.",
+        "#[bypass_check(guard)] Fixpoint f (n : nat) : nat := f n.",
+        "Load other.",
+        "Add LoadPath \"elsewhere\".",
+    ];
+    for text in refused {
+        assert!(forbidden(text).is_some(), "{text}");
+    }
+    let (line, sentence) = forbidden("Section S.\n(* one\n two *)\nEnd S.\n\n  Variable v : nat -> False.\n").unwrap();
+    assert_eq!((line, sentence.as_str()), (6, "Variable v : nat"));
+    for good in [
+        "(* Axiom a : False. *) Definition x := 1.",
+        "Definition s := \"Axiom a. \". Definition t := \". Axiom a\".",
+        "Section S. Variable v : nat. Hypothesis h : v = v. Context {w : nat}. End S.",
+        "Module M. Section S. Variables (a b : nat). End S. End M.",
+        "Section S. Section T. End T. Variable v : nat. End S.",
+        "Theorem axiom : True. Proof. - exact I. Qed.",
+        "Module A := B. Definition x := A.Axiom.",
+    ] {
+        assert_eq!(forbidden(good), None, "{good}");
+    }
+    for name in ["Classical_Prop", "ClassicalDedekindReals", "FunctionalExtensionality"] {
+        assert_eq!(scan(name, ""), Err(Forbidden::Name(name.to_string())));
+    }
+}
+
+/// `audited.tsv` and the table say the same of every theorem; none of either is missing from the other.
+#[test]
+fn the_table_says_what_was_audited() {
+    let rows: Vec<String> = theorems().iter().map(audited_row).collect();
+    let again: Vec<&String> = rows.iter().filter(|row| !audited_rows().contains(row.as_str())).collect();
+    assert!(again.is_empty(), "read these statements against their clauses, then put into audited.tsv:\n{again:#?}");
+    let lost: Vec<&&str> = audited_rows().iter().filter(|row| !rows.iter().any(|own| own == **row)).collect();
+    assert!(lost.is_empty(), "audited, but not in theorems.tsv as it was: {lost:#?}");
+    assert_eq!(rows.len(), audited_rows().len(), "a theorem is there twice for one claim");
+}
+
+/// Edits of the table that say more, or less, than the statement: each makes the theorem count for nothing.
+#[test]
+fn edits_of_the_table_are_noticed() {
+    let find = |claim: &str, path: &str| {
+        let found = theorems().iter().find(|theorem| theorem.claim == claim && theorem.path() == path);
+        found.unwrap_or_else(|| panic!("{path} is there")).clone()
+    };
+    let chain = find("veerman.lem2_eigvec", "veerman_chain.equation_2_chain");
+    let decays = find("veerman.lem1", "veerman_settling.mode_decays");
+    let fails = find("veerman.thm1_x", "veerman_exponent.exponent_printed_fails");
+    assert_eq!((chain.clauses.as_slice(), decays.whole, fails.covers), (&[1, 2][..], false, Covers::Negation));
+    for edited in [
+        Theorem { clauses: vec![1], ..chain },
+        Theorem { whole: true, ..decays },
+        Theorem { covers: Covers::Part, ..fails },
+    ] {
+        assert!(!edited.is_checked() && !audited_rows().contains(audited_row(&edited).as_str()), "{edited:?}");
+    }
 }

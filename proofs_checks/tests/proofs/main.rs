@@ -89,8 +89,9 @@ fn a_changed_file_changes_the_digests_of_all_that_need_it() {
 #[test]
 fn axioms_are_those_of_the_standard_library() {
     assert_eq!(AxiomSet::of([]), Ok(AxiomSet::None));
-    assert_eq!(AxiomSet::of(["ClassicalDedekindReals.sig_not_dec"]), Ok(AxiomSet::Reals));
-    let classic = ["Classical_Prop.classic", "FunctionalExtensionality.functional_extensionality_dep"];
+    assert_eq!(AxiomSet::of(["Coq.Reals.ClassicalDedekindReals.sig_not_dec"]), Ok(AxiomSet::Reals));
+    let classic =
+        ["Coq.Logic.Classical_Prop.classic", "Coq.Logic.FunctionalExtensionality.functional_extensionality_dep"];
     assert_eq!(AxiomSet::of(classic), Ok(AxiomSet::RealsAndClassic));
     assert_eq!(AxiomSet::of(["chazelle.assumed"]), Err("chazelle.assumed".to_string()));
     assert_eq!(Covers::parse("whole"), None);

@@ -1,9 +1,9 @@
 //! Running coqc over the development.
 
 use flockproof::arithmetic::Progress;
-use flockproof::kernel::{AxiomSet, Source, Theorem, Transcript};
+use flockproof::kernel::{AxiomSet, Forbidden, Source, Theorem, Transcript, digest_of, scan};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{File, TryLockError};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -42,6 +42,28 @@ pub enum ProveError {
         /// The first lines of what coqc said.
         message: String,
     },
+    /// A file says what it may not say.
+    #[error(transparent)]
+    Forbidden(#[from] Forbidden),
+    /// A file has the name of one of Coq's libraries.
+    #[error("{name}.v has the name of a file of Coq's libraries, {}", library.display())]
+    NameOfLibrary {
+        /// The name without `.v`.
+        name: String,
+        /// The file of the library.
+        library: PathBuf,
+    },
+    /// A folder in which somebody else may write what passes for compiled.
+    #[error("{} {why}; choose a folder of your own with --out", folder.display())]
+    NotOwn {
+        /// The folder.
+        folder: PathBuf,
+        /// What is wrong with it.
+        why: &'static str,
+    },
+    /// There is no folder for what is kept.
+    #[error("neither XDG_CACHE_HOME nor HOME names a folder to keep what is compiled; choose one with --out")]
+    NoCache,
     /// A theorem rests on an axiom that is not allowed.
     #[error("{theorem} rests on the axiom {axiom}, which is not allowed")]
     Axiom {
@@ -65,6 +87,8 @@ pub struct Workshop {
     _lock: File,
     /// The version of Coq.
     pub coq: String,
+    /// The folder of Coq's own libraries.
+    library: PathBuf,
 }
 
 impl Workshop {
@@ -90,41 +114,71 @@ impl Workshop {
     /// # Errors
     /// [`ProveError::NoCoq`], [`ProveError::File`], [`ProveError::InUse`].
     pub fn open(folder: &Path) -> Result<Self, ProveError> {
-        let version = Command::new("coqc").arg("--print-version").output().map_err(|error| match error.kind() {
-            io::ErrorKind::NotFound => ProveError::NoCoq,
-            _ => ProveError::File { path: PathBuf::from("coqc"), error },
-        })?;
+        let ask = |option: &str| {
+            Command::new("coqc").arg(option).output().map_err(|error| match error.kind() {
+                io::ErrorKind::NotFound => ProveError::NoCoq,
+                _ => ProveError::File { path: PathBuf::from("coqc"), error },
+            })
+        };
+        let version = ask("--print-version")?;
+        let library = PathBuf::from(String::from_utf8_lossy(&ask("-where")?.stdout).trim());
         let coq = String::from_utf8_lossy(&version.stdout).split_whitespace().next().unwrap_or("unknown").to_string();
         std::fs::create_dir_all(folder).map_err(|error| ProveError::File { path: folder.to_path_buf(), error })?;
         // coqc runs inside the folder.
         let folder = folder.canonicalize().map_err(|error| ProveError::File { path: folder.to_path_buf(), error })?;
         let path = folder.join("in_use");
         let failed = |error| ProveError::File { path: path.clone(), error };
+        check_own(&folder)?;
         let lock = File::create(&path).map_err(failed)?;
         match lock.try_lock() {
-            Ok(()) => Ok(Workshop { folder, _lock: lock, coq }),
+            Ok(()) => Ok(Workshop { folder, _lock: lock, coq, library }),
             Err(TryLockError::WouldBlock) => Err(ProveError::InUse(folder)),
             // Some network file systems know no locks.
             Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {
-                Ok(Workshop { folder, _lock: lock, coq })
+                Ok(Workshop { folder, _lock: lock, coq, library })
             }
             Err(TryLockError::Error(error)) => Err(failed(error)),
         }
     }
 
-    /// Compiles a file whose needs are compiled; one that an earlier run compiled from the same sources with the same
-    /// Coq is left alone.
+    /// Forgets what earlier runs compiled.
     ///
     /// # Errors
-    /// [`ProveError::Refused`], [`ProveError::File`].
+    /// [`ProveError::File`].
+    pub fn forget(&self, sources: &[Source]) -> Result<(), ProveError> {
+        for path in sources.iter().map(|source| self.path(source.name, "done")) {
+            match std::fs::remove_file(&path) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(ProveError::File { path, error }),
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Compiles a file whose needs are compiled. One that an earlier run compiled is left alone where its mark has the version of Coq,
+    /// the digest of its sources, and those of the compiled files, its own and all that it needs, as they are now.
+    ///
+    /// # Errors
+    /// [`ProveError::Refused`], [`ProveError::Forbidden`], [`ProveError::File`].
     pub fn compile(&self, source: &Source, progress: &dyn Progress) -> Result<(), ProveError> {
-        let (mark, object) = (self.path(source.name, "done"), self.path(source.name, "vo"));
-        let digest = format!("{} {}", self.coq, source.digest);
-        if object.is_file() && std::fs::read_to_string(&mark).is_ok_and(|done| done == digest) {
+        scan(source.name, source.text)?;
+        let mark = self.path(source.name, "done");
+        if std::fs::read_to_string(&mark).is_ok_and(|done| self.mark(source).is_some_and(|now| now == done)) {
             return Ok(());
         }
         self.run(source.name, source.text, progress)?;
+        let digest = self.mark(source).unwrap_or_default();
         std::fs::write(&mark, digest).map_err(|error| ProveError::File { path: mark, error })
+    }
+
+    /// What a compiled file rests on; nothing where one is missing.
+    fn mark(&self, source: &Source) -> Option<String> {
+        let mut text = format!("{} {}\n", self.coq, source.digest);
+        for name in source.needs.iter().chain([&source.name]) {
+            let object = std::fs::read(self.path(name, "vo")).ok()?;
+            text += &format!("{name} {}\n", digest_of(&object));
+        }
+        Some(text)
     }
 
     /// The axioms under the theorems of one compiled file, in their order.
@@ -148,14 +202,82 @@ impl Workshop {
         if parts.len() != theorems.len() {
             return Err(refused("the axioms of its theorems were not all printed"));
         }
+        let mut named = Vec::new();
+        for part in parts {
+            named.push(named_axioms(part).ok_or_else(|| refused("the axioms of a theorem were not printed"))?);
+        }
+        let full = self.full_names(file, named.iter().flatten().copied().collect(), progress)?;
+        let known = |axiom: &&str| full.get(*axiom).cloned().unwrap_or_else(|| (*axiom).to_string());
         theorems
             .iter()
-            .zip(parts)
-            .map(|(theorem, part)| {
-                let axioms = named_axioms(part).ok_or_else(|| refused("the axioms of a theorem were not printed"))?;
-                AxiomSet::of(axioms).map_err(|axiom| ProveError::Axiom { theorem: theorem.path(), axiom })
+            .zip(named)
+            .map(|(theorem, axioms)| {
+                let axioms: Vec<String> = axioms.iter().map(known).collect();
+                AxiomSet::of(axioms.iter().map(String::as_str))
+                    .map_err(|axiom| ProveError::Axiom { theorem: theorem.path(), axiom })
             })
             .collect()
+    }
+
+    /// The full names of axioms, by the names that Coq prints where this file is known. One whose library was not read from the folder of
+    /// Coq's own ones is named by the file that it was read from.
+    fn full_names(
+        &self,
+        file: &str,
+        axioms: BTreeSet<&str>,
+        progress: &dyn Progress,
+    ) -> Result<BTreeMap<String, String>, ProveError> {
+        if axioms.is_empty() {
+            return Ok(BTreeMap::new());
+        }
+        let ask = |sentences: String, name: &str| -> Result<Vec<String>, ProveError> {
+            let output = self.run(name, &format!("From Flockproof Require {file}.\n{sentences}"), progress)?;
+            let said = String::from_utf8_lossy(&output.stdout).into_owned();
+            Ok(said.split(MARK).skip(1).map(|part| part.split_whitespace().collect::<Vec<_>>().join(" ")).collect())
+        };
+        let mark = format!("Goal True. idtac \"{MARK}\". Abort.\n");
+        let located: String = axioms.iter().map(|axiom| format!("{mark}Locate {axiom}.\n")).collect();
+        let located = ask(located, &format!("names_in_{file}"))?;
+        // `Constant Coq.Logic.Classical_Prop.classic`: what the name means comes first, others that it hides after it.
+        let full: Vec<String> = located
+            .iter()
+            .map(|said| {
+                said.strip_prefix("Constant ").and_then(|rest| rest.split(' ').next()).unwrap_or_default().into()
+            })
+            .collect();
+        let library = |name: &str| name.rsplit_once('.').map_or(String::new(), |(library, _)| library.to_string());
+        let asked = full.iter().map(|name| match library(name).as_str() {
+            "" => mark.clone(),
+            library => format!("{mark}Locate Library {library}.\n"),
+        });
+        let read = ask(asked.collect(), &format!("libraries_of_{file}"))?;
+        let own = self.library.join("theories").display().to_string();
+        let names = axioms.iter().zip(full.iter().zip(&read)).map(|(axiom, (full, read))| {
+            let from = read.split(" loaded from file ").nth(1).unwrap_or(read);
+            let name = if from.starts_with(&own) { full.clone() } else { format!("{full} of {from}") };
+            (axiom.to_string(), name)
+        });
+        Ok(names.collect())
+    }
+
+    /// Refuses sources that have the names of Coq's own files: what they say could pass for those.
+    ///
+    /// # Errors
+    /// [`ProveError::NameOfLibrary`].
+    pub fn check_names(&self, sources: &[Source]) -> Result<(), ProveError> {
+        let mut open = vec![self.library.clone()];
+        while let Some(folder) = open.pop() {
+            for path in std::fs::read_dir(&folder).into_iter().flatten().flatten().map(|entry| entry.path()) {
+                if path.is_dir() {
+                    open.push(path);
+                } else if path.extension().is_some_and(|end| end == "vo")
+                    && let Some(source) = sources.iter().find(|s| path.file_stem().is_some_and(|stem| stem == s.name))
+                {
+                    return Err(ProveError::NameOfLibrary { name: source.name.to_string(), library: path });
+                }
+            }
+        }
+        Ok(())
     }
 
     fn path(&self, name: &str, extension: &str) -> PathBuf {
@@ -169,7 +291,7 @@ impl Workshop {
         self.checkpoint(progress)?;
         std::fs::write(&path, text).map_err(failed)?;
         let mut coqc = Command::new("coqc")
-            .args(["-Q", ".", "Flockproof", "-w", "-notation-overridden,-ambiguous-paths"])
+            .args(["-q", "-Q", ".", "Flockproof", "-w", "-notation-overridden,-ambiguous-paths"])
             .arg(format!("{name}.v"))
             .current_dir(&self.folder)
             .stdin(Stdio::null())
@@ -202,6 +324,44 @@ impl Workshop {
     fn checkpoint(&self, progress: &dyn Progress) -> Result<(), ProveError> {
         progress.checkpoint().map_err(|_| ProveError::Interrupted(self.folder.clone()))
     }
+}
+
+/// Refuses a folder of another user, or one in which everyone may write: what lies there may come from anyone. A file that this run makes tells
+/// who it is.
+#[cfg(unix)]
+fn check_own(folder: &Path) -> Result<(), ProveError> {
+    use std::os::unix::fs::MetadataExt;
+    let failed = |error| ProveError::File { path: folder.to_path_buf(), error };
+    let probe = folder.join(format!("owner-{}", std::process::id()));
+    let refused = |why| Err(ProveError::NotOwn { folder: folder.to_path_buf(), why });
+    let made = match File::create_new(&probe) {
+        Err(error) if error.kind() == io::ErrorKind::PermissionDenied => return refused("is not writable"),
+        made => made.and_then(|file| file.metadata()).map_err(failed)?,
+    };
+    std::fs::remove_file(&probe).map_err(failed)?;
+    let owned = std::fs::metadata(folder).map_err(failed)?;
+    match (owned.uid() == made.uid(), owned.mode() & 0o002 == 0) {
+        (false, _) => refused("belongs to another user"),
+        (_, false) => refused("is open for everyone to write"),
+        _ => Ok(()),
+    }
+}
+
+/// Elsewhere the folders of users are their own.
+#[cfg(not(unix))]
+fn check_own(_: &Path) -> Result<(), ProveError> {
+    Ok(())
+}
+
+/// The folder of the user's own in which compiled proofs are kept.
+///
+/// # Errors
+/// [`ProveError::NoCache`].
+pub fn cache() -> Result<PathBuf, ProveError> {
+    let named = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+    let folder =
+        named("XDG_CACHE_HOME").or_else(|| Some(named("HOME")?.join(".cache"))).or_else(|| named("LOCALAPPDATA"));
+    Ok(folder.ok_or(ProveError::NoCache)?.join("flockproof").join("proofs"))
 }
 
 /// Reads all that comes through a pipe, on a thread of its own.
@@ -244,6 +404,7 @@ pub fn prove(
     let tell = |source: &Source| {
         progress.tell(source.name, begun.fetch_add(1, Ordering::Relaxed) + 1, Some(steps as u64));
     };
+    workshop.check_names(sources)?;
     for level in levels(sources) {
         level.par_iter().try_for_each(|source| {
             tell(source);

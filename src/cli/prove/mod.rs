@@ -4,7 +4,7 @@ mod compile;
 
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress};
-use compile::{ProveError, Workshop, prove};
+use compile::{ProveError, Workshop, cache, prove};
 use flockproof::kernel::{Theorem, Transcript, files, recorded, theorems};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -15,9 +15,12 @@ use std::process::ExitCode;
 Example:\n  flockproof prove --out proofs"
 )]
 pub struct Arguments {
-    /// Folder in which the development is compiled [default: flockproof-proofs in the folder for temporary files, or the next one that no other run uses]
+    /// Folder of your own in which the development is compiled [default: flockproof/proofs in $XDG_CACHE_HOME or ~/.cache, or the next one that no other run uses]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Compile all anew, whatever earlier runs left in the folder
+    #[arg(long)]
+    fresh: bool,
     /// Write what coqc said to this file
     #[arg(long, value_name = "FILE")]
     transcript: Option<PathBuf>,
@@ -27,9 +30,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     arguments.transcript.as_deref().map_or(Ok(()), output::check_writable)?;
     let workshop = match &arguments.out {
         Some(folder) => Workshop::open(folder),
-        None => Workshop::open_first_free(&std::env::temp_dir().join("flockproof-proofs")),
+        None => cache().and_then(|folder| Workshop::open_first_free(&folder)),
     };
     let workshop = workshop.map_err(use_error)?;
+    if arguments.fresh {
+        workshop.forget(files()).map_err(use_error)?;
+    }
     let watch = Watch::with(progress::bar());
     let transcript = prove(&workshop, files(), theorems(), &watch);
     watch.finish();

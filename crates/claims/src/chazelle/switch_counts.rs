@@ -101,7 +101,7 @@ fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckEr
         let outcome =
             Run::all([run.every(flocks.clone(), small_flocks()?, wrong), run.every(all.clone(), sequences, wrong)])?;
         match outcome.on([clause + 1]) {
-            Outcome::Fails { counterexample, evidence: more } => {
+            Outcome::Fails { counterexample, evidence: more, .. } => {
                 examples.push(counterexample);
                 evidence.extend(more);
             }
@@ -113,7 +113,7 @@ fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckEr
         return Ok(Outcome::Holds(evidence));
     }
     evidence.retain(|e: &Evidence| e.grade == Grade::Exact);
-    Ok(Outcome::Fails { counterexample: examples.join("; "), evidence })
+    Ok(Outcome::failure(examples.join("; "), evidence))
 }
 
 /// A bound of the switches until the footprint is stable.

@@ -200,7 +200,7 @@ fn examine_decoupled(variant: &DecoupledVariant, run: &mut Run) -> Result<Outcom
     let work = does_no_work(&variant.alignment, run)?.on([1]);
     let turning = examine_printed(run)?;
     match (work, turning) {
-        (Outcome::Holds(mut evidence), Outcome::Fails { counterexample, evidence: more }) if !variant.headings => {
+        (Outcome::Holds(mut evidence), Outcome::Fails { counterexample, evidence: more, .. }) if !variant.headings => {
             let turned = format!("the potential forces turn headings: {counterexample}");
             evidence.extend(more.into_iter().map(|e| Evidence { part: turned.clone(), ..e.on([1]) }));
             let why = "\"can be decoupled\" has no meaning that the paper fixes: (3) adds a term for each rule, and alignment does no work on the energy of cohesion and separation, but the potential forces turn headings";

@@ -1,6 +1,6 @@
 //! tanner2.bound_r, bound_v, eq7, cor2_sub: what an energy at most c bounds.
 
-use super::fixtures::{PLANE, connected, pairs, quadratic, sloped, spring};
+use super::fixtures::{PLANE, apart, connected, pairs, quadratic, sloped, spring};
 use super::graphs::{rational_spectrum, shown};
 use crate::prelude::*;
 use algebra::graph::Graph;
@@ -51,8 +51,7 @@ fn states(run: &Run) -> Vec<(Graph, State<Rational>)> {
     found.extend(corner.map(|graph| (graph, State { positions: places.to_vec(), velocities: still })));
     for graph in connected(4) {
         for _ in 0..run.cases(4, 40) {
-            let mut vectors = || random_vectors(graph.order(), &mut random);
-            found.push((graph.clone(), State { positions: vectors(), velocities: vectors() }));
+            found.push((graph.clone(), apart(graph.order(), &mut random)));
         }
     }
     found

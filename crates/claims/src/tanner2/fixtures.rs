@@ -3,7 +3,10 @@
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use models::double_integrator::{AnyPotentials, Coordinates, Pair, Potential, disagreements, dot, scaled, sum};
+use models::double_integrator::{
+    AnyPotentials, Coordinates, Pair, Potential, State, disagreements, dot, random_vectors, scaled, sum,
+};
+use rand_chacha::ChaCha8Rng;
 
 pub(crate) const PLANE: Coordinates = Coordinates::Cartesian;
 
@@ -38,6 +41,16 @@ pub(crate) fn connected(most: usize) -> Vec<Graph> {
 /// All pairs of so many agents.
 pub(crate) fn pairs(count: usize) -> impl Iterator<Item = Pair> {
     (0..count).flat_map(|j| (0..j).map(move |i| (i, j)))
+}
+
+/// A random state in which no two agents are in one place. Such states are drawn again, so that the number of cases does not depend on the seed.
+pub(crate) fn apart(count: usize, random: &mut ChaCha8Rng) -> State<Rational> {
+    loop {
+        let [positions, velocities] = [0, 1].map(|_| random_vectors(count, random));
+        if pairs(count).all(|(i, j)| positions[i] != positions[j]) {
+            return State { positions, velocities };
+        }
+    }
 }
 
 pub(crate) fn total<T: Ring>(like: &T, list: impl IntoIterator<Item = T>) -> T {

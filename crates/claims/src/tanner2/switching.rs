@@ -74,7 +74,7 @@ fn examine_signal(variant: &SignalVariant, run: &mut Run) -> Result<Outcome, Che
         return Ok(Outcome::Undecided("the graphs have a common critical configuration".to_string()));
     };
     let what = "four agents, V = s + 1/s - 2 with s the squared distance, links 1-2-3-4 and 2-4-1-3 in turn for equal times, from any start without collision: if the velocities agreed in the limit, all six distances would tend to 1, which no four points of the plane have";
-    Ok(Outcome::Fails { counterexample: what.to_string(), evidence })
+    Ok(Outcome::failure(what, evidence))
 }
 
 pub fn arbitrary() -> Record<SignalVariant> {

@@ -151,7 +151,7 @@ fn examine_use(theorem: &u8, _run: &mut Run) -> Result<Outcome, CheckError> {
         "the proof of Theorem {theorem} applies the nonsmooth principle: {named}; its law jumps by {} across R",
         if jumps { jump.to_string() } else { "nothing".to_string() }
     );
-    Ok(Outcome::Fails { counterexample: what, evidence })
+    Ok(Outcome::failure(what, evidence))
 }
 
 pub fn theorem5_use() -> Record<u8> {

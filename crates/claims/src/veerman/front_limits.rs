@@ -126,9 +126,9 @@ pub fn size_limit() -> Record<FrontLimitVariant> {
 fn examine_limit(variant: &FrontLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "the gain per car at the leader's frequency, |f| = r²";
     let growth = run.identity(&growth_per_car(variant), &["r", "g"], part)?;
-    if let Outcome::Fails { counterexample, evidence } = growth {
+    if let Outcome::Fails { counterexample, evidence, later } = growth {
         let counterexample = no_limit(variant)?.unwrap_or(counterexample);
-        return Ok(Outcome::Fails { counterexample, evidence }.on([1]));
+        return Ok(Outcome::Fails { counterexample, evidence, later }.on([1]));
     }
     Run::all([Ok(growth), limit_instances(variant, run)]).on([1, 2])
 }

@@ -147,6 +147,8 @@ pub struct ReducedSpectrumVariant {
     sign: i64,
     offset: i64,
     shift: i64,
+    /// How much more than M the degree of the Chebyshev polynomial is.
+    degree: usize,
 }
 
 pub fn reduced_spectrum() -> Record<ReducedSpectrumVariant> {
@@ -155,7 +157,7 @@ pub fn reduced_spectrum() -> Record<ReducedSpectrumVariant> {
         "P_2 v = lambda v with v_0 = 0 is v_{k-1} = 2(1 - lambda) v_k - v_{k+1}, and v_{M-1} = (1 - lambda) v_M in the last row. So \
          v_{M-j} = T_j(1 - lambda) v_M with v_M != 0, and v_0 = 0 says T_M(1 - lambda) = 0: 1 - lambda = cos((2k-1) pi/(2M)) for \
          k = 1, ..., M. These are M different real numbers because the angles differ and lie in (0, pi).",
-        ReducedSpectrumVariant { sign: -1, offset: -1, shift: 0 },
+        ReducedSpectrumVariant { sign: -1, offset: -1, shift: 0, degree: 0 },
         examine_reduced_spectrum,
     )
     .clauses(&[
@@ -165,6 +167,7 @@ pub fn reduced_spectrum() -> Record<ReducedSpectrumVariant> {
     .altered("2k + 1", |v| v.offset = 1)
     .altered("2k", |v| v.offset = 0)
     .altered("N + 2 in the denominator", |v| v.shift = 1)
+    .altered("a multiple of T_(M+1)(1 - x)", |v| v.degree = 1)
 }
 
 fn examine_reduced_spectrum(variant: &ReducedSpectrumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -179,8 +182,9 @@ fn examine_reduced_spectrum(variant: &ReducedSpectrumVariant, run: &mut Run) -> 
     let detail = format!("det(xI - P_2) is a multiple of T_M(1 - x) with M simple roots in (0, 2), M = 1 to {most}");
     let exact = run.instances("characteristic polynomial", &detail, 1..=most, |followers| {
         let (polynomial, roots) = isolated(followers)?;
-        let wrong =
-            polynomial != shifted_chebyshev(followers) || !polynomial.is_square_free() || roots.len() != followers;
+        let wrong = polynomial != shifted_chebyshev(followers + variant.degree)
+            || !polynomial.is_square_free()
+            || roots.len() != followers;
         let what = "det(xI - P_2) is not a multiple of T_M(1 - x) with simple real roots";
         Ok(wrong.then(|| format!("{followers} followers: {what}")))
     })?;
@@ -271,17 +275,21 @@ pub fn mode_eigenvalues() -> Record<ModeVariant> {
     .altered("1 instead of 1/2", |v| v.half = (1, 1))
 }
 
-/// When a platoon of any size is claimed to be stable.
-type Condition = fn(f: &Rational, g: &Rational) -> bool;
+/// When a platoon of any size is claimed to be stable, and the quadratic of a mode that is to decide it.
+#[derive(Clone, Copy)]
+pub struct StabilityVariant {
+    condition: fn(f: &Rational, g: &Rational) -> bool,
+    mode: ModeVariant,
+}
 
-pub fn stabilised() -> Record<Condition> {
+pub fn stabilised() -> Record<StabilityVariant> {
     Record::new(
         "veerman.lem1",
         "The eigenvalues are the roots of x² - lambda g x - lambda f with lambda in spec(P), and all \
          lambda are positive. A real quadratic x² + p x + q has both roots in the left half plane exactly if p > 0 and q > 0 (sum -p and \
          product q; complex roots have real part -p/2), so exactly if g < 0 and f < 0: for each N, and for all N together. Read as one rate of decay for \
          all N the lemma would hold for system (1) only: beyond.veerman.decay_rate.",
-        (|f, g| *f < rational(0, 1) && *g < rational(0, 1)) as Condition,
+        StabilityVariant { condition: |f, g| *f < rational(0, 1) && *g < rational(0, 1), mode: MODE },
         examine_stability,
     )
     .reading("Stabilised means, as the text before says, that all eigenvalues of M have negative real parts; uniformly in N: under one and the same condition for every N.")
@@ -289,12 +297,15 @@ pub fn stabilised() -> Record<Condition> {
         "If both f and g are strictly smaller than zero, systems (1) and (2) are stabilized for every N.",
         "If systems (1) and (2) are stabilized for every N, both f and g are strictly smaller than zero.",
     ])
-    .control("f <= 0", |f, g| *f <= rational(0, 1) && *g < rational(0, 1))
-    .control("g <= 0", |f, g| *f < rational(0, 1) && *g <= rational(0, 1))
-    .control("g² > 4|f| too", |f, g| *f < rational(0, 1) && *g < rational(0, 1) && g * g > rational(-4, 1) * f)
+    .altered("f <= 0", |v| v.condition = |f, g| *f <= rational(0, 1) && *g < rational(0, 1))
+    .altered("g <= 0", |v| v.condition = |f, g| *f < rational(0, 1) && *g <= rational(0, 1))
+    .altered("g² > 4|f| too", |v| {
+        v.condition = |f, g| *f < rational(0, 1) && *g < rational(0, 1) && g * g > rational(-4, 1) * f;
+    })
+    .altered("x² - lambda g x + lambda f, the quadratic of a mode", |v| v.mode.sign = 1)
 }
 
-fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, CheckError> {
+fn examine_stability(variant: &StabilityVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     const MOST: usize = 4;
     const VALUES: [(i64, i64); 7] = [(-3, 1), (-1, 1), (-1, 100), (0, 1), (1, 100), (1, 1), (3, 1)];
     let detail = format!(
@@ -308,7 +319,7 @@ fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, Ch
         let is = if stable { "stable" } else { "not stable" };
         let Gains { f, g } = gains;
         let what = || format!("{communication:?}, N = {}, f = {f}, g = {g}: M is {is}", followers - 1);
-        Ok((stable != condition(&f, &g)).then(what))
+        Ok((stable != (variant.condition)(&f, &g)).then(what))
     })?;
     let minus_one = enclosed(&unit(), 64);
     for followers in [10, 100] {
@@ -316,6 +327,6 @@ fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, Ch
         run.value(&name, interval_value(&slowest_rate(&minus_one, followers)?, 8));
     }
     let part = "the quadratic of every mode, whose coefficients decide";
-    let quadratic = run.identity(&mode_sides(&MODE), &["lambda", "g", "r", "x"], part);
+    let quadratic = run.identity(&mode_sides(&variant.mode), &["lambda", "g", "r", "x"], part);
     Run::all([quadratic, Ok(instances)]).on([1, 2])
 }

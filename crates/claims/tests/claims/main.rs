@@ -6,5 +6,6 @@ mod attempted;
 mod attempts;
 mod motion_attempts;
 mod paley_runs;
+mod reached;
 mod recorded;
 mod statements;

@@ -1,8 +1,9 @@
 //! The ledger of the project: tables in order, every claim as recorded.
 
-use claims::{LISTED, RECORDED};
-use ledger::{Grade, Ledger, LedgerError, Options, Verdict, correction_id, listed, recorded, to_json};
+use claims::{EVIDENCE, LISTED, RECORDED};
+use ledger::{Grade, Ledger, LedgerError, Options, Report, Verdict, correction_id, listed, recorded, to_json};
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 /// Corrections of wording, and by long runs.
 const WITHOUT_OWN_CLAIM: [&str; 4] =
@@ -20,15 +21,24 @@ fn tables_are_in_order() {
     assert_eq!(rows, built, "recorded.tsv must hold exactly the claims that are built, sorted");
 }
 
+/// What an ordinary run of the whole ledger comes to, once for all tests.
+pub fn report() -> &'static Report {
+    static REPORT: OnceLock<Report> = OnceLock::new();
+    REPORT.get_or_init(|| {
+        let ledger = claims::ledger().unwrap();
+        let ids = ledger.select(&[], &[]).unwrap();
+        ledger.verify(&ids, &Options::default(), |_| {})
+    })
+}
+
 #[test]
 fn every_claim_is_as_recorded() {
     let ledger = claims::ledger().unwrap();
     let ids = ledger.select(&[], &[]).unwrap();
-    let options = Options::default();
-    let report = ledger.verify(&ids, &options, |_| {});
+    let (report, options) = (report(), Options::default());
     assert_eq!(report.differences, Vec::<String>::new());
     assert!(report.is_as_recorded());
-    let document: serde_json::Value = serde_json::from_str(&to_json(&report, &options)).unwrap();
+    let document: serde_json::Value = serde_json::from_str(&to_json(report, &options)).unwrap();
     assert_eq!(document["schema"], "flockproof.ledger/2");
     assert_eq!(document["claims"].as_array().map(Vec::len), Some(ids.len()));
     assert_eq!(super::statements::incomplete(&report.entries), Vec::<String>::new());
@@ -45,6 +55,24 @@ fn every_claim_is_as_recorded() {
             None => assert!(WITHOUT_OWN_CLAIM.contains(&printed.as_str()), "{printed}: the correction is not a claim"),
         }
     }
+}
+
+/// Every row of the table of evidence is read, is about a claim, and rests on cases where cases are counted.
+#[test]
+fn recorded_evidence_is_in_order() {
+    let (ledger, mut seen) = (claims::ledger().unwrap(), BTreeSet::new());
+    for row in EVIDENCE.lines().skip(1) {
+        let [id, _, grade, _, _, _, cases, full] = row.split('\t').collect::<Vec<_>>()[..] else { panic!("{row}") };
+        assert!(ledger.ids().any(|own| own == id), "{row}");
+        seen.insert(id);
+        for count in [cases, full] {
+            let counted = ["identity", "exhaustive", "fuzzed"].contains(&grade) && count != "absent";
+            assert!(count.parse::<u64>().map_or(["-", "absent"].contains(&count) && !counted, |n| n > 0), "{row}");
+        }
+    }
+    let without: Vec<&str> = ledger.ids().filter(|id| !seen.contains(id)).collect();
+    let bare: Vec<&str> = recorded(RECORDED).filter(|row| row.grades.is_empty()).map(|row| row.id).collect();
+    assert_eq!(without, bare);
 }
 
 #[test]

@@ -4,4 +4,5 @@ extern crate flockproof_ledger as ledger;
 
 mod clauses;
 mod judging;
+mod lines;
 mod runs;

@@ -11,11 +11,13 @@ use models::oscillator::{
     up_to_rotation,
 };
 
-/// The common rate given `omega_0`, and whether one phase is apart from the others.
+/// The common rate given `omega_0`, when the formation is said to be parallel, and the first phase: `2 arctan` of this number, where
+/// the others are `2 arctan 2/3`.
 #[derive(Clone, Copy)]
 pub struct RateVariant {
     rate: fn(&Rational) -> Rational,
-    apart: bool,
+    parallel: fn(&Rational) -> bool,
+    first: (i64, i64),
 }
 
 pub fn synchronised() -> Record<RateVariant> {
@@ -24,47 +26,76 @@ pub fn synchronised() -> Record<RateVariant> {
         "The definition of a parallel formation asks for thetadot_k = 0. Phase locking gives equal rates only: under (6) with a control that \
          vanishes at equal phases, such as (9) and (14), the common rate is omega_0, and for omega_0 != 0 all particles turn together on \
          circles. Figure 1(c) of the paper shows just that and its caption says that it is no relative equilibrium of (1)-(2).",
-        RateVariant { rate: |_| rational(0, 1), apart: false },
+        RateVariant { rate: |_| rational(0, 1), parallel: |_| true, first: (2, 3) },
         examine_rates,
     )
-    .repaired(Fault::False, "", RateVariant { rate: Rational::clone, apart: false })
+    .repaired(
+        Fault::False,
+        "",
+        RateVariant { rate: Rational::clone, parallel: |omega| *omega == rational(0, 1), first: (2, 3) },
+    )
     .repaired_clauses(&[
         "In a synchronised arrangement the particles have a common direction at all times, which turns at their common rate.",
         "Under (6) with (9) or (14) that rate is omega_0.",
         "The formation is parallel if and only if that rate is zero.",
     ])
     .altered("the rate 2 omega_0", |v| v.rate = |omega| omega * rational(2, 1))
-    .altered("one phase apart from the others", |v| v.apart = true)
+    .altered("one phase apart from the others", |v| v.first = (5, 3))
+    .altered("one phase opposite to the others", |v| v.first = (-3, 2))
+    .altered("parallel where omega_0 > 0 too", |v| v.parallel = |omega| *omega >= rational(0, 1))
+}
+
+/// Particles under one law.
+struct Locked {
+    law: String,
+    omega: Rational,
+    z: Vec<Complex<Rational>>,
+    rates: Vec<Rational>,
+}
+
+/// (6) with (9), and with (14) on a path.
+fn locked(variant: &RateVariant, particles: usize, omega: i64, gain: i64) -> Result<[Locked; 2], CheckError> {
+    let mut t = vec![rational(2, 3); particles];
+    t[0] = rational(variant.first.0, variant.first.1);
+    let z = phasors(&t)?;
+    let path = laplacian(&named(&format!("path:{particles}"))?)?;
+    let law = format!("N = {particles}, omega_0 = {omega}, K_1 = {gain}");
+    let (omega, gain) = (rational(omega, 1), rational(gain, 1));
+    let moving = |control: Vec<Rational>| {
+        let rates = control.into_iter().map(|u| u + &omega).collect();
+        Locked { law: law.clone(), omega: omega.clone(), z: z.clone(), rates }
+    };
+    Ok([moving(gradient_control(&gain, &z)?), moving(laplacian_control(&gain, &path, &z)?)])
 }
 
 fn examine_rates(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let laws = [(0, 1), (0, -1), (1, -1), (1, 1), (-2, -1), (-2, 3)];
-    let cases = (2..=5usize).flat_map(|particles| laws.map(|(omega, gain)| (particles, omega, gain)));
-    let detail = "(6) with (9), and with (14) on paths, at equal phases, N = 2 to 5";
-    let rates = run.instances("common direction and rate", detail, cases, |(particles, omega, gain)| {
-        let mut t = vec![rational(2, 3); particles];
-        t[0] += rational(i64::from(variant.apart), 1);
-        let z = phasors(&t)?;
-        let path = laplacian(&named(&format!("path:{particles}"))?)?;
-        let (omega, gain) = (rational(omega, 1), rational(gain, 1));
-        let claimed = (variant.rate)(&omega);
-        for control in [gradient_control(&gain, &z)?, laplacian_control(&gain, &path, &z)?] {
-            let rates: Vec<Rational> = control.into_iter().map(|u| u + &omega).collect();
-            let law = format!("N = {particles}, omega_0 = {omega}, K_1 = {gain}");
-            if !all_equal(&z) || !all_equal(&rates) {
-                return Ok(Some(format!("{law}: directions or rates differ")));
-            }
-            if rates[0] != claimed || all_zero(&rates) != (claimed == rational(0, 1)) {
-                return Ok(Some(format!(
-                    "{law}, equal phases: the phases are locked and turn at the rate {}, not {claimed}",
-                    rates[0]
-                )));
-            }
+    let mut all = Vec::new();
+    for particles in 2..=5usize {
+        for (omega, gain) in laws {
+            all.extend(locked(variant, particles, omega, gain)?);
         }
-        Ok(None)
-    })?;
+    }
+    let detail = "(6) with (9), and with (14) on paths, at equal phases, N = 2 to 5";
+    let every = |part: &str, clause: usize, wrong: &dyn Fn(&Locked) -> Option<String>| {
+        let outcome =
+            run.instances(part, detail, &all, |locked| Ok(wrong(locked).map(|what| format!("{}{what}", locked.law))));
+        outcome.map(|outcome| supports(outcome, &[clause])).checks("step O10")
+    };
+    let turn = |rate: &Rational| format!(", equal phases: the phases are locked and turn at the rate {rate}");
     Run::all([
-        Ok(supports(rates, &[1, 2, 3])).checks("step O10"),
+        every("common rate", 1, &|locked| (!all_equal(&locked.rates)).then(|| ": the rates differ".to_string())),
+        every("common direction", 1, &|locked| (!all_equal(&locked.z)).then(|| ": the directions differ".to_string())),
+        every("the rate", 2, &|locked| {
+            let claimed = (variant.rate)(&locked.omega);
+            (locked.rates[0] != claimed).then(|| format!("{}, not {claimed}", turn(&locked.rates[0])))
+        }),
+        every("parallel where it is zero", 3, &|locked| {
+            let claimed = (variant.parallel)(&locked.omega);
+            let is = if claimed { "parallel" } else { "not parallel" };
+            (all_zero(&locked.rates) != claimed)
+                .then(|| format!("{}, and not so that it is {is}", turn(&locked.rates[0])))
+        }),
         argued(&[1, 2, 3], "every N and graph", "notes/paley_phases.md, steps O10"),
     ])
 }

@@ -30,26 +30,33 @@ impl Limit {
     }
 }
 
-/// Along (6) with (9) `Udot_1 = -K_1 |grad U_1|^2`; variables are the phases, `K_1` and `omega_0`.
-fn decrease(particles: usize) -> Identity<'static> {
+/// Where all solutions are claimed to converge to, and the sign in the rate of `U_1`.
+#[derive(Clone, Copy)]
+pub struct ConvergenceVariant {
+    limit: Limit,
+    sign: i64,
+}
+
+/// Along (6) with (9) `Udot_1 = -K_1 |grad U_1|^2`, the sign as claimed; variables are the phases, `K_1` and `omega_0`.
+fn decrease(particles: usize, sign: i64) -> Identity<'static> {
     Identity::new(particles + 2, move |at| {
         let [t @ .., gain, omega] = at else { return Err(ArithmeticError::Domain("phases, K_1, omega_0")) };
         let z = phasors(t)?;
         let rates: Vec<Probe> = gradient_control(gain, &z)?.into_iter().map(|u| u + omega).collect();
         let decrease = rate_of_change(&z, &rates, |z: &[Complex<Dual<Probe>>]| moment_potential(z, 1))?;
         let squares = moment_gradient(&z, 1)?.iter().fold(gain.zero(), |sum, slope| sum + slope.square());
-        Ok((vec![decrease], vec![-(squares * gain)]))
+        Ok((vec![decrease], vec![squares * gain * gain.integer(sign)]))
     })
 }
 
-pub fn convergence() -> Record<Limit> {
+pub fn convergence() -> Record<ConvergenceVariant> {
     Record::new(
         "paley.thm1.conv",
         "K_1 != 0. In the frame that turns at the rate omega_0, (6) with (9) is the gradient flow of -K_1 U_1 on a compact torus and the critical \
          set does not change. U_1 is monotone and bounded, so the integral of |grad U_1|^2 over time is finite; its derivative is bounded, so grad U_1 -> 0 \
          (Barbalat), and by compactness the distance to the critical set goes to 0: for all solutions. U_1 is analytic, so in \
          that frame each solution even converges to one point (Lojasiewicz).",
-        Limit::Critical,
+        ConvergenceVariant { limit: Limit::Critical, sign: -1 },
         |variant, run| {
             // A solution that turns as a whole is its own limit set.
             let turning = (2..=MOST).flat_map(|n| critical_points(n).into_iter().rev().map(move |point| (n, point)));
@@ -59,17 +66,17 @@ pub fn convergence() -> Record<Limit> {
                 turning,
                 |(n, point)| {
                     let turning = rates(&point.phasors, 1, 1)?;
-                    let inside = match variant {
+                    let inside = match variant.limit {
                         Limit::Critical => is_critical(&point.phasors)?,
                         Limit::Balanced => point.kind == Kind::Balanced,
                         Limit::Rest => all_zero(&turning),
                     };
                     let outside = all_equal(&turning) && !inside;
-                    Ok(outside.then(|| format!("N = {n}, {}: the solution turns as a whole and stays outside {}", point.name, variant.set())))
+                    Ok(outside.then(|| format!("N = {n}, {}: the solution turns as a whole and stays outside {}", point.name, variant.limit.set())))
                 },
             );
             let parts =
-                (1..=3).map(|particles| Ok((decrease(particles), format!("Udot_1 = -K_1 |grad U_1|^2, N = {particles}"))));
+                (1..=3).map(|particles| Ok((decrease(particles, variant.sign), format!("Udot_1 = -K_1 |grad U_1|^2, N = {particles}"))));
             let decrease = identities(run, &[1], &["K1", "omega0"], parts);
             Run::all([
                 turning.checks("the conclusion"),
@@ -78,8 +85,9 @@ pub fn convergence() -> Record<Limit> {
             ])
         },
     )
-    .control("all converge to balanced arrangements", Limit::Balanced)
-    .control("all converge to rest, for any omega_0", Limit::Rest)
+    .altered("all converge to balanced arrangements", |v| v.limit = Limit::Balanced)
+    .altered("all converge to rest, for any omega_0", |v| v.limit = Limit::Rest)
+    .altered("step T1: Udot_1 = K_1 |grad U_1|^2", |v| v.sign = 1)
 }
 
 /// Which kind is claimed to be asymptotically stable, for which sign of the gain, and in what sense.

@@ -174,7 +174,7 @@ fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result
         return Ok(Outcome::Holds(for_it));
     }
     let (what, evidence): (Vec<String>, Vec<Evidence>) = against.into_iter().unzip();
-    Ok(Outcome::Fails { counterexample: what.join("; "), evidence })
+    Ok(Outcome::failure(what.join("; "), evidence))
 }
 
 /// The value of the scaled potential for three fish in parallel and one opposite.

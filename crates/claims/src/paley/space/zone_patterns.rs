@@ -152,7 +152,7 @@ fn no_effect_of_the_zone(variant: &PatternsVariant, run: &mut Run) -> Result<Out
          and 12 are one and the same from every start ({clusters} clusters from start 0 with w0 = K_0 = \
          0.1)"
     );
-    Ok(Outcome::Fails { counterexample, evidence })
+    Ok(Outcome::failure(counterexample, evidence))
 }
 
 /// The printed law with other `K_1 > 0`: the mean numbers of clusters, and the zone that its clusters suit in the fewest runs.
