@@ -30,7 +30,7 @@ fn gains_of_theorem_3_stabilise_their_pattern() {
 #[test]
 fn eigenvalues_0_that_rotation_does_not_force_are_counted() {
     let text = stdout(&flockproof(&["pattern", "--particles", "12", "--gains", "1/5"]));
-    let row = text.lines().find(|line| line.trim_start().starts_with("12 ")).expect("a row");
+    let row = text.lines().last().expect("a row");
     assert_eq!(row.split_whitespace().collect::<Vec<_>>(), ["12", "undecided", "0"]);
     let document: Value =
         serde_json::from_str(&stdout(&flockproof(&["pattern", "--particles", "12", "--gains", "1/5", "--json"])))
