@@ -114,7 +114,7 @@ fn the_abscissa_over_boxes_of_gains() {
         };
         let (point, narrow) = (margin(&point), margin(&narrow));
         // Of real eigenvalues (|w| + Re w)/2 is 0 up to the width of the box, and its root up to the root of that.
-        assert!(narrow.lo <= point.hi && point.lo <= narrow.hi, "{f}, {g}: {point:?} {narrow:?}");
-        assert!(narrow.hi - narrow.lo < 1e-4, "{f}, {g}: {narrow:?}");
+        // The smallest margin of the box is at most that of its point, and no farther from it.
+        assert!(narrow.lo <= point.hi && point.lo - narrow.lo < 1e-4, "{f}, {g}: {point:?} {narrow:?}");
     }
 }
