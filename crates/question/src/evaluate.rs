@@ -36,6 +36,11 @@ fn negated((truth, margin): (Truth, Margin)) -> (Truth, Margin) {
 
 /// Whether all parts are true, in three-valued logic: one that is false decides, whatever is missing; what is not known may still be false.
 fn all(parts: impl Iterator<Item = Judged>) -> Judged {
+    joined(parts, true)
+}
+
+/// The same; unless it stops at the first part that is false, the margin is that of all parts.
+fn joined(parts: impl Iterator<Item = Judged>, stops: bool) -> Judged {
     let (mut truth, mut margin, mut missing) = (Truth::True, Margin::of_truth(true), None);
     for part in parts {
         let (next, own) = match part {
@@ -47,13 +52,14 @@ fn all(parts: impl Iterator<Item = Judged>) -> Judged {
             part => part?,
         };
         (truth, margin) = (truth.and(next), margin.least(own));
-        if truth == Truth::False {
+        if stops && truth == Truth::False {
             return Ok((truth, Margin { lo: f64::NEG_INFINITY, ..margin }));
         }
     }
     match missing {
         Some(failure) if truth == Truth::True => Err(failure),
-        _ => Ok((truth, margin)),
+        Some(_) => Ok((truth, Margin { lo: f64::NEG_INFINITY, ..margin })),
+        None => Ok((truth, margin)),
     }
 }
 
@@ -103,7 +109,7 @@ impl Evaluator<'_, '_> {
             left = right;
             link
         });
-        all(links)
+        joined(links, false)
     }
 
     fn compared(&self, a: &Number, relation: Relation, b: &Number) -> (Truth, Margin) {

@@ -112,11 +112,9 @@ fn the_abscissa_over_boxes_of_gains() {
         let margin = |gains: &str| {
             super::answer(&asked(&format!("{graph}{gains}"), "abscissa < 9", "abscissa > 9")).margin.expect("a margin")
         };
-        assert!(
-            (margin(&point).lo - margin(&narrow).lo).abs() < 1e-6,
-            "{f}, {g}: {:?} {:?}",
-            margin(&point),
-            margin(&narrow)
-        );
+        let (point, narrow) = (margin(&point), margin(&narrow));
+        // Of real eigenvalues (|w| + Re w)/2 is 0 up to the width of the box, and its root up to the root of that.
+        // The smallest margin of the box is at most that of its point, and no farther from it.
+        assert!(narrow.lo <= point.hi && point.lo - narrow.lo < 1e-4, "{f}, {g}: {point:?} {narrow:?}");
     }
 }
