@@ -1,5 +1,5 @@
 //! `prove` with a program in the place of coqc: what is kept between runs, and whose folder and which axioms are refused. The program
-//! writes down each file that it is asked to compile, and compiles it to its own text.
+//! writes down each file that it is asked to compile, and compiles it to its own text after a line.
 
 use super::{file, folder};
 use flockproof::kernel::files;
@@ -17,7 +17,7 @@ esac
 for name in "$@"; do :; done
 stem=${name%.v}
 echo "$stem" >> "$HERE/compiled"
-cp "$name" "$stem.vo"
+{ echo "compiled"; cat "$name"; } > "$stem.vo"
 grep -o 'idtac "== axioms ==\|^Locate Library\|^Locate' "$name" | while read -r line; do
   case "$line" in
     idtac*) echo "== axioms =="
