@@ -1,5 +1,5 @@
 //! `prove` with a program in the place of coqc: what is kept between runs, and whose folder and which axioms are refused. The program
-//! writes down each file that it is asked to compile, and compiles it to its own text.
+//! writes down each file that it is asked to compile, and compiles it to its own text after a line.
 
 use super::{file, folder};
 use flockproof::kernel::files;
@@ -17,7 +17,7 @@ esac
 for name in "$@"; do :; done
 stem=${name%.v}
 echo "$stem" >> "$HERE/compiled"
-cp "$name" "$stem.vo"
+{ echo "compiled"; cat "$name"; } > "$stem.vo"
 grep -o 'idtac "== axioms ==\|^Locate Library\|^Locate' "$name" | while read -r line; do
   case "$line" in
     idtac*) echo "== axioms =="
@@ -98,8 +98,8 @@ fn what_is_kept_is_the_compiled_files_themselves() {
         resting_on("chazelle_model").into_iter().filter(|name| name != "chazelle_model").collect();
     let again = bench.compiled(&[]);
     assert!(!again.is_empty() && again.is_subset(&without), "{again:?}");
-    let direct = files().iter().filter(|file| file.needs.contains(&"chazelle_model"));
-    assert!(direct.into_iter().all(|file| again.contains(file.name)), "{again:?}");
+    let mut direct = files().iter().filter(|file| file.needs.contains(&"chazelle_model"));
+    assert!(direct.all(|file| again.contains(file.name)), "{again:?}");
     assert_eq!(bench.compiled(&["--fresh"]), all, "--fresh compiles all");
 }
 

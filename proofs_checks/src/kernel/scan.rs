@@ -108,8 +108,8 @@ fn first_word(sentence: &str) -> Option<&str> {
         rest = attribute.split_once(']').map_or("", |(_, after)| after).trim_start();
     }
     let before = |word: &&str| BEFORE.contains(word) || word.parse::<u64>().is_ok() || word.starts_with('"');
-    let words = rest.split(|c: char| c.is_whitespace() || "([{:.".contains(c)).filter(|word| !word.is_empty());
-    words.skip_while(before).next()
+    let mut words = rest.split(|c: char| c.is_whitespace() || "([{:.".contains(c)).filter(|word| !word.is_empty());
+    words.find(|word| !before(word))
 }
 
 /// The sentences without their comments and with nothing in their strings, each with the line where it begins.
