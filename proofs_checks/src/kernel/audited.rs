@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 /// The rows, in the words of [`row`].
 pub fn audited_rows() -> &'static BTreeSet<&'static str> {
     static ROWS: OnceLock<BTreeSet<&'static str>> = OnceLock::new();
-    ROWS.get_or_init(|| include_str!("../../../../proofs_checks/coq/audited.tsv").lines().skip(1).collect())
+    ROWS.get_or_init(|| include_str!("../../coq/audited.tsv").lines().skip(1).collect())
 }
 
 /// The row that a theorem has in `audited.tsv` where nothing has changed since it was read: claim, theorem, axioms, what it covers, clauses, scope,
