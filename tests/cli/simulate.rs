@@ -380,3 +380,115 @@ fn runs_are_arrays_too() {
     let has = |text: &[u8]| bytes.windows(text.len()).any(|part| part == text);
     assert!(has(b"positions.npy") && has(b"'shape': (501, 3, 2), }") && has(b"energy.npy") && has(b"events.npy"));
 }
+
+/// Every law of the gallery runs to its end; what the literature says of it is seen in the run.
+#[test]
+fn the_gallery_of_laws_runs() {
+    let folder = folder("simulate-laws");
+    let gallery = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/laws");
+    let read = |name: &str| std::fs::read_to_string(gallery.join(format!("{name}.toml"))).expect("a law");
+    let mut names: Vec<String> = std::fs::read_dir(&gallery)
+        .expect("a folder")
+        .map(|entry| entry.expect("a file").path().file_stem().expect("a name").to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    assert!(names.len() >= 9, "{names:?}");
+    let runs: std::collections::BTreeMap<String, Value> =
+        names.iter().map(|name| (name.clone(), simulate(&folder, name, &read(name)))).collect();
+    for (name, summary) in &runs {
+        assert_eq!(summary["ended"], "finished", "{name}");
+        assert!(summary["declaration"].as_str().is_some_and(|text| text.contains("law of one's own")), "{name}");
+    }
+    let samples = |name: &str| runs[name]["samples"].as_array().expect("a list").clone();
+    // Cucker and Smale: the momentum stays, the fluctuation falls. Motsch and Tadmor: the momentum does not stay.
+    let all = samples("cucker_smale");
+    for pair in all.windows(2) {
+        for k in 0..2 {
+            let momentum = |sample: &Value| number(&sample["observables"]["momentum"][k]);
+            assert!((momentum(&pair[0]) - momentum(&pair[1])).abs() < 1e-8);
+        }
+        assert!(
+            number(&pair[1]["observables"]["fluctuation"]) < number(&pair[0]["observables"]["fluctuation"])
+        );
+    }
+    let all = samples("motsch_tadmor");
+    let momentum = |sample: &Value| number(&sample["observables"]["momentum"][0]);
+    assert!((momentum(&all[0]) - momentum(&all[2])).abs() > 1e-3);
+    // Hegselmann and Krause: opinions in groups more than the confidence apart.
+    let opinions: Vec<f64> =
+        samples("hegselmann_krause")[0]["x"].as_array().expect("a list").iter().map(number).collect();
+    assert!(opinions.windows(2).all(|pair| pair[1] - pair[0] == 0.0 || pair[1] - pair[0] > 1.0), "{opinions:?}");
+    // Kuramoto: locked at this coupling, at the mean of the natural frequencies, which is 0.
+    let order = |k: usize| number(&samples("kuramoto")[k]["observables"]["order"][0]);
+    assert!((order(1) - order(2)).abs() < 1e-2 && order(2) > 0.9);
+}
+
+/// Laws of the papers, written as files, move as the built-in ones.
+#[test]
+fn files_of_built_in_laws_move_as_these() {
+    let folder = folder("simulate-built-in");
+    let read = |name: &str| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("assets/laws/{name}.toml"));
+        std::fs::read_to_string(path).expect("a law")
+    };
+    let numbers = |value: &Value| -> Vec<f64> {
+        let list = value.as_array().expect("a list");
+        list.iter().flat_map(|x| x.as_array().map_or_else(|| vec![x.clone()], Clone::clone)).map(|x| number(&x)).collect()
+    };
+    let alike = |own: &Value, built_in: &Value, names: &[(&str, &str)]| {
+        let (a, b) = (own["samples"].as_array().expect("a list"), built_in["samples"].as_array().expect("a list"));
+        assert_eq!(a.len(), b.len());
+        for (a, b) in a.iter().zip(b) {
+            for (mine, theirs) in names {
+                for (x, y) in numbers(&a[*mine]).iter().zip(numbers(&b[*theirs])) {
+                    assert!((x - y).abs() < 1e-7, "{mine}: {x} {y}");
+                }
+            }
+        }
+    };
+    let names = [("x", "positions"), ("v", "velocities")];
+    let text = read("velocity_alignment");
+    let end = text.find("[law]").zip(text.find("[graph]")).expect("sections");
+    let built_in = text.replace(&text[end.0..end.1], "[law]\npotential = \"inverse-square-log\"\n");
+    let built_in = built_in.replace("\"own\"", "\"velocity-alignment\"").replace("\nx = ", "\npositions = ");
+    let built_in = built_in.replace("\nv = ", "\nvelocities = ");
+    let (own, built_in) = (simulate(&folder, "own", &text), simulate(&folder, "built-in", &built_in));
+    alike(&own, &built_in, &names);
+    let times = |summary: &Value| -> Vec<(f64, Value)> {
+        let events = summary["events"].as_array().expect("a list");
+        events.iter().map(|event| (number(&event["t"]), event["pair"].clone())).collect()
+    };
+    let (a, b) = (times(&own), times(&built_in));
+    assert!(!a.is_empty() && a.len() == b.len());
+    assert!(a.iter().zip(&b).all(|(x, y)| (x.0 - y.0).abs() < 1e-7 && x.1 == y.1), "{a:?} {b:?}");
+    let text = read("platoon_behind");
+    let built_in = "model = \"platoon\"\n[state]\npositions = [0, -1, \"-5/2\", -3]\nvelocities = [1, 0, 0, 0]\n[law]\nf = -1\ng = -1\ncommunication = \"front\"\n[run]\nuntil = 30\nsamples = [1, 10, 30]\n";
+    let (own, built_in) = (simulate(&folder, "behind", &text), simulate(&folder, "front", built_in));
+    alike(&own, &built_in, &[("x", "positions"), ("v", "velocities")].map(|(a, b)| (a, b)));
+    // The exact flock: x(0) = x(1) - v(1), and every switch in the same step.
+    let own = simulate(&folder, "lazy", &read("lazy_averaging"));
+    let flock = r#"{"model":"D","dimension":1,"weights":"lazy","positions":[["-1/8"],["1"],["8/5"],["14/5"]],"velocities":[["1/8"],["0"],["1/5"],["0"]]}"#;
+    let path = file(&folder, "lazy.json", flock.as_bytes());
+    let output = flockproof(&["flock", "run", &path, "--until", "21", "--json"]);
+    let exact: Value = serde_json::from_str(&stdout(&output)).expect("JSON");
+    let mut wanted = Vec::new();
+    for switch in exact["switches"].as_array().expect("a list") {
+        let time: f64 = switch["t"].as_str().expect("a text").parse().expect("a number");
+        for (key, kind) in [("gained", "link"), ("lost", "unlink")] {
+            let pairs = switch[key].as_array().expect("a list").iter();
+            wanted.extend(pairs.map(|pair| (time - 1.0, kind.to_string(), pair.clone())));
+        }
+    }
+    let events = own["events"].as_array().expect("a list").iter();
+    let mut found: Vec<_> = events
+        .map(|event| (number(&event["t"]), event["kind"].as_str().expect("a text").to_string(), event["pair"].clone()))
+        .collect();
+    let by = |a: &(f64, String, Value), b: &(f64, String, Value)| {
+        a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.to_string().cmp(&b.2.to_string()))
+    };
+    found.sort_by(by);
+    wanted.retain(|(time, ..)| *time > 0.0);
+    wanted.sort_by(by);
+    assert!(!found.is_empty());
+    assert_eq!(found, wanted);
+}
