@@ -108,8 +108,11 @@ impl Lines {
         text
     }
 
-    /// One sentence for each line of an entry that is not recorded so, and for each recorded line that it lacks.
-    pub fn differences(&self, entry: &Entry, full: bool) -> Vec<String> {
+    /// One sentence for each line of an entry that is not recorded so, and for each recorded line that it lacks. Which controls fail in a line of random
+    /// cases may depend on the seed, so they are compared `with_controls` only.
+    pub fn differences(&self, entry: &Entry, full: bool, with_controls: bool) -> Vec<String> {
+        let same = |a: &Line, b: &Line| a.controls == b.controls || !with_controls;
+        let same = |a: &Line, b: &Line| same(a, b) && Line { controls: b.controls.clone(), ..a.clone() } == *b;
         let mut missed: Vec<(&Line, &str)> = Vec::new();
         if let Some(rows) = self.0.get(&entry.id) {
             let own = rows.0.iter().map(|(line, cases)| (line, cases[usize::from(full)].as_str()));
@@ -117,7 +120,7 @@ impl Lines {
         }
         let mut sentences = Vec::new();
         for (line, cases) in &lines(entry) {
-            match missed.iter().position(|recorded| *recorded == (line, cases.as_str())) {
+            match missed.iter().position(|(recorded, count)| same(recorded, line) && *count == cases.as_str()) {
                 Some(at) => drop(missed.remove(at)),
                 None => sentences.push(format!("the evidence {} differs from what is recorded", line.words(cases))),
             }

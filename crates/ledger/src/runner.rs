@@ -291,7 +291,10 @@ impl Ledger {
         entries.sort_by(|a, b| a.id.cmp(&b.id));
         let reached: BTreeSet<&str> = entries.iter().map(|entry| entry.id.as_str()).collect();
         let missing = ids.iter().filter(|id| !reached.contains(id.as_str())).cloned().collect();
-        let of_lines = |e: &Entry| self.lines.as_ref().map_or(Vec::new(), |lines| lines.differences(e, options.full));
+        let is_recorded_seed = options.seed == Options::default().seed;
+        let of_lines = |e: &Entry| {
+            self.lines.as_ref().map_or(Vec::new(), |lines| lines.differences(e, options.full, is_recorded_seed))
+        };
         let differences = entries.iter().flat_map(|e| difference(e, self.expected.get(&e.id), of_lines(e))).collect();
         Report { entries, differences, missing }
     }
