@@ -103,7 +103,7 @@ pub fn largest_quotient(
     }
     let mut p = p[..length(p)].to_vec();
     p.resize(size, BigInt::ZERO);
-    let mut search = Search::new(&p, &q[..size]);
+    let mut search = Search::new(&p, &q[..size])?;
     search.run(progress)?;
     search.finish(digits)
 }
@@ -158,7 +158,7 @@ struct Search {
 }
 
 impl Search {
-    fn new(p: &[BigInt], q: &[BigInt]) -> Self {
+    fn new(p: &[BigInt], q: &[BigInt]) -> Result<Self, LargestError> {
         let degree = q.len() - 1;
         let bits = |c: &BigInt| c.bits() as i64;
         // About the geometric mean of the moduli of the roots of q.
@@ -181,25 +181,29 @@ impl Search {
             point: start,
             candidates: vec![],
         };
-        search.look_at(1, rational(0, 1), &p[degree], &q[degree]);
+        search.look_at(1, rational(0, 1), &p[degree], &q[degree])?;
         // Constant quotients have no critical points to look for.
         if !(0..q.len()).all(|k| &p[k] * &q[0] == &q[k] * &p[0]) {
             for side in 0..2 {
                 let Side { p, q } = &search.sides[side];
                 let (p, q) = (bernstein(p), bernstein(q));
-                search.look_at(side, rational(1, 1), &p[degree], &q[degree]);
+                search.look_at(side, rational(1, 1), &p[degree], &q[degree])?;
                 search.push(side, BigInt::ZERO, 0, (p, q));
             }
         }
-        search
+        Ok(search)
     }
 
-    /// A value `p/q` of `h`, `q > 0`, at the number `t`.
-    fn look_at(&mut self, side: usize, t: Rational, p: &BigInt, q: &BigInt) {
+    /// A value `p/q` of `h` at the number `t`.
+    fn look_at(&mut self, side: usize, t: Rational, p: &BigInt, q: &BigInt) -> Result<(), LargestError> {
+        if !q.is_positive() {
+            return Err(LargestError::Pole);
+        }
         if p * self.level.denom() > q * self.level.numer() {
             self.level = rounded_down(p, q);
             self.point = Candidate { side, spot: Spot::Point(t) };
         }
+        Ok(())
     }
 
     fn push(&mut self, side: usize, index: BigInt, level: u64, (p, q): (Vec<BigInt>, Vec<BigInt>)) {
@@ -305,11 +309,8 @@ impl Search {
         without_twos(&mut [&mut right.0, &mut right.1]);
         let index: BigInt = &piece.index * 2;
         let (p, q) = (&right.0[0], &right.1[0]);
-        if !q.is_positive() {
-            return Err(LargestError::Pole);
-        }
         let level = piece.level + 1;
-        self.look_at(piece.side, at(&index + 1, level), p, q);
+        self.look_at(piece.side, at(&index + 1, level), p, q)?;
         self.push(piece.side, index.clone(), level, left);
         self.push(piece.side, index + 1, level, right);
         Ok(())
@@ -435,7 +436,7 @@ fn stretched(coefficients: &[BigInt], scale: i64) -> Vec<BigInt> {
     coefficients.iter().enumerate().map(|(k, c)| c << shift(k)).collect()
 }
 
-/// A number with some bits that is not above `p/q >= 0`, `q > 0`.
+/// A number with some bits that is not above `p/q`, for `p >= 0` and `q > 0`.
 fn rounded_down(p: &BigInt, q: &BigInt) -> Rational {
     let shift = i64::from(LEVEL_BITS) - (p.bits() as i64 - q.bits() as i64);
     let (above, below) = if shift < 0 { (p.clone(), q << (-shift) as u64) } else { (p << shift as u64, q.clone()) };
