@@ -19,7 +19,7 @@ impl Polynomial {
         if self.degree() >= LONG && !vanishes {
             for bits in PRECISIONS {
                 let number = |c: &BigInt| Interval::from_rational(&Rational::from_integer(c.clone()), bits);
-                if let Some(stable) = routh(self.coefficients().iter().rev().map(number).collect(), |row| row) {
+                if let Some(stable) = routh(self.coefficients().iter().rev().map(number).collect(), near_one) {
                     return stable;
                 }
             }
@@ -80,6 +80,12 @@ pub(super) fn roots_moved<T: Ring>(coefficients: &[T], shift: &T) -> Vec<T> {
     moved
 }
 
+/// The row times a power of two, so that the exponents, which double from row to row, stay small.
+fn near_one(row: Vec<Interval>) -> Vec<Interval> {
+    let top = row.iter().map(Interval::magnitude).filter(|size| size.is_positive()).map(|size| size.top()).max();
+    row.iter().map(|x| x.scaled(-top.unwrap_or(0))).collect()
+}
+
 /// The row divided by the greatest common divisor of its entries.
 fn without_content(mut row: Vec<BigInt>) -> Vec<BigInt> {
     let content = content(&row);
@@ -87,4 +93,22 @@ fn without_content(mut row: Vec<BigInt>) -> Vec<BigInt> {
         row.iter_mut().for_each(|c| *c /= &content);
     }
     row
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `(s² + 4s + 100)^100`, and with a factor `s² - s/1000 + 1`: exponents of the table double from row to row.
+    #[test]
+    fn long_polynomials_are_decided() {
+        let times = |a: &[BigInt], b: [i64; 3]| {
+            let mut all = vec![BigInt::ZERO; a.len() + 2];
+            a.iter().enumerate().for_each(|(i, x)| (0..3).for_each(|j| all[i + j] += x * b[j]));
+            all
+        };
+        let power = (0..100).fold(vec![BigInt::from(1)], |all, _| times(&all, [100, 4, 1]));
+        assert!(Polynomial::new(power.clone()).is_hurwitz());
+        assert!(!Polynomial::new(times(&power, [1000, -1, 1000])).is_hurwitz());
+    }
 }
