@@ -135,7 +135,10 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
     };
     let name = section.get("name").map(|entry| entry.word()).transpose()?;
     let mut declaration = declaration(&text, name, &step);
-    declaration.push(network.declaration().to_string());
+    declaration.push(match &radius {
+        None => network.declaration().to_string(),
+        Some(radius) => format!("links i-j where the distance is at most {radius}; they come and go with the distance"),
+    });
     declaration.extend(drawn);
     Ok(Described { law: Arc::new(law), state, network, radius, time: text.time, step, declaration })
 }
