@@ -71,7 +71,7 @@ impl Found {
         match self {
             Found::NotStable => {
                 format!(
-                    "{head}: NOT stable, so there is no peak\nsome motion behind a resting leader does not die out (decided exactly)\n"
+                    "NOT stable, so there is no peak: {head}\nsome motion behind a resting leader does not die out (decided exactly)\n"
                 )
             }
             Found::Certified(Peak { omega, amplitude }) => {

@@ -138,7 +138,7 @@ fn time_operators(draws: &mut Draws, tested: Tested) -> Checked {
     }
     let naive = formula.holds(&facts, 0, tested);
     let question = format!(
-        "[question]\nid = \"trace\"\nscenario = \"flock.json\"\n[for]\nk = 1\n[holds]\nproperty = \"{}\"\ncontrols = [\"1 < 0\"]\n",
+        "[question]\nid = \"trace\"\nscenario = \"flock.json\"\n[for]\nk = 1\n[holds]\nproperty = \"{}\"\ncontrols = [\"k < 0\"]\n",
         formula.text()
     );
     let question = Question::read(&question, &|_| Ok(file(&start))).or_fails("a question is refused")?;

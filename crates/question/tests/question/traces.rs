@@ -247,7 +247,7 @@ impl Draws {
 fn answered(flock: &str, property: &str) -> Answer {
     let text = format!(
         "[question]\nid = \"test\"\nscenario = \"flock.json\"\n[for]\nk = 1\n[holds]\nproperty = \"{property}\"\n\
-         controls = [\"1 < 0\"]\n"
+         controls = [\"k < 0\"]\n"
     );
     let question = Question::read(&text, &|_| Ok(flock.to_string())).expect("a question");
     decide(&question, &Unwatched).expect("an answer")

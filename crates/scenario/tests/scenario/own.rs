@@ -1,6 +1,7 @@
 //! Laws of one's own beside the built-in ones, and what is refused.
 
 use super::{run, value as number};
+use arithmetic::Unwatched;
 use scenario::{Outcome, Part, Row, Scenario};
 
 const VELOCITIES: &str = r#"
@@ -205,7 +206,7 @@ fn what_is_wrong_is_told_with_line_and_column() {
 #[test]
 fn a_number_without_a_value_ends_the_run_and_is_named() {
     let text = "model = \"own\"\n[state]\nx = [\"1\", \"3\"]\n[run]\nuntil = 5\n[law]\ntime = \"discrete\"\ndimension = 1\nstate = { x = \"number\" }\n[law.next]\nx = \"x - 1/(2 - t) + 0*x\"\n";
-    let outcome = run(text);
+    let outcome = Scenario::read(text).unwrap_or_else(|error| panic!("{error}")).run(&Unwatched);
     assert_eq!(outcome.reached(), 2.0);
     assert!(format!("{:?}", outcome.end).contains("of agent 1"), "{:?}", outcome.end);
 }
