@@ -78,7 +78,8 @@ fn states<'py>(py: Python<'py>, outcome: &Outcome) -> PyResult<Bound<'py, PyDict
     let states = PyDict::new(py);
     let Some(first) = outcome.rows.first() else { return Ok(states) };
     for (place, (name, part)) in first.frame.parts().into_iter().enumerate() {
-        let flat = numbers(py, outcome, |row| row.frame.parts().get(place).map_or_else(Vec::new, |(_, part)| part.flat()))?;
+        let flat =
+            numbers(py, outcome, |row| row.frame.parts().get(place).map_or_else(Vec::new, |(_, part)| part.flat()))?;
         let shaped = match part.width() {
             None => flat,
             Some(width) => flat.call_method1("reshape", ((outcome.rows.len(), first.frame.agents(), width),))?,

@@ -407,9 +407,7 @@ fn the_gallery_of_laws_runs() {
             let momentum = |sample: &Value| number(&sample["observables"]["momentum"][k]);
             assert!((momentum(&pair[0]) - momentum(&pair[1])).abs() < 1e-8);
         }
-        assert!(
-            number(&pair[1]["observables"]["fluctuation"]) < number(&pair[0]["observables"]["fluctuation"])
-        );
+        assert!(number(&pair[1]["observables"]["fluctuation"]) < number(&pair[0]["observables"]["fluctuation"]));
     }
     let all = samples("motsch_tadmor");
     let momentum = |sample: &Value| number(&sample["observables"]["momentum"][0]);
@@ -433,7 +431,10 @@ fn files_of_built_in_laws_move_as_these() {
     };
     let numbers = |value: &Value| -> Vec<f64> {
         let list = value.as_array().expect("a list");
-        list.iter().flat_map(|x| x.as_array().map_or_else(|| vec![x.clone()], Clone::clone)).map(|x| number(&x)).collect()
+        list.iter()
+            .flat_map(|x| x.as_array().map_or_else(|| vec![x.clone()], Clone::clone))
+            .map(|x| number(&x))
+            .collect()
     };
     let alike = |own: &Value, built_in: &Value, names: &[(&str, &str)]| {
         let (a, b) = (own["samples"].as_array().expect("a list"), built_in["samples"].as_array().expect("a list"));

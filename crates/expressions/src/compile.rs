@@ -123,7 +123,8 @@ impl<'a> Compiler<'a> {
     fn check_name(&self, table: &'static str, key: &'a str, name: &str, taken: &mut Vec<String>) -> Made<()> {
         let first = |c: char| c.is_ascii_alphabetic() || c == '_';
         let word = name.starts_with(first) && name.chars().all(|c| first(c) || c.is_ascii_digit());
-        let function = FUNCTIONS.iter().any(|(known, ..)| *known == name) || LOOPS.iter().any(|(known, _)| *known == name);
+        let function =
+            FUNCTIONS.iter().any(|(known, ..)| *known == name) || LOOPS.iter().any(|(known, _)| *known == name);
         let problem = if !word {
             Problem::expected("a name of letters, digits and _", format!("`{name}`"))
         } else if function || KEYWORDS.contains(&name) || name == "vector" {
@@ -157,7 +158,11 @@ impl<'a> Compiler<'a> {
             }
         }
         if text.state.is_empty() {
-            return self.refuse_entry("state", "", Problem::Other("an agent has nothing: name at least one part of its state".to_string()));
+            return self.refuse_entry(
+                "state",
+                "",
+                Problem::Other("an agent has nothing: name at least one part of its state".to_string()),
+            );
         }
         let first = text.position.as_deref();
         if let Some(position) = first
@@ -182,7 +187,8 @@ impl<'a> Compiler<'a> {
         let mut taken: Vec<String> = self.text.state.iter().map(|(name, _)| name.clone()).collect();
         taken.extend(self.text.parameters.iter().map(|(name, _)| name.clone()));
         for (key, text) in &self.text.define {
-            let (name, inside) = key.split_once('(').map_or((key.trim(), None), |(name, rest)| (name.trim(), Some(rest)));
+            let (name, inside) =
+                key.split_once('(').map_or((key.trim(), None), |(name, rest)| (name.trim(), Some(rest)));
             let agents: Vec<&str> = match inside.map(|rest| rest.trim_end().strip_suffix(')')) {
                 None => Vec::new(),
                 Some(None) => return self.refuse_entry("define", key, Problem::expected("`)`", "the end")),
@@ -465,14 +471,16 @@ impl<'a> Compiler<'a> {
             let numbers = arguments.iter().map(|node| self.number(node, scope)).collect::<Made<Vec<_>>>()?;
             let expected = format!("{} numbers", self.text.dimension);
             if numbers.len() != self.text.dimension {
-                return self.refuse(node.at, Problem::Arguments { name: name.to_string(), expected, found: numbers.len() });
+                return self
+                    .refuse(node.at, Problem::Arguments { name: name.to_string(), expected, found: numbers.len() });
             }
             return Ok(self.as_vector(numbers));
         }
         if let Some((_, least, most)) = FUNCTIONS.iter().find(|(known, ..)| *known == name) {
             let found = arguments.len();
             if !(*least..=*most).contains(&found) {
-                let expected = if least == most { words_for(*least) } else { format!("at least {}", words_for(*least)) };
+                let expected =
+                    if least == most { words_for(*least) } else { format!("at least {}", words_for(*least)) };
                 return self.refuse(node.at, Problem::Arguments { name: name.to_string(), expected, found });
             }
             return self.function(name, arguments, scope);
@@ -502,7 +510,9 @@ impl<'a> Compiler<'a> {
     ) -> Made<Value> {
         if let Some((_, parameter)) = self.text.parameters.iter().find(|(known, _)| known == base) {
             return match parameter {
-                Parameter::One(q) if index.is_none() && component.is_none() => Ok(Value::Number(self.things.number(q.clone()))),
+                Parameter::One(q) if index.is_none() && component.is_none() => {
+                    Ok(Value::Number(self.things.number(q.clone())))
+                }
                 Parameter::Each(list) if component.is_none() => {
                     let of = self.agent(node, base, index, scope)?;
                     let known = self.lists.iter().position(|known| known == list).unwrap_or(self.lists.len());
@@ -511,7 +521,10 @@ impl<'a> Compiler<'a> {
                     }
                     Ok(Value::Number(self.things.add(Op::Parameter(known, of))))
                 }
-                _ => self.refuse(node.at, Problem::expected(format!("`{base}`, the same for all agents"), format!("`{name}`"))),
+                _ => self.refuse(
+                    node.at,
+                    Problem::expected(format!("`{base}`, the same for all agents"), format!("`{name}`")),
+                ),
             };
         }
         let Some(variable) = self.variables.iter().find(|variable| variable.name == base).cloned() else {
@@ -563,7 +576,12 @@ impl<'a> Compiler<'a> {
         }
         let found = scope.agents.iter().rev().find(|(name, _)| name == called).map(|(_, of)| *of);
         found.map_or_else(
-            || self.refuse(node.at, Problem::unknown("agent", called, scope.agents.iter().map(|(name, _)| name.as_str()))),
+            || {
+                self.refuse(
+                    node.at,
+                    Problem::unknown("agent", called, scope.agents.iter().map(|(name, _)| name.as_str())),
+                )
+            },
             Ok,
         )
     }
@@ -664,7 +682,14 @@ impl<'a> Compiler<'a> {
         self.gathered(&arguments[1], slot, condition, gather, value)
     }
 
-    fn gathered(&mut self, node: &Node, slot: Slot, condition: Option<Id>, gather: Gather, value: Value) -> Made<Value> {
+    fn gathered(
+        &mut self,
+        node: &Node,
+        slot: Slot,
+        condition: Option<Id>,
+        gather: Gather,
+        value: Value,
+    ) -> Made<Value> {
         let things = &mut self.things;
         Ok(match value {
             Value::Number(id) => Value::Number(things.gather(slot, condition, gather, id)),
@@ -718,7 +743,8 @@ impl<'a> Compiler<'a> {
                 let mut best = first;
                 for node in &arguments[1..] {
                     let other = self.number(node, scope)?;
-                    best = self.things.add(if name == "max" { Op::Larger(best, other) } else { Op::Smaller(best, other) });
+                    best =
+                        self.things.add(if name == "max" { Op::Larger(best, other) } else { Op::Smaller(best, other) });
                 }
                 return Ok(Value::Number(best));
             }
@@ -767,7 +793,8 @@ impl<'a> Compiler<'a> {
         let first = self.vector(&arguments[0], scope)?;
         let flat = |this: &Self| match first.len() {
             2 => Ok(()),
-            _ => this.refuse(arguments[0].at, Problem::expected(format!("a vector of the plane, for `{name}`,"), "another")),
+            _ => this
+                .refuse(arguments[0].at, Problem::expected(format!("a vector of the plane, for `{name}`,"), "another")),
         };
         Ok(match name {
             "dot" => {

@@ -252,7 +252,9 @@ impl<T: Number> Evaluator<T> {
         let heard = hears.and_then(|agent| moment.hearing.heard(agent));
         match heard {
             Some(list) => list.iter().for_each(|&other| visit(self, other)),
-            None => (0..moment.hearing.agents()).filter(|agent| Some(*agent) != hears).for_each(|agent| visit(self, agent)),
+            None => {
+                (0..moment.hearing.agents()).filter(|agent| Some(*agent) != hears).for_each(|agent| visit(self, agent))
+            }
         }
         for &(place, id) in &round.results {
             let all = std::mem::replace(&mut gathered[place], Gathered::Empty);
@@ -300,9 +302,9 @@ impl<T: Number> Gathered<T> {
     fn ended(self, gather: Gather, count: usize, like: &T) -> Known<T> {
         match (self, gather) {
             (Gathered::Missing(error), _) => Known::Missing(error),
-            (Gathered::Empty, Gather::Largest | Gather::Smallest) => {
-                Known::Missing(ArithmeticError::Domain("somebody whom the agent hears, for a largest or smallest value"))
-            }
+            (Gathered::Empty, Gather::Largest | Gather::Smallest) => Known::Missing(ArithmeticError::Domain(
+                "somebody whom the agent hears, for a largest or smallest value",
+            )),
             (Gathered::Empty, _) => Known::Number(like.zero()),
             (Gathered::Number(all), Gather::Mean) => Known::Number(all * &like.ratio(1, count.max(1) as i64)),
             (Gathered::Number(all), _) => Known::Number(all),

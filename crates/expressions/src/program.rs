@@ -37,7 +37,12 @@ pub(crate) enum Op {
     /// A parameter with one value for each agent.
     Parameter(usize, Of),
     /// A number of the state: where those of agent 0 begin, numbers from one agent to the next, which.
-    State { start: usize, stride: usize, component: usize, of: Of },
+    State {
+        start: usize,
+        stride: usize,
+        component: usize,
+        of: Of,
+    },
     Negated(Id),
     Sum(Id, Id),
     Difference(Id, Id),
@@ -326,14 +331,7 @@ impl Things {
         let (each, _, outside) = self.plan(OWN, &outputs, &BTreeSet::new());
         let outside: Vec<Id> = outside.into_iter().collect();
         let (once, ..) = self.plan(FLOCK, &outside, &BTreeSet::new());
-        Program {
-            ops: self.ops.clone(),
-            loops: self.loops.clone(),
-            once,
-            each,
-            outputs,
-            slots: self.slots.clone(),
-        }
+        Program { ops: self.ops.clone(), loops: self.loops.clone(), once, each, outputs, slots: self.slots.clone() }
     }
 }
 

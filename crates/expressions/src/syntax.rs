@@ -486,7 +486,11 @@ impl Node {
             NodeKind::Negated(body) | NodeKind::Not(body) => body.visit(f),
             NodeKind::Sum(list) | NodeKind::Product(list) => list.iter().for_each(|(_, node)| node.visit(f)),
             NodeKind::And(list) | NodeKind::Or(list) => list.iter().for_each(|node| node.visit(f)),
-            NodeKind::Power(a, b) | NodeKind::Implies(a, b) | NodeKind::Range(a, b) | NodeKind::Interval(a, b) | NodeKind::Where(a, b) => {
+            NodeKind::Power(a, b)
+            | NodeKind::Implies(a, b)
+            | NodeKind::Range(a, b)
+            | NodeKind::Interval(a, b)
+            | NodeKind::Where(a, b) => {
                 a.visit(f);
                 b.visit(f);
             }

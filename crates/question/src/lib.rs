@@ -32,13 +32,13 @@ mod syntax;
 mod timeline;
 mod truth;
 
-pub use expressions::nearest_ids;
 pub use answer::{Answer, Verdict};
 pub use bindings::{Bindings, GraphValue, Value};
 pub use decide::{Tabulated, decide};
 pub use decisive::Decisive;
 pub use drawn::Instance;
 pub use error::{Place, Problem, QuestionError};
+pub use expressions::nearest_ids;
 pub use number::Number;
 pub use outcome::{Decided, Outcome};
 pub use question::{Files, Question};

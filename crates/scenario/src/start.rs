@@ -222,7 +222,11 @@ pub(super) fn finite(entry: &Entry) -> Result<Rational, ConfigError> {
     entry.exact()
 }
 
-pub(super) fn rows(entry: &Entry, dimension: usize, agents: &mut Option<usize>) -> Result<Vec<Vec<Rational>>, ConfigError> {
+pub(super) fn rows(
+    entry: &Entry,
+    dimension: usize,
+    agents: &mut Option<usize>,
+) -> Result<Vec<Vec<Rational>>, ConfigError> {
     const EXPECTED: &str = "a list with one list of coordinates for each agent";
     let row = |row: &Entry| {
         // On a line a number is a place.

@@ -1,8 +1,8 @@
 //! Complex, dual and series numbers over exact rationals; derivatives along a flow.
 
 use arithmetic::{
-    ArithmeticError, Complex, Dual, Field, FloatInterval, Interval, Rational, Real, Ring, Series, Sign, Signed, along_flow,
-    gradient, rational,
+    ArithmeticError, Complex, Dual, Field, FloatInterval, Interval, Rational, Real, Ring, Series, Sign, Signed,
+    along_flow, gradient, rational,
 };
 use proptest::prelude::*;
 
@@ -137,7 +137,9 @@ fn functions_of_series_are_those_of_their_sums() {
 /// Over enclosures the coefficients contain those of a point inside.
 #[test]
 fn functions_of_enclosed_series_contain_those_of_their_points() {
-    let of = |x: f64, w: f64| Series::from_coefficients(FloatInterval::between(x - w, x + w), [FloatInterval::point(0.5); 5]);
+    let of = |x: f64, w: f64| {
+        Series::from_coefficients(FloatInterval::between(x - w, x + w), [FloatInterval::point(0.5); 5])
+    };
     for x in [0.3, 1.0, 2.7] {
         let (point, around) = (of(x, 0.0), of(x, 0.01));
         type Function = fn(&Series<FloatInterval>) -> Result<Series<FloatInterval>, ArithmeticError>;

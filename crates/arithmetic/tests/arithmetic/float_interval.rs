@@ -1,6 +1,8 @@
 //! Intervals of floats: what is exact is exact, what is not is a step wider, what is not finite is the whole line.
 
-use arithmetic::{ArithmeticError, Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, Sign, Signed, rational};
+use arithmetic::{
+    ArithmeticError, Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, Sign, Signed, rational,
+};
 use num_bigint::BigInt;
 use proptest::prelude::*;
 

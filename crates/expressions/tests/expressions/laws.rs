@@ -70,14 +70,17 @@ fn cucker_and_smale_as_by_hand_on_every_network() {
                     let square: f64 = (0..2).map(|k| (x[2 * j + k] - x[2 * i + k]).powi(2)).sum();
                     1.5 / (1.0 + square).powf(0.25) * (v[2 * j + c] - v[2 * i + c])
                 };
-                let wanted = if heard.is_empty() { 0.0 } else { heard.iter().map(term).sum::<f64>() / heard.len() as f64 };
+                let wanted =
+                    if heard.is_empty() { 0.0 } else { heard.iter().map(term).sum::<f64>() / heard.len() as f64 };
                 assert!((rates[2 * n + 2 * i + c] - wanted).abs() < 1e-14, "{i}, {c}");
             }
         }
         let observed = law.observe(&0.0, &state, &Lists(lists)).unwrap();
         let total = |c: usize| (0..n).map(|i| v[2 * i + c]).sum::<f64>();
-        let spread: f64 =
-            (0..n).flat_map(|i| (0..2).map(move |c| (i, c))).map(|(i, c)| (v[2 * i + c] - total(c) / n as f64).powi(2)).sum();
+        let spread: f64 = (0..n)
+            .flat_map(|i| (0..2).map(move |c| (i, c)))
+            .map(|(i, c)| (v[2 * i + c] - total(c) / n as f64).powi(2))
+            .sum();
         for (found, wanted) in observed.iter().zip([total(0), total(1), spread / 2.0]) {
             assert!((found - wanted).abs() < 1e-13);
         }
@@ -130,7 +133,10 @@ fn angles_are_compared_and_averaged_on_the_circle() {
         dimension: 2,
         state: vec![("r".to_string(), Kind::Vector), ("theta".to_string(), Kind::Angle)],
         position: Some("r".to_string()),
-        rates: pairs(&[("r", "r + turn(vector(1, 0), theta)"), ("theta", "mean(j where abs(theta[j] - theta) < 1, theta[j])")]),
+        rates: pairs(&[
+            ("r", "r + turn(vector(1, 0), theta)"),
+            ("theta", "mean(j where abs(theta[j] - theta) < 1, theta[j])"),
+        ]),
         ..LawText::default()
     };
     let law = text.compile(3).unwrap();
@@ -184,8 +190,7 @@ fn enclosures_series_and_duals_agree_with_floats() {
     // The change of the rates along the motion, by a dual number and by the second coefficient of a series.
     let moving: Vec<Dual<f64>> = state.iter().zip(&rates).map(|(x, d)| Dual::new(*x, *d)).collect();
     let along = law.rates(&Dual::constant(0.0), &moving, &Everyone(3)).unwrap();
-    let series: Vec<Series<f64>> =
-        state.iter().zip(&rates).map(|(x, d)| Series::from_coefficients(*x, [*d])).collect();
+    let series: Vec<Series<f64>> = state.iter().zip(&rates).map(|(x, d)| Series::from_coefficients(*x, [*d])).collect();
     let expanded = law.rates(&Series::constant(0.0, 2), &series, &Everyone(3)).unwrap();
     for (dual, series) in along.iter().zip(&expanded) {
         assert!((dual.derivative - series.coefficients()[1]).abs() < 1e-12);

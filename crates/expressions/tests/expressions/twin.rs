@@ -207,7 +207,10 @@ impl Draw {
 
 #[test]
 fn random_expressions_as_by_a_walk_through_the_tree() {
-    let lists = [vec![vec![1, 2, 3], vec![0], vec![], vec![0, 2]], vec![vec![1, 2, 3], vec![0, 2, 3], vec![0, 1, 3], vec![0, 1, 2]]];
+    let lists = [
+        vec![vec![1, 2, 3], vec![0], vec![], vec![0, 2]],
+        vec![vec![1, 2, 3], vec![0, 2, 3], vec![0, 1, 3], vec![0, 1, 2]],
+    ];
     let mut compared = 0;
     for case in 0..600 {
         let mut draw = Draw { random: generator("expressions", "twin", case) };

@@ -40,7 +40,8 @@ pub(super) fn frame(law: &Law, state: &[f64]) -> Frame {
     let mut frame = Frame::default();
     if let Some(position) = law.position() {
         // Pictures are of the plane.
-        frame.positions = rows(law, &position.name, state).into_iter().map(|row| row.into_iter().take(2).collect()).collect();
+        frame.positions =
+            rows(law, &position.name, state).into_iter().map(|row| row.into_iter().take(2).collect()).collect();
     }
     for variable in law.variables() {
         let list = rows(law, &variable.name, state);

@@ -84,7 +84,10 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
     let discrete = text.time == Time::Discrete;
     let (rates, other) = if discrete { ("next", "rates") } else { ("rates", "next") };
     if let Some(entry) = section.get(other) {
-        return Err(entry.range(format!("left out: a law in {} time has [law.{rates}]", if discrete { "discrete" } else { "continuous" })));
+        return Err(entry.range(format!(
+            "left out: a law in {} time has [law.{rates}]",
+            if discrete { "discrete" } else { "continuous" }
+        )));
     }
     let step = match section.get("step") {
         None => rational(1, 1),
@@ -229,7 +232,8 @@ fn declaration(text: &LawText, name: Option<&str>, step: &Rational) -> Vec<Strin
         Parameter::Each(list) => format!("[{}]", list.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
     };
     if !text.parameters.is_empty() {
-        let all: Vec<String> = text.parameters.iter().map(|(name, given)| format!("{name} = {}", value(given))).collect();
+        let all: Vec<String> =
+            text.parameters.iter().map(|(name, given)| format!("{name} = {}", value(given))).collect();
         lines.push(format!("parameters: {}", all.join(", ")));
     }
     lines.extend(text.observables.iter().map(|(name, body)| format!("observable {name} = {body}")));

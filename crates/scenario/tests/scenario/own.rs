@@ -54,9 +54,8 @@ fn velocity_alignment_as_a_file_moves_as_the_built_in_law() {
         "kind = \"edges\"\nedges = [[1, 2]]\nswitches = [{ at = 2, edges = [[2, 3], [1, 3]] }]",
     ];
     for graph in graphs {
-        let common = format!(
-            "[graph]\n{graph}\n[run]\nuntil = 8\nsamples = [1, 4, 8]\nrows = 8\ntolerance = 1e-12\n[state]\n"
-        );
+        let common =
+            format!("[graph]\n{graph}\n[run]\nuntil = 8\nsamples = [1, 4, 8]\nrows = 8\ntolerance = 1e-12\n[state]\n");
         let places = "[[0, 0], [2, 0], [\"0.3\", 1]]";
         let moving = "[[1, 0], [0, 1], [-1, \"1.1\"]]";
         let own = run(&format!("model = \"own\"\n{common}x = {places}\nv = {moving}\n{VELOCITIES}"));
@@ -83,10 +82,7 @@ fn phases_on_directed_networks_as_the_built_in_law() {
         let built_in =
             run(&format!("model = \"phase\"\n{common}phases = {phases}\n[law]\nomega0 = \"1/3\"\nK1 = \"-1\"\n"));
         // The built-in gain multiplies the sum without 1/N.
-        let by_sum = run(&format!(
-            "model = \"own\"\n{common}theta = {phases}\n{}",
-            law.replace("K/agents*", "K*")
-        ));
+        let by_sum = run(&format!("model = \"own\"\n{common}theta = {phases}\n{}", law.replace("K/agents*", "K*")));
         let difference = |own: &Outcome| {
             let last = |outcome: &Outcome, name: &str| part(outcome.rows.last().expect("a row"), name);
             let pairs = last(own, "theta").into_iter().zip(last(&built_in, "phases"));
@@ -120,12 +116,8 @@ fn averaging_within_a_radius_is_exact_where_asked() {
         let outcome = run(&text);
         assert_eq!(outcome.rows.len(), 4);
         let places: Vec<Vec<f64>> = outcome.rows.iter().map(|row| part(row, "x")).collect();
-        let hand = [
-            vec![0.0, 1.0, 2.0, 4.0],
-            vec![0.5, 1.0, 1.5, 4.0],
-            vec![1.0, 1.0, 1.0, 4.0],
-            vec![1.0, 1.0, 1.0, 4.0],
-        ];
+        let hand =
+            [vec![0.0, 1.0, 2.0, 4.0], vec![0.5, 1.0, 1.5, 4.0], vec![1.0, 1.0, 1.0, 4.0], vec![1.0, 1.0, 1.0, 4.0]];
         for (found, wanted) in places.iter().zip(&hand) {
             for (x, y) in found.iter().zip(wanted) {
                 assert!((x - y).abs() < 1e-15, "{places:?}");
