@@ -76,6 +76,9 @@ const FUNCTIONS: [(&str, usize, usize); 19] = [
 
 type Made<T> = Result<T, LawError>;
 
+/// What computes the observables, and their names with how many numbers each has.
+type Observed = (Arc<Program>, Vec<(String, usize)>);
+
 pub(crate) struct Compiler<'a> {
     text: &'a LawText,
     agents: usize,
@@ -260,7 +263,7 @@ impl<'a> Compiler<'a> {
         })
     }
 
-    fn observables(&mut self) -> Made<(Arc<Program>, Vec<(String, usize)>)> {
+    fn observables(&mut self) -> Made<Observed> {
         let scope = Scope { own: None, innermost: FLOCK, hears: None, agents: Vec::new() };
         let (mut outputs, mut names) = (Vec::new(), Vec::new());
         let mut taken = Vec::new();

@@ -294,14 +294,12 @@ impl Things {
             }
             open.extend(self.needs(&self.ops[id]));
             if let Op::Gathered(number, place) = self.ops[id] {
-                if !rounds.contains_key(&number) {
+                let round = rounds.entry(number).or_insert_with(|| {
                     let (round, needed) = self.round(number);
                     open.extend(needed);
-                    rounds.insert(number, round);
-                }
-                if let Some(round) = rounds.get_mut(&number) {
-                    round.results.push((place, id));
-                }
+                    round
+                });
+                round.results.push((place, id));
             }
         }
         let gathered = |id: &Id| matches!(self.ops[*id], Op::Gathered(..));

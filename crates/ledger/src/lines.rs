@@ -35,6 +35,11 @@ impl Line {
         }
     }
 
+    /// The same for whatever controls.
+    fn without_controls(&self) -> Self {
+        Line { controls: String::new(), ..self.clone() }
+    }
+
     fn words(&self, cases: &str) -> String {
         let cases = match cases {
             "-" => String::new(),
@@ -83,19 +88,19 @@ impl Lines {
         let mut text = format!("{HEAD}\n");
         let (own, other) = (usize::from(full), usize::from(!full));
         for entry in entries {
-            let mut before: BTreeMap<Line, VecDeque<[String; 2]>> = BTreeMap::new();
+            let mut before: BTreeMap<Line, VecDeque<(Line, [String; 2])>> = BTreeMap::new();
             for (line, cases) in self.0.get(&entry.id).into_iter().flat_map(|rows| rows.0.clone()) {
-                before.entry(line).or_default().push_back(cases);
+                before.entry(line.without_controls()).or_default().push_back((line, cases));
             }
             let mut rows = Vec::new();
             for (line, reached) in lines(entry) {
-                let mut cases = before.get_mut(&line).and_then(VecDeque::pop_front);
-                let cases = cases.get_or_insert_with(|| [UNKNOWN.to_string(), UNKNOWN.to_string()]);
+                let known = before.get_mut(&line.without_controls()).and_then(VecDeque::pop_front);
+                let (recorded, mut cases) = known.unwrap_or_else(|| (line.clone(), [UNKNOWN; 2].map(String::from)));
                 cases[own] = reached;
-                rows.push((line, cases.clone()));
+                // More cases may refute more controls; those that fail in an ordinary run are recorded.
+                rows.push((if full { recorded } else { line }, cases));
             }
-            let kept =
-                before.into_iter().flat_map(|(line, left)| left.into_iter().map(move |cases| (line.clone(), cases)));
+            let kept = before.into_values().flatten();
             for (line, mut cases) in kept.filter(|(_, cases)| ![ABSENT, UNKNOWN].contains(&cases[other].as_str())) {
                 cases[own] = ABSENT.to_string();
                 rows.push((line, cases));
@@ -109,10 +114,12 @@ impl Lines {
     }
 
     /// One sentence for each line of an entry that is not recorded so, and for each recorded line that it lacks. Which controls fail in a line of random
-    /// cases may depend on the seed, so they are compared `with_controls` only.
+    /// cases may depend on the seed and on how many there are, so they are compared `with_controls` only, and in ordinary runs.
     pub fn differences(&self, entry: &Entry, full: bool, with_controls: bool) -> Vec<String> {
-        let same = |a: &Line, b: &Line| a.controls == b.controls || !with_controls;
-        let same = |a: &Line, b: &Line| same(a, b) && Line { controls: b.controls.clone(), ..a.clone() } == *b;
+        let with_controls = with_controls && !full;
+        let same = |a: &Line, b: &Line| {
+            (a.controls == b.controls || !with_controls) && a.without_controls() == b.without_controls()
+        };
         let mut missed: Vec<(&Line, &str)> = Vec::new();
         if let Some(rows) = self.0.get(&entry.id) {
             let own = rows.0.iter().map(|(line, cases)| (line, cases[usize::from(full)].as_str()));

@@ -80,7 +80,7 @@ fn formula(draws: &mut Draws, names: usize, depth: usize) -> Formula {
     let part = |draws: &mut Draws| Box::new(formula(draws, names, depth - 1));
     match draws.below(4) {
         0 => Formula::Not(part(draws)),
-        _ => Formula::Joint(*draws.choice(&["and", "or", "implies"]), part(draws), part(draws)),
+        _ => Formula::Joint(draws.choice::<&str>(&["and", "or", "implies"]), part(draws), part(draws)),
     }
 }
 
@@ -299,14 +299,13 @@ fn graphs(draws: &mut Draws, tested: Tested) -> Checked {
     let order = draws.between(1, 6);
     let (directed, symmetric) = (draws.once_in(2), draws.once_in(2));
     let mut matrix: Matrix = vec![vec![false; order]; order];
-    for i in 0..order {
-        for j in (0..order).filter(|j| *j != i) {
-            if directed && !symmetric {
-                matrix[i][j] = draws.once_in(2);
-            } else if i < j {
-                matrix[i][j] = draws.once_in(2);
-                matrix[j][i] = matrix[i][j];
-            }
+    let pairs = (0..order).flat_map(|i| (0..order).map(move |j| (i, j))).filter(|(i, j)| i != j);
+    for (i, j) in pairs {
+        if directed && !symmetric {
+            matrix[i][j] = draws.once_in(2);
+        } else if i < j {
+            matrix[i][j] = draws.once_in(2);
+            matrix[j][i] = matrix[i][j];
         }
     }
     let listed = |(i, row): (usize, &Vec<bool>)| {

@@ -68,8 +68,8 @@ fn copies_of_a_block_are_counted() {
 fn shapes_are_checked() {
     let one = rational(1, 1);
     let square = vec![vec![one.clone()]];
-    assert!(transfer_function(&[vec![]], &square, &[one.clone()], &[one.clone()]).is_err());
-    assert!(transfer_function(&square, &[], &[one.clone()], &[one.clone()]).is_err());
-    assert!(transfer_function(&square, &square, &[], &[one.clone()]).is_err());
+    assert!(transfer_function(&[vec![]], &square, std::slice::from_ref(&one), std::slice::from_ref(&one)).is_err());
+    assert!(transfer_function(&square, &[], std::slice::from_ref(&one), std::slice::from_ref(&one)).is_err());
+    assert!(transfer_function(&square, &square, &[], std::slice::from_ref(&one)).is_err());
     assert!(transfer_function(&square, &square, &[one], &[]).is_err());
 }
