@@ -78,6 +78,6 @@ def test_the_root_is_a_vertex_of_the_graph() -> None:
 def test_edges_are_tuples_and_rows_are_lists() -> None:
     assert flockproof.spectrum([(0, 1), (1, 2)]) == flockproof.spectrum("path:3")
     assert flockproof.spectrum([[0, 1], [1, 0]]) == flockproof.spectrum("path:2")
-    for wrong, sentence in [([(1, 1)], "itself"), ([(1, 2), (2, 1)], "already"), ([[0, 1]], "not square")]:
+    for wrong, sentence in [([(1, 1)], "itself"), ([(1, 2), (2, 1)], "given twice"), ([[0, 1]], "not square")]:
         with pytest.raises(ValueError, match=sentence):
             flockproof.spectrum(wrong)
