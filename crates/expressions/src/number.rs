@@ -52,6 +52,12 @@ fn angle_by_sides<T: Real + Signed>(y: &T, x: &T) -> Result<T, ArithmeticError> 
     }
 }
 
+/// [`Number::angle`] by the library, which knows all sides.
+#[inline]
+fn angle_of_floats(y: &f64, x: &f64) -> Result<f64, ArithmeticError> {
+    if *x == 0.0 && *y == 0.0 { Err(ArithmeticError::Argument("heading")) } else { Ok(y.atan2(*x)) }
+}
+
 fn real_function<T: Real>(x: &T, function: Function) -> Result<T, ArithmeticError> {
     match function {
         Function::Root => x.sqrt(),
@@ -63,7 +69,7 @@ fn real_function<T: Real>(x: &T, function: Function) -> Result<T, ArithmeticErro
 }
 
 macro_rules! number {
-    ([$($generics:tt)*] $type:ty) => {
+    ([$($generics:tt)*] $type:ty, $angle:expr) => {
         impl<$($generics)*> Number for $type {
             #[inline]
             fn function(&self, function: Function) -> Result<Self, ArithmeticError> {
@@ -75,33 +81,17 @@ macro_rules! number {
             }
             #[inline]
             fn angle(y: &Self, x: &Self) -> Result<Self, ArithmeticError> {
-                angle_by_sides(y, x)
+                $angle(y, x)
             }
         }
     };
 }
 
-number!([] FloatInterval);
-number!([] Interval);
-number!([T: Real + Signed] Series<T>);
-number!([T: Real + Signed] Dual<T>);
-
-impl Number for f64 {
-    #[inline]
-    fn function(&self, function: Function) -> Result<Self, ArithmeticError> {
-        real_function(self, function)
-    }
-
-    #[inline]
-    fn circle(&self) -> Result<Self, ArithmeticError> {
-        Ok(self.pi())
-    }
-
-    #[inline]
-    fn angle(y: &Self, x: &Self) -> Result<Self, ArithmeticError> {
-        if *x == 0.0 && *y == 0.0 { Err(ArithmeticError::Argument("heading")) } else { Ok(y.atan2(*x)) }
-    }
-}
+number!([] f64, angle_of_floats);
+number!([] FloatInterval, angle_by_sides);
+number!([] Interval, angle_by_sides);
+number!([T: Real + Signed] Series<T>, angle_by_sides);
+number!([T: Real + Signed] Dual<T>, angle_by_sides);
 
 const RATIONAL: ArithmeticError = ArithmeticError::Domain("numbers that are not rational, and exact runs have none");
 

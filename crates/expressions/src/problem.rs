@@ -58,12 +58,13 @@ pub enum Problem {
 }
 
 impl Problem {
-    pub(crate) fn expected(expected: impl Into<String>, found: impl Into<String>) -> Self {
+    /// Something else was expected.
+    pub fn expected(expected: impl Into<String>, found: impl Into<String>) -> Self {
         Problem::Expected { expected: expected.into(), found: found.into() }
     }
 
     /// An unknown name, with the nearest of the known ones if one is near.
-    pub(crate) fn unknown<'a>(what: &'static str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+    pub fn unknown<'a>(what: &'static str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         Problem::Unknown { what, name: shown(name), nearest: nearest_name(name, known) }
     }
 }

@@ -1,7 +1,6 @@
 //! Why a question is refused: one sentence with line and column.
 
 use arithmetic::{Cancelled, NumberError, shown};
-use expressions::nearest_name;
 use std::fmt;
 
 /// A place in a question file, counted from 1.
@@ -54,24 +53,6 @@ pub enum Problem {
     /// Not TOML.
     #[error("{0}")]
     Toml(scenario::NotToml),
-    /// Something else was expected.
-    #[error("{expected} is expected here, but it is {found}")]
-    Expected {
-        /// What should be there.
-        expected: String,
-        /// What is there.
-        found: String,
-    },
-    /// A name that is not known.
-    #[error("there is no {what} `{name}`{}", nearest.as_ref().map_or(String::new(), |near| format!("; the nearest known name is `{near}`")))]
-    Unknown {
-        /// What sort of name.
-        what: &'static str,
-        /// The name.
-        name: String,
-        /// The nearest known one.
-        nearest: Option<String>,
-    },
     /// A number that cannot be read.
     #[error(transparent)]
     Number(#[from] NumberError),
@@ -200,11 +181,11 @@ impl Problem {
     }
 
     pub(crate) fn expected(expected: impl Into<String>, found: impl Into<String>) -> Self {
-        Problem::Expected { expected: expected.into(), found: found.into() }
+        expressions::Problem::expected(expected, found).into()
     }
 
     /// An unknown name, with the nearest of the known ones if one is near.
     pub(crate) fn unknown<'a>(what: &'static str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
-        Problem::Unknown { what, name: shown(name), nearest: nearest_name(name, known) }
+        expressions::Problem::unknown(what, name, known).into()
     }
 }
