@@ -14,7 +14,7 @@ fn column_of(text: &str, place: usize) -> usize {
 }
 
 /// A configuration that was parsed but not yet understood.
-pub(super) struct Source<'a> {
+pub struct Source<'a> {
     text: &'a str,
     /// Which of several runs that differ in what is drawn, from 0.
     pub replica: u64,
@@ -67,7 +67,7 @@ impl<'a> Source<'a> {
 
 /// A table of the configuration.
 #[derive(Clone, Copy)]
-pub(super) struct Section<'a> {
+pub struct Section<'a> {
     name: &'static str,
     text: &'a str,
     line: usize,
@@ -98,6 +98,15 @@ impl<'a> Section<'a> {
         let (_, value) = self.table.iter().find(|(known, _)| known.get_ref().as_ref() == key)?;
         let name = if self.name.is_empty() { key.to_string() } else { format!("{}.{key}", self.name) };
         Some(Entry { key: name, text: self.text, value })
+    }
+
+    /// All keys with their values, in the order of the file.
+    pub fn entries(&self) -> Vec<(String, Entry<'a>)> {
+        let table: &'a DeTable<'a> = self.table;
+        let entry = |key: &str, value| Entry { key: format!("{}.{key}", self.name), text: self.text, value };
+        let mut all: Vec<_> = table.iter().map(|(key, value)| (key.get_ref().to_string(), entry(key.get_ref(), value))).collect();
+        all.sort_by_key(|(_, entry)| entry.value.span().start);
+        all
     }
 
     /// The values with their paths: keys with dots, or tables in tables, `a.b = ..`; in the order of the file.
@@ -145,7 +154,7 @@ impl<'a> Section<'a> {
 
 /// A value with its name.
 #[derive(Clone)]
-pub(super) struct Entry<'a> {
+pub struct Entry<'a> {
     key: String,
     text: &'a str,
     value: &'a Spanned<DeValue<'a>>,

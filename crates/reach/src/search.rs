@@ -1,0 +1,228 @@
+//! The greatest worst case over families of orders of modes: best box first, with the mean value form, faces where a derivative has a sign, and
+//! near a maximum the bound of a concave function by one tangent.
+
+use crate::family::{Allowed, Family, dyadic_near, halves, points};
+use crate::flow::Flows;
+use crate::scalar::Scalar;
+use crate::system::Range;
+use crate::walk::{Depth, Sums};
+use arithmetic::{Cancelled, Progress, Rational, rational};
+use num_traits::Signed;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// What was found.
+#[derive(Debug, Clone)]
+pub(crate) struct Found {
+    /// No value is above it.
+    pub above: Rational,
+    /// A value that is attained, with its family and variables; none where no allowed point was met.
+    pub best: Option<Best>,
+    /// The boxes that may hold a greater value than the one attained.
+    pub open: Vec<(usize, Vec<Range>)>,
+}
+
+/// A value that is attained.
+#[derive(Debug, Clone)]
+pub(crate) struct Best {
+    pub value: Rational,
+    pub family: usize,
+    pub variables: Vec<Rational>,
+}
+
+/// When to stop.
+#[derive(Debug, Clone)]
+pub(crate) struct Goal {
+    /// The greatest value and the bound differ by at most so much, relative where the value is above 1.
+    pub tolerance: Rational,
+    /// Boxes are not cut below this width.
+    pub finest: Rational,
+    /// At most so many boxes.
+    pub boxes: usize,
+}
+
+struct Node {
+    family: usize,
+    variables: Vec<Range>,
+    /// No value in the box is above it.
+    bound: Rational,
+    /// The maximum inside is known as well as it can be.
+    closed: bool,
+    number: usize,
+}
+
+impl PartialEq for Node {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Node {}
+
+impl PartialOrd for Node {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Node {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.bound.cmp(&other.bound).then_with(|| other.number.cmp(&self.number))
+    }
+}
+
+/// One search.
+pub(crate) struct Search<'a, T> {
+    pub flows: &'a Flows<T>,
+    pub row: Vec<T>,
+    pub families: &'a [Family],
+    pub goal: Goal,
+    pub progress: &'a dyn Progress,
+}
+
+impl<T: Scalar> Search<'_, T> {
+    /// The greatest worst case, from the boxes given.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn run(&self, boxes: Vec<(usize, Vec<Range>)>) -> Result<Found, Cancelled> {
+        let mut best: Option<Best> = None;
+        let mut heap = BinaryHeap::new();
+        let mut waiting: Vec<(usize, Vec<Range>)> = boxes.into_iter().rev().collect();
+        let (mut number, mut closed) = (0, Vec::<Node>::new());
+        loop {
+            while let Some((family, variables)) = waiting.pop() {
+                self.progress.checkpoint()?;
+                number += 1;
+                if let Some(node) = self.node(family, variables, number, &mut best) {
+                    heap.push(node);
+                }
+            }
+            let Some(node) = heap.pop() else { break };
+            let near = best.as_ref().is_some_and(|best| node.bound <= &best.value + self.allowance(&best.value));
+            if near || number >= self.goal.boxes {
+                heap.push(node);
+                break;
+            }
+            if node.closed {
+                closed.push(node);
+                continue;
+            }
+            let widest = (0..node.variables.len()).max_by_key(|&i| &node.variables[i].hi - &node.variables[i].lo);
+            let Some(widest) = widest else { continue };
+            for half in halves(&node.variables[widest]) {
+                let mut variables = node.variables.clone();
+                variables[widest] = half;
+                waiting.push((node.family, variables));
+            }
+        }
+        let all: Vec<Node> = heap.into_iter().chain(closed).collect();
+        let value = best.as_ref().map(|best| best.value.clone());
+        let above = all.iter().map(|node| node.bound.clone()).chain(value.clone()).max().unwrap_or_default();
+        let mut open: Vec<Node> = all.into_iter().filter(|node| value.as_ref().is_none_or(|value| node.bound >= *value)).collect();
+        open.sort_by_key(|node| node.number);
+        Ok(Found { above, best, open: open.into_iter().map(|node| (node.family, node.variables)).collect() })
+    }
+
+    fn allowance(&self, value: &Rational) -> Rational {
+        &self.goal.tolerance * value.abs().max(Rational::ONE)
+    }
+
+    /// The value at a point, kept where it is the greatest so far.
+    fn visit(&self, family: usize, point: &[Rational], depth: Depth, best: &mut Option<Best>) -> Sums<T> {
+        let sums = self.families[family].worst(self.flows, &self.row, &points(point), depth);
+        if self.families[family].attained
+            && let Some((value, _)) = sums.value.ends()
+            && best.as_ref().is_none_or(|best| best.value < value)
+        {
+            *best = Some(Best { value, family, variables: point.to_vec() });
+        }
+        sums
+    }
+
+    /// Bounds the values of a box; none where nothing in it is allowed.
+    fn node(&self, index: usize, mut variables: Vec<Range>, number: usize, best: &mut Option<Best>) -> Option<Node> {
+        let family = &self.families[index];
+        if family.allowed(&variables) == Allowed::None {
+            return None;
+        }
+        let done = |variables: Vec<Range>, bound: Rational, closed: bool| Some(Node { family: index, variables, bound, closed, number });
+        let depth = if variables.len() == 1 { Depth::Curvature } else { Depth::Slopes };
+        let over = family.worst(self.flows, &self.row, &variables, depth);
+        if family.allowed(&variables) == Allowed::All {
+            for (range, slope) in variables.iter_mut().zip(&over.slopes) {
+                if slope.lower() >= 0.0 {
+                    *range = Range::point(range.hi.clone());
+                } else if slope.upper() <= 0.0 {
+                    *range = Range::point(range.lo.clone());
+                }
+            }
+        }
+        if variables.iter().all(Range::is_point) {
+            let point: Vec<Rational> = variables.iter().map(|range| range.lo.clone()).collect();
+            let sums = self.visit(index, &point, Depth::Value, best);
+            let bound = sums.value.ends().map(|(_, hi)| hi)?;
+            return done(variables, bound, true);
+        }
+        if let ([range], Some(curvature)) = (&variables[..], &over.curvature)
+            && curvature.upper() < 0.0
+            && let Some((found, bound)) = self.concave(index, range, curvature, best)
+        {
+            let enough = best.as_ref().is_some_and(|best| bound <= &best.value + self.allowance(&best.value));
+            let closed = enough || &found.hi - &found.lo <= self.goal.finest;
+            return done(vec![found], bound, closed);
+        }
+        let middle: Vec<Rational> = match family.point(&variables) {
+            Some(point) => point,
+            // The bound holds as well from a point that is not allowed, as long as its legs are durations.
+            None => variables.iter().map(|range| range.lo.clone()).collect(),
+        };
+        let known = family.allowed(&points(&middle)) == Allowed::All;
+        let closed = variables.iter().all(|range| &range.hi - &range.lo <= self.goal.finest);
+        if !known {
+            // Nothing to start from: it is cut further, or bounded by the values of the whole box.
+            let value = family.worst(self.flows, &self.row, &variables, Depth::Value).value;
+            let bound = value.ends().map_or_else(|| rational(i64::MAX, 1), |(_, hi)| hi);
+            return done(variables, bound, closed);
+        }
+        let at = self.visit(index, &middle, Depth::Value, best).value;
+        let bound = over.slopes.iter().zip(&variables).zip(&middle).fold(at, |sum, ((slope, range), middle)| {
+            let away = slope.around(&(&range.lo - middle), &(&range.hi - middle));
+            sum + slope.clone() * away
+        });
+        let bound = bound.ends().map_or_else(|| rational(i64::MAX, 1), |(_, hi)| hi);
+        done(variables, bound, closed)
+    }
+
+    /// Newton steps to the maximum of a concave function of one variable on a range: where it is, and a bound. With second derivatives of
+    /// at most `-k`, `F <= F(m) + F'(m)^2 / (2 k)`.
+    fn concave(&self, index: usize, range: &Range, curvature: &T, best: &mut Option<Best>) -> Option<(Range, Rational)> {
+        let like = curvature;
+        let mut point = dyadic_near(&range.centre(), &(&range.hi - &range.lo)).clamp(range.lo.clone(), range.hi.clone());
+        let (mut place, mut bound): (Range, Option<Rational>) = (range.clone(), None);
+        for _ in 0..60 {
+            let sums = self.visit(index, std::slice::from_ref(&point), Depth::Slopes, best);
+            let slope = sums.slopes.first()?;
+            let (_, flattest) = curvature.ends()?;
+            let rise = slope.square().over(&like.rational(&(flattest * rational(-2, 1)))).ok()?;
+            let above = (sums.value.clone() + rise).ends()?.1;
+            let better = bound.as_ref().is_none_or(|bound| above < *bound);
+            if better {
+                bound = Some(above.clone());
+            }
+            let (low, high) = (like.rational(&point) - slope.clone().over(curvature).ok()?).ends()?;
+            let (low, high) = (low.max(place.lo.clone()), high.min(place.hi.clone()));
+            if low > high {
+                break;
+            }
+            place = Range { lo: low, hi: high };
+            let enough = best.as_ref().is_some_and(|best| above <= &best.value + self.allowance(&best.value));
+            if enough || !better {
+                break;
+            }
+            let width = &place.hi - &place.lo;
+            point = dyadic_near(&place.centre(), &width).clamp(place.lo.clone(), place.hi.clone());
+        }
+        Some((place, bound?))
+    }
+}

@@ -1,0 +1,97 @@
+//! The worst case over orders of modes to a number of digits: in floats first, and where they do not reach in dyadic intervals, on the boxes that are left.
+
+use crate::family::Family;
+use crate::flow::Flows;
+use crate::orders::{Orders, Times, orders};
+use crate::prepared::Prepared;
+use crate::scalar::Scalar;
+use crate::search::{Best, Found, Goal, Search};
+use crate::system::{Range, Switching};
+use arithmetic::{Cancelled, FloatInterval, Interval, Progress, Rational, rational};
+use num_traits::Signed;
+
+/// The greatest value of a row over all inputs, starts and orders of modes.
+#[derive(Debug, Clone)]
+pub(crate) struct Worst {
+    /// It lies between the two; attained values reach the lower one, where there is any.
+    pub lo: Option<Rational>,
+    /// No value is above it.
+    pub hi: Rational,
+    /// When it is attained: the hull of all times that are not excluded.
+    pub at: Option<Range>,
+    /// The legs, backwards, of the order of modes that attains the lower end, and their durations.
+    pub legs: Vec<(usize, Rational)>,
+}
+
+/// What stays the same for all rows: orders, their flows in floats.
+pub(crate) struct Solver<'a> {
+    prepared: &'a Prepared,
+    orders: Orders,
+    flows: Flows<FloatInterval>,
+    digits: u32,
+    progress: &'a dyn Progress,
+}
+
+/// Most boxes of one search.
+const BOXES: usize = 20_000;
+
+impl<'a> Solver<'a> {
+    /// None where there is no list of orders.
+    pub fn new(prepared: &'a Prepared, switching: &Switching, times: &Times, digits: u32, progress: &'a dyn Progress) -> Option<Self> {
+        let orders = orders(switching, prepared.motions.len(), &prepared.start, times)?;
+        let flows = Flows::new(&prepared.motions, &orders.longest, &orders.chain, &FloatInterval::point(0.0));
+        Some(Solver { prepared, orders, flows, digits, progress })
+    }
+
+    /// The greatest value of `row x`.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn greatest(&self, row: &[Rational]) -> Result<Worst, Cancelled> {
+        let whole = self.orders.families.iter().enumerate().map(|(i, family)| (i, family.variables.clone())).collect();
+        let ten = rational(10, 1);
+        let tolerance = (0..=self.digits).fold(rational(4, 1), |x, _| x / &ten);
+        let mut found = self.search(&self.flows, &FloatInterval::point(0.0), row, &tolerance, 24, whole)?;
+        let reached = |found: &Found| {
+            let Some(best) = &found.best else { return false };
+            &found.above - &best.value <= &tolerance * best.value.abs().max(Rational::ONE)
+        };
+        if !reached(&found) && found.best.is_some() && self.digits > 8 && found.open.len() < 1000 {
+            let bits = 80 + (f64::from(self.digits) * std::f64::consts::LOG2_10) as u32;
+            let like = Interval::from_rational(&Rational::ZERO, bits);
+            let flows = Flows::new(&self.prepared.motions, &self.orders.longest, &self.orders.chain, &like);
+            let finer = self.search(&flows, &like, row, &tolerance, bits / 2, found.open.clone())?;
+            let above = finer.above.clone().min(found.above.clone());
+            found = Found { above, ..finer };
+        }
+        Ok(self.worst(&found))
+    }
+
+    fn search<T: Scalar>(
+        &self,
+        flows: &Flows<T>,
+        like: &T,
+        row: &[Rational],
+        tolerance: &Rational,
+        bits: u32,
+        boxes: Vec<(usize, Vec<Range>)>,
+    ) -> Result<Found, Cancelled> {
+        let finest = (0..bits).fold(rational(1, 1), |x, _| x * rational(1, 2));
+        let goal = Goal { tolerance: tolerance.clone(), finest, boxes: BOXES };
+        let row = row.iter().map(|q| like.rational(q)).collect();
+        Search { flows, row, families: &self.orders.families, goal, progress: self.progress }.run(boxes)
+    }
+
+    fn worst(&self, found: &Found) -> Worst {
+        let times = found.open.iter().map(|(index, variables)| self.orders.families[*index].time(variables));
+        let at = times.reduce(|a, b| Range { lo: a.lo.min(b.lo), hi: a.hi.max(b.hi) });
+        let legs = found.best.as_ref().map_or_else(Vec::new, |best| self.legs(best));
+        Worst { lo: found.best.as_ref().map(|best| best.value.clone()), hi: found.above.clone(), at, legs }
+    }
+
+    fn legs(&self, best: &Best) -> Vec<(usize, Rational)> {
+        let family: &Family = &self.orders.families[best.family];
+        let legs = family.legs(&crate::family::points(&best.variables));
+        legs.into_iter().map(|leg| (leg.mode, leg.duration.lo)).collect()
+    }
+}
