@@ -55,17 +55,14 @@ fn stands(motion: &Motion, i: usize) -> bool {
 /// The motion of the states that move; those that do not are inputs within their range.
 fn without(motion: &Motion, moving: &[usize], start: &[Range]) -> Motion {
     let pick = |column: &dyn Fn(usize) -> Rational| moving.iter().map(|&i| column(i)).collect::<Vec<Rational>>();
-    let mut drift = pick(&|i| motion.drift[i].clone());
+    let drift = pick(&|i| motion.drift[i].clone());
     let mut pushes: Vec<Push> = Vec::new();
     for push in &motion.pushes {
         pushes.push(Push { column: pick(&|i| push.column[i].clone()), ..push.clone() });
     }
     for j in (0..start.len()).filter(|j| !moving.contains(j)) {
         let column = pick(&|i| motion.a[i][j].clone());
-        for (sum, x) in drift.iter_mut().zip(&column) {
-            *sum += x * start[j].centre();
-        }
-        pushes.push(Push { input: usize::MAX, radius: start[j].radius(), column });
+        pushes.push(Push { input: usize::MAX, centre: start[j].centre(), radius: start[j].radius(), column });
     }
     let a = moving.iter().map(|&i| moving.iter().map(|&j| motion.a[i][j].clone()).collect()).collect();
     Motion { a, drift, pushes }
@@ -103,7 +100,11 @@ impl Ellipsoid {
             radius = radius + zero.rational(&(form[i][i].clone() * range.radius() * range.radius())).sqrt().ok()?;
         }
         for motion in motions {
-            let mut push = norm(&motion.drift)?;
+            let mut drift = motion.drift.clone();
+            for input in &motion.pushes {
+                drift.iter_mut().zip(&input.column).for_each(|(sum, x)| *sum += &input.centre * x);
+            }
+            let mut push = norm(&drift)?;
             for input in &motion.pushes {
                 push = push + norm(&input.column)? * zero.rational(&input.radius);
             }

@@ -6,11 +6,12 @@
 
 use crate::prepared::Motion;
 use crate::scalar::{Matrix, Scalar, apply, dot, times};
+use crate::signs::Expansion;
 use arithmetic::{Field, Interval, Rational, Ring, Sign, rational};
 use num_traits::{Signed, ToPrimitive, Zero};
 
 /// Steps between two entries of the coarse table.
-const BLOCK: usize = 64;
+pub(crate) const BLOCK: usize = 64;
 
 /// Most steps of one leg.
 pub(crate) const MOST_STEPS: usize = 1 << 20;
@@ -18,15 +19,25 @@ pub(crate) const MOST_STEPS: usize = 1 << 20;
 /// Bits beyond those of the result, for the products of the tables.
 const GUARD: u32 = 128;
 
-/// A row that costates are paired with, and its Taylor coefficients along the flow, in units of a step.
+/// A row that costates are paired with: the drift, or the column of an input.
 pub(crate) struct Output<T> {
-    /// `row (A^T step)^k / k!`.
-    pub taylor: Vec<Vec<T>>,
+    pub row: Vec<T>,
+    /// For an input: which one, its centre and its radius.
+    pub push: Option<(usize, T, T)>,
+    /// For each step of a block, from the costate at the start of the block.
+    steps: Vec<StepRows<T>>,
     /// The sum of absolute values of the row.
     size: T,
-    pub row: Vec<T>,
-    /// For an input: which one, and its radius.
-    pub push: Option<(usize, T)>,
+}
+
+/// What a row pairs with over a step, in units of the step.
+struct StepRows<T> {
+    /// The Taylor coefficients: `row (A^T step)^k / k!` after the steps before.
+    taylor: Vec<Vec<T>>,
+    /// The integral of the polynomial.
+    integral: Vec<T>,
+    /// Bounds the costate at the start of the step by that at the start of the block.
+    growth: T,
 }
 
 /// A product of flows over whole legs: one leg more than its parent.
@@ -115,22 +126,26 @@ impl<T: Scalar> Flow<T> {
         let blocks = integer_below(&(longest / (&step * rational(BLOCK as i64, 1)))).min(MOST_STEPS / BLOCK);
         let fine = powers(&one_step, BLOCK, &wide);
         let coarse = powers(&fine[BLOCK], blocks, &wide);
-        let mut outputs = vec![Output::new(&motion.drift, None, &scaled, order, like, &wide)];
-        for push in &motion.pushes {
-            outputs.push(Output::new(&push.column, Some((push.input, like.rational(&push.radius))), &scaled, order, like, &wide));
-        }
-        Flow {
+        let mut flow = Flow {
             step_scalar: like.rational(&step),
             step,
             fine: fine.iter().map(|m| rounded(m, like)).collect(),
             coarse: coarse.iter().map(|m| rounded(m, like)).collect(),
             adjoint: rounded(&adjoint, like),
             scaled: rounded(&scaled, like),
-            outputs,
+            outputs: Vec::new(),
             remainder: remainder(order, like),
             order,
             links,
+        };
+        if motion.drift.iter().any(|x| !x.is_zero()) {
+            flow.outputs.push(Output::new(&motion.drift, None, &flow, &scaled, &wide));
         }
+        for push in &motion.pushes {
+            let range = (push.input, like.rational(&push.centre), like.rational(&push.radius));
+            flow.outputs.push(Output::new(&push.column, Some(range), &flow, &scaled, &wide));
+        }
+        flow
     }
 
     /// `e^(A^T duration)`.
@@ -151,24 +166,10 @@ impl<T: Scalar> Flow<T> {
         apply(&self.coarse[index], p)
     }
 
-    /// The costate after so many steps, from one at the start of a block.
-    pub fn fine(&self, index: usize, p: &[T]) -> Vec<T> {
-        if index == 0 { p.to_vec() } else { apply(&self.fine[index], p) }
-    }
-
     /// The costate after so many steps.
-    pub fn after(&self, steps: usize, p: &[T]) -> Vec<T> {
-        self.fine(steps % BLOCK, &self.block(steps / BLOCK, p))
-    }
-
-    /// Whether a step is the first of a block.
-    pub fn starts_block(step: usize) -> Option<usize> {
-        step.is_multiple_of(BLOCK).then_some(step / BLOCK)
-    }
-
-    /// The place of a step in its block.
-    pub fn in_block(step: usize) -> usize {
-        step % BLOCK
+    fn after(&self, steps: usize, p: &[T]) -> Vec<T> {
+        let block = self.block(steps / BLOCK, p);
+        if steps.is_multiple_of(BLOCK) { block } else { apply(&self.fine[steps % BLOCK], &block) }
     }
 
     /// `e^(A^T step part) p` for a part of a step, at most two.
@@ -209,31 +210,86 @@ impl<T: Scalar> Flow<T> {
         hull
     }
 
-    /// The Taylor coefficients of what an output pairs with, and a bound of what follows them, for up to two steps.
-    pub fn expansion(&self, output: &Output<T>, p: &[T]) -> (Vec<T>, T) {
-        let zero = p[0].zero();
-        let touches = |(j, y): (usize, &T)| !is_zero(y) && p.iter().zip(&self.links[j]).any(|(x, linked)| *linked && !is_zero(x));
-        if !output.row.iter().enumerate().any(touches) {
-            return (vec![zero.clone()], zero);
+    /// What an output pairs with over a step of a block, from the costate at the start of the block; exactly zero where nothing can depend on it.
+    pub fn expansion(&self, output: &Output<T>, step: usize, p: &Start<T>) -> Expansion<T> {
+        let zero = self.step_scalar.zero();
+        if !self.touches(output, &p.costate) {
+            return Expansion { coefficients: vec![zero.clone()], error: zero };
         }
-        let coefficients = output.taylor.iter().map(|row| dot(row, p, &zero)).collect();
-        (coefficients, self.remainder.clone() * &output.size * largest(p))
+        let rows = &output.steps[step];
+        let coefficients = rows.taylor.iter().map(|row| dot(row, &p.costate, &zero)).collect();
+        Expansion { coefficients, error: self.error(output, step, p) }
+    }
+
+    /// The integral over a whole step of a block.
+    pub fn integral(&self, output: &Output<T>, step: usize, p: &Start<T>) -> T {
+        let zero = self.step_scalar.zero();
+        if !self.touches(output, &p.costate) {
+            return zero;
+        }
+        dot(&output.steps[step].integral, &p.costate, &zero) + T::symmetric(&self.error(output, step, p))
+    }
+
+    fn error(&self, output: &Output<T>, step: usize, p: &Start<T>) -> T {
+        (self.remainder.clone() * &output.size * &output.steps[step].growth * &p.size).top()
+    }
+
+    fn touches(&self, output: &Output<T>, p: &[T]) -> bool {
+        let touched = |j: usize| p.iter().zip(&self.links[j]).any(|(x, linked)| *linked && !is_zero(x));
+        output.row.iter().enumerate().any(|(j, y)| !is_zero(y) && touched(j))
     }
 }
 
+/// A costate at the start of a block, with its largest absolute value.
+#[derive(Debug, Clone)]
+pub(crate) struct Start<T> {
+    pub costate: Vec<T>,
+    size: T,
+}
+
+impl<T: Scalar> Start<T> {
+    pub fn new(costate: Vec<T>) -> Self {
+        let size = largest(&costate);
+        Start { costate, size }
+    }
+}
+
+/// One over the first integers.
+fn inverses<T: Scalar>(order: usize, like: &T) -> Vec<T> {
+    (0..=order as i64).map(|k| like.ratio(1, k + 1)).collect()
+}
+
 impl<T: Scalar> Output<T> {
-    fn new(row: &[Rational], push: Option<(usize, T)>, scaled: &Matrix<Interval>, order: usize, like: &T, wide: &Interval) -> Self {
+    fn new(row: &[Rational], push: Option<(usize, T, T)>, flow: &Flow<T>, scaled: &Matrix<Interval>, wide: &Interval) -> Self {
+        let like = &flow.step_scalar;
         let mut term: Vec<Interval> = row.iter().map(|q| wide.rational(q)).collect();
         let mut taylor = Vec::new();
-        for k in 0..=order {
-            taylor.push(term.iter().map(|x| like.of(x)).collect());
+        for k in 0..=flow.order {
+            taylor.push(term.iter().map(|x| like.of(x)).collect::<Vec<T>>());
             // The row times the matrix, over k + 1.
             let over = wide.ratio(1, k as i64 + 1);
             let entry = |j: usize| term.iter().zip(scaled).fold(wide.zero(), |sum, (x, row)| sum + x.clone() * &row[j]);
             term = (0..row.len()).map(|j| entry(j) * &over).collect();
         }
+        let inverses = inverses(flow.order, like);
+        let steps = flow.fine[..BLOCK].iter().map(|fine| StepRows::new(&taylor, fine, &inverses)).collect();
         let size = like.rational(&row.iter().map(|q| q.abs()).sum());
-        Output { taylor, size, row: row.iter().map(|q| like.rational(q)).collect(), push }
+        Output { row: row.iter().map(|q| like.rational(q)).collect(), push, steps, size }
+    }
+}
+
+impl<T: Scalar> StepRows<T> {
+    fn new(taylor: &[Vec<T>], fine: &Matrix<T>, inverses: &[T]) -> Self {
+        let zero = inverses[0].zero();
+        let n = fine.len();
+        let times = |row: &Vec<T>| -> Vec<T> {
+            (0..n).map(|j| row.iter().zip(fine).fold(zero.clone(), |sum, (x, fine)| sum + x.clone() * &fine[j])).collect()
+        };
+        let taylor: Vec<Vec<T>> = taylor.iter().map(times).collect();
+        let integral = (0..n).map(|j| taylor.iter().zip(inverses).fold(zero.clone(), |sum, (row, over)| sum + row[j].clone() * over));
+        let growth = fine.iter().map(|row| row.iter().fold(zero.clone(), |sum, x| sum + x.magnitude()));
+        let growth = growth.fold(zero.clone(), |most, x| most.joined(&x).top());
+        StepRows { integral: integral.collect(), growth, taylor }
     }
 }
 

@@ -4,16 +4,17 @@ use crate::system::{Range, System};
 use arithmetic::Rational;
 use num_traits::Zero;
 
-/// A measurable input of a mode: between minus and plus its radius, along its column.
+/// A measurable input of a mode: within its radius of its centre, along its column.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Push {
     /// Which input of the system.
     pub input: usize,
+    pub centre: Rational,
     pub radius: Rational,
     pub column: Vec<Rational>,
 }
 
-/// `x' = A x + drift + sum column_j v_j`, `|v_j| <= radius_j`.
+/// `x' = A x + drift + sum column_j u_j`, `|u_j - centre_j| <= radius_j`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Motion {
     pub a: Vec<Vec<Rational>>,
@@ -51,16 +52,12 @@ fn motion(system: &System, mode: usize, constants: &[usize]) -> Motion {
         a.push(row.iter().cloned().chain(constants.iter().map(|&j| inputs[j].clone())).collect());
     }
     a.extend((0..extra).map(|_| vec![Rational::ZERO; system.states.len() + extra]));
-    let mut drift: Vec<Rational> = mode.c.iter().cloned().chain((0..extra).map(|_| Rational::ZERO)).collect();
+    let drift = mode.c.iter().cloned().chain((0..extra).map(|_| Rational::ZERO)).collect();
     let mut pushes = Vec::new();
     for (j, input) in system.inputs.iter().enumerate().filter(|(_, input)| !input.constant) {
-        let centre = input.range.centre();
-        for (sum, x) in drift.iter_mut().zip(column(j)) {
-            *sum += centre.clone() * x;
-        }
         let column: Vec<Rational> = column(j).collect();
-        if !input.range.is_point() && column.iter().any(|x| !x.is_zero()) {
-            pushes.push(Push { input: j, radius: input.range.radius(), column });
+        if column.iter().any(|x| !x.is_zero()) {
+            pushes.push(Push { input: j, centre: input.range.centre(), radius: input.range.radius(), column });
         }
     }
     Motion { a, drift, pushes }

@@ -116,6 +116,7 @@ impl<T: Scalar> Search<'_, T> {
                 waiting.push((node.family, variables));
             }
         }
+        if std::env::var_os("REACH_DEBUG").is_some() { eprintln!("nodes {number} closed {} heap {} best {:?}", closed.len(), heap.len(), best.as_ref().map(|b| b.value.to_string().len())); for n in heap.iter().take(3) { eprintln!("{:?} {}", n.variables, arithmetic::decimal(&n.bound, 20, true)); } }
         let all: Vec<Node> = heap.into_iter().chain(closed).collect();
         let value = best.as_ref().map(|best| best.value.clone());
         let above = all.iter().map(|node| node.bound.clone()).chain(value.clone()).max().unwrap_or_default();
@@ -132,7 +133,7 @@ impl<T: Scalar> Search<'_, T> {
     fn visit(&self, family: usize, point: &[Rational], depth: Depth, best: &mut Option<Best>) -> Sums<T> {
         let sums = self.families[family].worst(self.flows, &self.row, &points(point), depth);
         if self.families[family].attained
-            && let Some((value, _)) = sums.value.ends()
+            && let Some((value, _)) = sums.value.as_ref().and_then(|value| value.ends())
             && best.as_ref().is_none_or(|best| best.value < value)
         {
             *best = Some(Best { value, family, variables: point.to_vec() });
@@ -161,7 +162,7 @@ impl<T: Scalar> Search<'_, T> {
         if variables.iter().all(Range::is_point) {
             let point: Vec<Rational> = variables.iter().map(|range| range.lo.clone()).collect();
             let sums = self.visit(index, &point, Depth::Value, best);
-            let bound = sums.value.ends().map(|(_, hi)| hi)?;
+            let bound = above(sums.value);
             return done(variables, bound, true);
         }
         if let ([range], Some(curvature)) = (&variables[..], &over.curvature)
@@ -182,47 +183,62 @@ impl<T: Scalar> Search<'_, T> {
         if !known {
             // Nothing to start from: it is cut further, or bounded by the values of the whole box.
             let value = family.worst(self.flows, &self.row, &variables, Depth::Value).value;
-            let bound = value.ends().map_or_else(|| rational(i64::MAX, 1), |(_, hi)| hi);
-            return done(variables, bound, closed);
+            return done(variables, above(value), closed);
         }
-        let at = self.visit(index, &middle, Depth::Value, best).value;
+        let Some(at) = self.visit(index, &middle, Depth::Value, best).value else { return done(variables, above::<T>(None), closed) };
         let bound = over.slopes.iter().zip(&variables).zip(&middle).fold(at, |sum, ((slope, range), middle)| {
             let away = slope.around(&(&range.lo - middle), &(&range.hi - middle));
             sum + slope.clone() * away
         });
-        let bound = bound.ends().map_or_else(|| rational(i64::MAX, 1), |(_, hi)| hi);
-        done(variables, bound, closed)
+        done(variables, above(Some(bound)), closed)
     }
 
     /// Newton steps to the maximum of a concave function of one variable on a range: where it is, and a bound. With second derivatives of
     /// at most `-k`, `F <= F(m) + F'(m)^2 / (2 k)`.
     fn concave(&self, index: usize, range: &Range, curvature: &T, best: &mut Option<Best>) -> Option<(Range, Rational)> {
         let like = curvature;
-        let mut point = dyadic_near(&range.centre(), &(&range.hi - &range.lo)).clamp(range.lo.clone(), range.hi.clone());
+        let (_, flattest) = curvature.ends()?;
+        let twice = like.rational(&(flattest * rational(-2, 1)));
         let (mut place, mut bound): (Range, Option<Rational>) = (range.clone(), None);
-        for _ in 0..60 {
+        let mut last: Option<(Rational, Rational)> = None;
+        let mut point = dyadic_near(&range.centre(), &(&range.hi - &range.lo)).clamp(range.lo.clone(), range.hi.clone());
+        for _ in 0..30 {
             let sums = self.visit(index, std::slice::from_ref(&point), Depth::Slopes, best);
             let slope = sums.slopes.first()?;
-            let (_, flattest) = curvature.ends()?;
-            let rise = slope.square().over(&like.rational(&(flattest * rational(-2, 1)))).ok()?;
-            let above = (sums.value.clone() + rise).ends()?.1;
-            let better = bound.as_ref().is_none_or(|bound| above < *bound);
-            if better {
-                bound = Some(above.clone());
-            }
+            let above = (sums.value? + slope.square().over(&twice).ok()?).ends()?.1;
+            bound = Some(bound.map_or(above.clone(), |bound| bound.min(above)));
             let (low, high) = (like.rational(&point) - slope.clone().over(curvature).ok()?).ends()?;
-            let (low, high) = (low.max(place.lo.clone()), high.min(place.hi.clone()));
-            if low > high {
+            place = Range { lo: low.max(place.lo), hi: high.min(place.hi) };
+            let enough = match (&*best, &bound) {
+                (Some(best), Some(bound)) => *bound <= &best.value + self.allowance(&best.value),
+                _ => false,
+            };
+            if enough || place.lo >= place.hi {
                 break;
             }
-            place = Range { lo: low, hi: high };
-            let enough = best.as_ref().is_some_and(|best| above <= &best.value + self.allowance(&best.value));
-            if enough || !better {
+            // The line through the last two derivatives; their rounding ends it.
+            let here = slope.middle().ends()?.0;
+            let secant = last.as_ref().filter(|(x, y)| *x != point && *y != here).map(|(x, y)| {
+                let step = &here * (&point - x) / (&here - y);
+                &point - step
+            });
+            let next = secant.unwrap_or_else(|| place.centre());
+            let next = if next < place.lo || next > place.hi { place.centre() } else { next };
+            let away = (&next - &point).abs();
+            last = Some((point.clone(), here));
+            let fine = &away * rational(1, 1 << 20);
+            let next = dyadic_near(&next, &fine.max(&self.goal.finest * &self.goal.finest)).clamp(place.lo.clone(), place.hi.clone());
+            if next == point {
                 break;
             }
-            let width = &place.hi - &place.lo;
-            point = dyadic_near(&place.centre(), &width).clamp(place.lo.clone(), place.hi.clone());
+            point = next;
         }
+        (place.lo <= place.hi).then_some(())?;
         Some((place, bound?))
     }
+}
+
+/// The upper end; beyond everything where there is none.
+fn above<T: Scalar>(value: Option<T>) -> Rational {
+    value.and_then(|value| value.ends()).map_or_else(|| rational(i64::MAX, 1), |(_, hi)| hi)
 }

@@ -5,6 +5,7 @@ use crate::scalar::Scalar;
 use arithmetic::{Rational, Sign, rational};
 
 /// A polynomial, and a bound of its difference from the function on [0, 2].
+#[derive(Debug, Clone)]
 pub(crate) struct Expansion<T> {
     pub coefficients: Vec<T>,
     pub error: T,
@@ -23,6 +24,17 @@ pub(crate) struct Part<T> {
 const DEEPEST: u32 = 60;
 
 impl<T: Scalar> Expansion<T> {
+    /// Adds a multiple of another.
+    pub fn add(&mut self, other: &Self, factor: &T) -> &mut Self {
+        let zero = factor.zero();
+        self.coefficients.resize(self.coefficients.len().max(other.coefficients.len()), zero);
+        for (x, y) in self.coefficients.iter_mut().zip(&other.coefficients) {
+            *x = x.clone() + y.clone() * factor;
+        }
+        self.error = self.error.clone() + other.error.clone() * factor.magnitude();
+        self
+    }
+
     /// The value at a point or over an interval, the argument between 0 and 2.
     fn horner(&self, x: &T) -> T {
         let value = self.coefficients.iter().rev().fold(x.zero(), |sum, c| sum * x + c);

@@ -8,7 +8,7 @@
 //! By the envelope theorem the derivative by `d_i` is the integrand at the end of leg `i`, plus the same sum over the earlier legs with `p` replaced by its derivative
 //! `A_i^T p` there and `|h|` by `sign(h) h'`. `notes/reach.md` has the derivation.
 
-use crate::flow::{Flow, Flows};
+use crate::flow::{BLOCK, Flow, Flows, Output, Start};
 use crate::scalar::{Scalar, apply, dot};
 use crate::signs::{Expansion, Part};
 use crate::system::Range;
@@ -28,7 +28,8 @@ pub(crate) struct Leg {
 /// A worst case with its derivatives by the durations that vary, in the order of the legs.
 #[derive(Debug, Clone)]
 pub(crate) struct Sums<T> {
-    pub value: T,
+    /// None where leg 0 may last from one time to another: only the derivatives are then computed.
+    pub value: Option<T>,
     pub slopes: Vec<T>,
     /// The second derivative where one duration varies; none where it does not exist or is not bounded.
     pub curvature: Option<T>,
@@ -41,6 +42,26 @@ pub(crate) struct Stretch {
     pub from: Rational,
     pub to: Rational,
     pub positive: bool,
+}
+
+/// The costates that are carried.
+#[derive(Debug, Clone)]
+struct Columns<C> {
+    value: C,
+    firsts: Vec<C>,
+    second: Option<C>,
+    third: Option<C>,
+}
+
+impl<C> Columns<C> {
+    fn map<D>(&self, f: impl Fn(&C) -> D) -> Columns<D> {
+        Columns {
+            value: f(&self.value),
+            firsts: self.firsts.iter().map(&f).collect(),
+            second: self.second.as_ref().map(&f),
+            third: self.third.as_ref().map(&f),
+        }
+    }
 }
 
 /// How much is asked for.
@@ -58,7 +79,13 @@ pub(crate) struct Walk<'a, T> {
     value: Vec<T>,
     firsts: Vec<Vec<T>>,
     second: Option<Vec<T>>,
+    /// Where one duration may lie in an interval, the costates above are those of its middle; this is their third derivative over the interval, and
+    /// how far the interval reaches to both sides. So what is correlated stays so.
+    third: Option<(Vec<T>, T)>,
     sums: Sums<T>,
+    total: T,
+    /// Whether a part of the total was left out.
+    partial: bool,
     /// Time walked so far, where it is a number.
     walked: Rational,
     trace: Option<Vec<Stretch>>,
@@ -68,7 +95,8 @@ pub(crate) struct Walk<'a, T> {
 pub(crate) fn worst<T: Scalar>(flows: &Flows<T>, row: &[T], legs: &[Leg], start: &[Range], depth: Depth) -> Sums<T> {
     let mut walk = Walk::new(flows, row, depth);
     walk.run(legs, start);
-    walk.sums
+    let value = (!walk.partial).then_some(walk.total);
+    Sums { value, ..walk.sums }
 }
 
 /// The signs of the inputs and the start of a worst case, for durations that are numbers.
@@ -87,17 +115,16 @@ pub(crate) fn trace<T: Scalar>(flows: &Flows<T>, row: &[T], legs: &[Leg], start:
 impl<'a, T: Scalar> Walk<'a, T> {
     fn new(flows: &'a Flows<T>, row: &[T], depth: Depth) -> Self {
         let zero = row[0].zero();
-        let sums = Sums { value: zero.clone(), slopes: Vec::new(), curvature: (depth == Depth::Curvature).then_some(zero) };
+        let sums = Sums { value: None, slopes: Vec::new(), curvature: (depth == Depth::Curvature).then(|| zero.clone()) };
         let walked = Rational::ZERO;
-        Walk { flows, depth, value: row.to_vec(), firsts: Vec::new(), second: None, sums, walked, trace: None }
+        Walk { flows, depth, value: row.to_vec(), firsts: Vec::new(), second: None, third: None, sums, total: zero, partial: false, walked, trace: None }
     }
 
     fn run(&mut self, legs: &[Leg], start: &[Range]) {
-        let mut base: Option<[Vec<Vec<T>>; 3]> = None;
+        let mut base: Option<Columns<Vec<T>>> = None;
         for (i, leg) in legs.iter().enumerate() {
-            if let (Some(product), Some([value, firsts, second])) = (leg.start, &base) {
-                let jump = |columns: &Vec<Vec<T>>| columns.iter().map(|p| apply(&self.flows.products[product], p)).collect::<Vec<_>>();
-                (self.value, self.firsts, self.second) = (jump(value).remove(0), jump(firsts), jump(second).pop());
+            if let (Some(product), Some(base)) = (leg.start, &base) {
+                self.keep(base.map(|p| apply(&self.flows.products[product], p)));
             }
             self.leg(leg);
             if i == 0 {
@@ -109,26 +136,53 @@ impl<'a, T: Scalar> Walk<'a, T> {
 
     fn leg(&mut self, leg: &Leg) {
         let flow = &self.flows.modes[leg.mode];
-        let only_end = self.depth > Depth::Value && self.firsts.is_empty() && leg.varies && self.trace.is_none();
-        if !only_end {
+        let only_end = self.depth > Depth::Value && self.firsts.is_empty() && leg.varies && !leg.duration.is_point();
+        if only_end {
+            self.partial = true;
+        } else {
             self.integrate(flow, &leg.duration.lo);
             if !leg.duration.is_point() {
                 self.slack(flow, &leg.duration);
             }
         }
-        self.advance(flow, &leg.duration);
+        let before = self.columns();
+        self.keep(before.map(|p| flow.over(&leg.duration.lo, &leg.duration.hi, p)));
         self.walked += &leg.duration.lo;
         if leg.varies && self.depth > Depth::Value {
             self.differentiate(flow);
+            if only_end && self.depth == Depth::Curvature {
+                self.centre(flow, &leg.duration, &before.value);
+            }
         }
     }
 
-    /// All costates at the end of a leg.
-    fn advance(&mut self, flow: &Flow<T>, duration: &Range) {
-        let end = |p: &Vec<T>| flow.over(&duration.lo, &duration.hi, p);
-        self.value = end(&self.value);
-        self.firsts = self.firsts.iter().map(end).collect();
-        self.second = self.second.as_ref().map(end);
+    /// Replaces the costates over an interval of durations by those of its middle.
+    fn centre(&mut self, flow: &Flow<T>, duration: &Range, before: &[T]) {
+        let middle = duration.centre();
+        let value = flow.over(&middle, &middle, before);
+        let first = apply(&flow.adjoint, &value);
+        let third = self.second.as_ref().map(|second| apply(&flow.adjoint, second));
+        let away = value[0].around(&(&duration.lo - &middle), &(&duration.hi - &middle));
+        self.third = third.map(|third| (third, away));
+        self.second = Some(apply(&flow.adjoint, &first));
+        self.firsts = vec![first];
+        self.value = value;
+    }
+
+    fn columns(&self) -> Columns<Vec<T>> {
+        Columns {
+            value: self.value.clone(),
+            firsts: self.firsts.clone(),
+            second: self.second.clone(),
+            third: self.third.as_ref().map(|(third, _)| third.clone()),
+        }
+    }
+
+    fn keep(&mut self, columns: Columns<Vec<T>>) {
+        (self.value, self.firsts, self.second) = (columns.value, columns.firsts, columns.second);
+        if let (Some((kept, _)), Some(third)) = (&mut self.third, columns.third) {
+            *kept = third;
+        }
     }
 
     /// A duration that varies: what its end adds to the derivatives, and the costate's own.
@@ -144,8 +198,9 @@ impl<'a, T: Scalar> Walk<'a, T> {
                     slope = slope + h;
                     curvature = curvature.map(|sum| sum + rate);
                 }
-                Some((_, radius)) => {
-                    slope = slope + radius.clone() * h.absolute();
+                Some((_, centre, radius)) => {
+                    slope = slope + radius.clone() * h.absolute() + centre.clone() * h.clone();
+                    curvature = curvature.map(|sum| sum + centre.clone() * &rate);
                     curvature = match h.sign() {
                         Some(Sign::Zero) if rate.sign() == Some(Sign::Zero) => curvature,
                         Some(Sign::Positive) => curvature.map(|sum| sum + radius.clone() * rate),
@@ -167,91 +222,114 @@ impl<'a, T: Scalar> Walk<'a, T> {
     fn integrate(&mut self, flow: &Flow<T>, duration: &Rational) {
         let steps = flow.whole_steps(duration);
         let rest = duration / &flow.step - rational(steps as i64, 1);
-        let mut blocks: Option<[Vec<Vec<T>>; 3]> = None;
-        for step in 0..=steps {
-            let end = if step < steps { rational(1, 1) } else { rest.clone() };
-            if let Some(block) = Flow::<T>::starts_block(step) {
-                blocks = Some(self.columns().map(|columns| columns.iter().map(|p| flow.block(block, p)).collect()));
+        let whole = self.columns();
+        for block in 0..=steps / BLOCK {
+            let starts = whole.map(|p| Start::new(flow.block(block, p)));
+            for step in block * BLOCK..((block + 1) * BLOCK).min(steps) {
+                flow.outputs.iter().for_each(|output| self.step(flow, output, step, None, &starts));
             }
-            let Some([value, firsts, second]) = blocks.as_ref().filter(|_| !end.is_zero()) else { continue };
-            let at = |columns: &Vec<Vec<T>>| columns.iter().map(|p| flow.fine(Flow::<T>::in_block(step), p)).collect::<Vec<_>>();
-            self.step(flow, step, &end, &at(value)[0], &at(firsts), at(second).first().map(Vec::as_slice));
+            if block == steps / BLOCK && !rest.is_zero() {
+                flow.outputs.iter().for_each(|output| self.step(flow, output, steps, Some(&rest), &starts));
+            }
         }
     }
 
-    fn columns(&self) -> [Vec<Vec<T>>; 3] {
-        [vec![self.value.clone()], self.firsts.clone(), self.second.iter().cloned().collect()]
-    }
-
     /// One step, or the beginning of it.
-    fn step(&mut self, flow: &Flow<T>, step: usize, end: &Rational, p: &[T], firsts: &[Vec<T>], second: Option<&[T]>) {
-        for output in &flow.outputs {
-            let expand = |p: &[T]| {
-                let (coefficients, error) = flow.expansion(output, p);
-                Expansion { coefficients, error }
+    fn step(&mut self, flow: &Flow<T>, output: &Output<T>, step: usize, end: Option<&Rational>, starts: &Columns<Start<T>>) {
+        let place = step % BLOCK;
+        let mut h = flow.expansion(output, place, &starts.value);
+        let moved = match (&starts.third, &self.third, &starts.second, &starts.firsts[..]) {
+            (Some(third), Some((_, away)), Some(second), [first]) => Some((first, second, third, away.clone())),
+            _ => None,
+        };
+        if let Some((first, second, third, away)) = &moved {
+            let half = away.square() * away.ratio(1, 2);
+            h.add(&flow.expansion(output, place, first), away);
+            h.add(&flow.expansion(output, place, second), &half);
+            h.add(&flow.expansion(output, place, third), &(half.clone() * away * away.ratio(1, 3)));
+        }
+        let Some((input, centre, radius)) = &output.push else {
+            return match end {
+                None => self.add(&flow.step_scalar, |p| flow.integral(output, place, p), starts),
+                Some(end) => self.add(&flow.step_scalar, |p| flow.expansion(output, place, p).integral(&rational(0, 1), end), starts),
             };
-            let h = expand(p);
-            let rates: Vec<Expansion<T>> = firsts.iter().map(|p| expand(p)).collect();
-            let second = second.map(expand);
-            if h.is_zero() && rates.iter().chain(&second).all(Expansion::is_zero) {
-                continue;
+        };
+        let float_end = end.map_or(1.0, |end| flow.step_scalar.rational(end).upper());
+        let weight = |sign: Sign| {
+            let edge = if sign == Sign::Negative { centre.clone() - radius } else { centre.clone() + radius };
+            edge * &flow.step_scalar
+        };
+        match (h.plain_sign(float_end), end) {
+            (Some(sign), None) => {
+                self.note(flow, step, *input, &Part { from: rational(0, 1), to: rational(1, 1), sign: Some(sign), slope: None }, &h);
+                self.add(&weight(sign), |p| flow.integral(output, place, p), starts);
             }
-            let whole = rational(0, 1);
-            match &output.push {
-                None => self.add(&flow.step_scalar, &h, &rates, second.as_ref(), &whole, end, false),
-                Some((input, radius)) => {
-                    let scale = radius.clone() * &flow.step_scalar;
-                    let float_end = flow.step_scalar.rational(end).upper();
-                    let parts = match h.plain_sign(float_end) {
-                        Some(sign) => vec![Part { from: whole, to: end.clone(), sign: Some(sign), slope: None }],
-                        None => h.parts(end),
-                    };
-                    for (i, part) in parts.iter().enumerate() {
-                        self.note(flow, step, *input, part, &h);
-                        match part.sign {
-                            Some(sign) => {
-                                self.add(&scale, &h, &rates, second.as_ref(), &part.from, &part.to, sign == Sign::Negative);
-                            }
-                            None => {
-                                let beside = |i: Option<usize>| i.and_then(|i| parts.get(i)?.sign);
-                                let inside = match (beside(i.checked_sub(1)), beside(Some(i + 1))) {
-                                    (Some(before), Some(after)) => before != after,
-                                    _ => false,
-                                };
-                                self.add_unsigned(&scale, &h, &rates, second.as_ref(), part, inside);
-                            }
-                        }
+            _ => {
+                let all = starts.map(|p| flow.expansion(output, place, p));
+                let parts = h.parts(end.unwrap_or(&rational(1, 1)));
+                for (i, part) in parts.iter().enumerate() {
+                    self.note(flow, step, *input, part, &h);
+                    if let Some(sign) = part.sign {
+                        self.add_expansions(&weight(sign), part, &all);
+                        continue;
                     }
+                    self.add_expansions(&(centre.clone() * &flow.step_scalar), part, &all);
+                    let beside = |i: Option<usize>| i.and_then(|i| parts.get(i)?.sign);
+                    let inside = match (beside(i.checked_sub(1)), beside(Some(i + 1))) {
+                        (Some(before), Some(after)) => before != after,
+                        _ => false,
+                    };
+                    self.add_unsigned(&(radius.clone() * &flow.step_scalar), &h, &all, part, inside);
                 }
             }
         }
     }
 
-    /// Integrals over a part with a sign.
-    #[allow(clippy::too_many_arguments)]
-    fn add(&mut self, scale: &T, h: &Expansion<T>, rates: &[Expansion<T>], second: Option<&Expansion<T>>, from: &Rational, to: &Rational, turned: bool) {
-        let signed = |f: &Expansion<T>| {
-            let integral = f.integral(from, to) * scale;
-            if turned { -integral } else { integral }
-        };
-        self.sums.value = self.sums.value.clone() + signed(h);
-        for (sum, rate) in self.sums.slopes.iter_mut().zip(rates) {
-            *sum = sum.clone() + signed(rate);
+    fn add_expansions(&mut self, scale: &T, part: &Part<T>, all: &Columns<Expansion<T>>) {
+        self.add(scale, |f| f.integral(&part.from, &part.to), all);
+    }
+
+    /// Adds integrals, which are linear in the costate.
+    fn add<C>(&mut self, scale: &T, integral: impl Fn(&C) -> T, columns: &Columns<C>) {
+        let value = integral(&columns.value);
+        let mut firsts: Vec<T> = columns.firsts.iter().map(&integral).collect();
+        let mut second = columns.second.as_ref().map(&integral);
+        if let (Some(third), Some((_, away)), Some(bent), [first]) = (&columns.third, &self.third, &mut second, &mut firsts[..]) {
+            let third = integral(third);
+            let half = away.square() * away.ratio(1, 2);
+            *first = first.clone() + bent.clone() * away + third.clone() * &half;
+            *bent = bent.clone() + third * away;
+        }
+        self.total = self.total.clone() + value * scale;
+        for (sum, first) in self.sums.slopes.iter_mut().zip(firsts) {
+            *sum = sum.clone() + first * scale;
         }
         if let (Some(sum), Some(second)) = (&mut self.sums.curvature, second) {
-            *sum = sum.clone() + signed(second);
+            *sum = sum.clone() + second * scale;
         }
     }
 
     /// A part in which the sign is not known: everything between both; a root that moves adds to the second derivative.
-    fn add_unsigned(&mut self, scale: &T, h: &Expansion<T>, rates: &[Expansion<T>], second: Option<&Expansion<T>>, part: &Part<T>, inside: bool) {
+    fn add_unsigned(&mut self, scale: &T, h: &Expansion<T>, all: &Columns<Expansion<T>>, part: &Part<T>, inside: bool) {
         let width = scale.rational(&(&part.to - &part.from)) * scale;
         let zero = scale.zero();
-        self.sums.value = self.sums.value.clone() + zero.joined(&(h.size(&part.from, &part.to) * &width));
-        for (sum, rate) in self.sums.slopes.iter_mut().zip(rates) {
+        self.total = self.total.clone() + zero.joined(&(h.size(&part.from, &part.to) * &width));
+        if self.sums.slopes.is_empty() {
+            return;
+        }
+        let (mut rates, mut second) = (all.firsts.clone(), all.second.clone());
+        if let (Some(third), Some((_, away)), Some(bent), [rate]) = (&all.third, &self.third, &mut second, &mut rates[..]) {
+            let half = away.square() * away.ratio(1, 2);
+            rate.add(bent, away).add(third, &half);
+            bent.add(third, away);
+        }
+        for (sum, rate) in self.sums.slopes.iter_mut().zip(&rates) {
             *sum = sum.clone() + T::symmetric(&(rate.size(&part.from, &part.to) * &width));
         }
         let (Some(sum), Some(second)) = (&mut self.sums.curvature, second) else { return };
+        if h.is_zero() && rates.iter().all(Expansion::is_zero) {
+            return;
+        }
         let moved = part.slope.as_ref().zip(rates.first()).and_then(|(slope, rate)| {
             let speed = rate.over(&part.from, &part.to).square();
             Some(speed.over(&slope.absolute()).ok()? * scale * scale.integer(2))
@@ -288,15 +366,18 @@ impl<'a, T: Scalar> Walk<'a, T> {
         let some = zero.joined(&width);
         for output in &flow.outputs {
             let h = dot(&output.row, &p, &zero);
-            let (h, scale) = match &output.push {
-                None => (h, zero.one()),
-                Some((_, radius)) => (h.absolute(), radius.clone()),
+            let pushed = match &output.push {
+                None => h,
+                Some((_, centre, radius)) => h.absolute() * radius + h * centre,
             };
-            self.sums.value = self.sums.value.clone() + h * &scale * &some;
+            self.total = self.total.clone() + pushed * &some;
             for (sum, p) in self.sums.slopes.iter_mut().zip(&firsts) {
                 let rate = dot(&output.row, p, &zero);
-                let rate = if output.push.is_some() { T::symmetric(&rate.magnitude()) } else { rate };
-                *sum = sum.clone() + rate * &scale * &some;
+                let pushed = match &output.push {
+                    None => rate,
+                    Some((_, centre, radius)) => T::symmetric(&rate.magnitude()) * radius + rate * centre,
+                };
+                *sum = sum.clone() + pushed * &some;
             }
         }
         // The curvature is asked of one duration only.
@@ -305,13 +386,27 @@ impl<'a, T: Scalar> Walk<'a, T> {
         }
     }
 
+    /// The costates over the interval of durations, from those of its middle.
+    fn spread(&mut self) {
+        let (Some((third, away)), Some(second), [first]) = (&self.third, &mut self.second, &mut self.firsts[..]) else { return };
+        let half = away.square() * away.ratio(1, 2);
+        let sixth = half.clone() * away * away.ratio(1, 3);
+        for i in 0..third.len() {
+            let (b, c) = (first[i].clone(), second[i].clone());
+            self.value[i] = self.value[i].clone() + b.clone() * away + c.clone() * &half + third[i].clone() * &sixth;
+            first[i] = b + c.clone() * away + third[i].clone() * &half;
+            second[i] = c + third[i].clone() * away;
+        }
+    }
+
     /// The greatest value over the start, and its derivatives.
     fn start(&mut self, start: &[Range]) {
         let like = self.value[0].clone();
+        self.spread();
         for (i, range) in start.iter().enumerate() {
             let (centre, radius) = (like.rational(&range.centre()), like.rational(&range.radius()));
             let p = &self.value[i];
-            self.sums.value = self.sums.value.clone() + centre.clone() * p + radius.clone() * p.absolute();
+            self.total = self.total.clone() + centre.clone() * p + radius.clone() * p.absolute();
             // The start that is worst: at one end where the sign is known.
             let worst = match p.sign() {
                 Some(Sign::Positive) => like.rational(&range.hi),
