@@ -3,7 +3,7 @@
 use crate::system::{Condition, Side};
 use arithmetic::Rational;
 use expressions::{Node, NodeKind, Problem, Relation, parse_property};
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 /// A problem at a byte of the text.
 type Located = (usize, Problem);

@@ -3,7 +3,7 @@
 use crate::condition;
 use crate::system::{Check, Input, Mode, Range, Stay, Switching, System};
 use arithmetic::{Rational, shown};
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 use scenario::source::{Entry, Section, Source};
 use scenario::{ConfigError, Problem};
 

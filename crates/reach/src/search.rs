@@ -14,8 +14,8 @@ use std::collections::BinaryHeap;
 /// What was found.
 #[derive(Debug, Clone)]
 pub(crate) struct Found {
-    /// No value is above it.
-    pub above: Rational,
+    /// No value is above it, where there is a bound.
+    pub above: Option<Rational>,
     /// A value that is attained, with its family and variables; none where no allowed point was met.
     pub best: Option<Best>,
     /// The boxes that may hold a greater value than the one attained.
@@ -44,8 +44,8 @@ pub(crate) struct Goal {
 struct Node {
     family: usize,
     variables: Vec<Range>,
-    /// No value in the box is above it.
-    bound: Rational,
+    /// No value in the box is above it, where there is a bound.
+    bound: Option<Rational>,
     /// The maximum inside is known as well as it can be.
     closed: bool,
     number: usize,
@@ -67,7 +67,11 @@ impl PartialOrd for Node {
 
 impl Ord for Node {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.bound.cmp(&other.bound).then_with(|| other.number.cmp(&self.number))
+        let bounds = match (&self.bound, &other.bound) {
+            (Some(a), Some(b)) => a.cmp(b),
+            (a, b) => b.is_some().cmp(&a.is_some()),
+        };
+        bounds.then_with(|| other.number.cmp(&self.number))
     }
 }
 
@@ -99,7 +103,8 @@ impl<T: Scalar> Search<'_, T> {
                 }
             }
             let Some(node) = heap.pop() else { break };
-            let near = best.as_ref().is_some_and(|best| node.bound <= &best.value + self.allowance(&best.value));
+            let near = best.as_ref().zip(node.bound.as_ref());
+            let near = near.is_some_and(|(best, bound)| *bound <= &best.value + self.allowance(&best.value));
             if near || number >= self.goal.boxes {
                 heap.push(node);
                 break;
@@ -116,11 +121,14 @@ impl<T: Scalar> Search<'_, T> {
                 waiting.push((node.family, variables));
             }
         }
-        if std::env::var_os("REACH_DEBUG").is_some() { eprintln!("nodes {number} closed {} heap {} best {:?}", closed.len(), heap.len(), best.as_ref().map(|b| b.value.to_string().len())); for n in heap.iter().take(3) { eprintln!("{:?} {}", n.variables, arithmetic::decimal(&n.bound, 20, true)); } }
         let all: Vec<Node> = heap.into_iter().chain(closed).collect();
         let value = best.as_ref().map(|best| best.value.clone());
-        let above = all.iter().map(|node| node.bound.clone()).chain(value.clone()).max().unwrap_or_default();
-        let mut open: Vec<Node> = all.into_iter().filter(|node| value.as_ref().is_none_or(|value| node.bound >= *value)).collect();
+        let mut above = value.clone().or_else(|| all.first().and_then(|node| node.bound.clone()));
+        for node in &all {
+            above = above.zip(node.bound.clone()).map(|(a, b)| a.max(b));
+        }
+        let may = |node: &Node| value.as_ref().zip(node.bound.as_ref()).is_none_or(|(value, bound)| bound >= value);
+        let mut open: Vec<Node> = all.into_iter().filter(may).collect();
         open.sort_by_key(|node| node.number);
         Ok(Found { above, best, open: open.into_iter().map(|node| (node.family, node.variables)).collect() })
     }
@@ -147,7 +155,7 @@ impl<T: Scalar> Search<'_, T> {
         if family.allowed(&variables) == Allowed::None {
             return None;
         }
-        let done = |variables: Vec<Range>, bound: Rational, closed: bool| Some(Node { family: index, variables, bound, closed, number });
+        let done = |variables: Vec<Range>, bound: Option<Rational>, closed: bool| Some(Node { family: index, variables, bound, closed, number });
         let depth = if variables.len() == 1 { Depth::Curvature } else { Depth::Slopes };
         let over = family.worst(self.flows, &self.row, &variables, depth);
         if family.allowed(&variables) == Allowed::All {
@@ -171,7 +179,7 @@ impl<T: Scalar> Search<'_, T> {
         {
             let enough = best.as_ref().is_some_and(|best| bound <= &best.value + self.allowance(&best.value));
             let closed = enough || &found.hi - &found.lo <= self.goal.finest;
-            return done(vec![found], bound, closed);
+            return done(vec![found], Some(bound), closed);
         }
         let middle: Vec<Rational> = match family.point(&variables) {
             Some(point) => point,
@@ -238,7 +246,7 @@ impl<T: Scalar> Search<'_, T> {
     }
 }
 
-/// The upper end; beyond everything where there is none.
-fn above<T: Scalar>(value: Option<T>) -> Rational {
-    value.and_then(|value| value.ends()).map_or_else(|| rational(i64::MAX, 1), |(_, hi)| hi)
+/// The upper end, where there is one.
+fn above<T: Scalar>(value: Option<T>) -> Option<Rational> {
+    value.and_then(|value| value.ends()).map(|(_, hi)| hi)
 }

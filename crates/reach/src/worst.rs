@@ -9,18 +9,32 @@ use crate::search::{Best, Found, Goal, Search};
 use crate::system::{Range, Switching};
 use arithmetic::{Cancelled, FloatInterval, Interval, Progress, Rational, rational};
 use num_traits::Signed;
+use rayon::prelude::*;
 
 /// The greatest value of a row over all inputs, starts and orders of modes.
 #[derive(Debug, Clone)]
 pub(crate) struct Worst {
     /// It lies between the two; attained values reach the lower one, where there is any.
     pub lo: Option<Rational>,
-    /// No value is above it.
-    pub hi: Rational,
+    /// No value is above it, where there is a bound.
+    pub hi: Option<Rational>,
     /// When it is attained: the hull of all times that are not excluded.
     pub at: Option<Range>,
     /// The legs, backwards, of the order of modes that attains the lower end, and their durations.
     pub legs: Vec<(usize, Rational)>,
+}
+
+impl Worst {
+    /// Whether both ends agree to so many digits.
+    pub fn is_closed(&self, digits: u32) -> bool {
+        let (Some(lo), Some(hi)) = (&self.lo, &self.hi) else { return false };
+        hi - lo <= tolerance(digits) * hi.abs().max(Rational::ONE)
+    }
+}
+
+/// Four units of the digit after the last.
+fn tolerance(digits: u32) -> Rational {
+    (0..=digits).fold(rational(4, 1), |x, _| x * rational(1, 10))
 }
 
 /// What stays the same for all rows: orders, their flows in floats.
@@ -49,22 +63,28 @@ impl<'a> Solver<'a> {
     /// [`Cancelled`].
     pub fn greatest(&self, row: &[Rational]) -> Result<Worst, Cancelled> {
         let whole = self.orders.families.iter().enumerate().map(|(i, family)| (i, family.variables.clone())).collect();
-        let ten = rational(10, 1);
-        let tolerance = (0..=self.digits).fold(rational(4, 1), |x, _| x / &ten);
+        let tolerance = tolerance(self.digits);
         let mut found = self.search(&self.flows, &FloatInterval::point(0.0), row, &tolerance, 24, whole)?;
         let reached = |found: &Found| {
-            let Some(best) = &found.best else { return false };
-            &found.above - &best.value <= &tolerance * best.value.abs().max(Rational::ONE)
+            let (Some(best), Some(above)) = (&found.best, &found.above) else { return false };
+            above - &best.value <= &tolerance * best.value.abs().max(Rational::ONE)
         };
         if !reached(&found) && found.best.is_some() && self.digits > 8 && found.open.len() < 1000 {
             let bits = 80 + (f64::from(self.digits) * std::f64::consts::LOG2_10) as u32;
             let like = Interval::from_rational(&Rational::ZERO, bits);
             let flows = Flows::new(&self.prepared.motions, &self.orders.longest, &self.orders.chain, &like);
             let finer = self.search(&flows, &like, row, &tolerance, bits / 2, found.open.clone())?;
-            let above = finer.above.clone().min(found.above.clone());
-            found = Found { above, ..finer };
+            found = Found { above: finer.above.clone().or(found.above), ..finer };
         }
         Ok(self.worst(&found))
+    }
+
+    /// The greatest values of rows, side by side.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn all(&self, rows: &[Vec<Rational>]) -> Result<Vec<Worst>, Cancelled> {
+        rows.par_iter().map(|row| self.greatest(row)).collect()
     }
 
     fn search<T: Scalar>(
