@@ -23,10 +23,12 @@ from ._queries import (
 )
 from ._questions import Answer, Campaign, Failure, Invariant, Table, check, fuzz, invariants, sweep
 from ._runs import Event, Simulation, Tracks, simulate, tracks
+from ._systems import Check, Reach, reach
 
 __all__ = [
     "Answer",
     "Campaign",
+    "Check",
     "Claim",
     "Claims",
     "Controls",
@@ -42,6 +44,7 @@ __all__ = [
     "Invariant",
     "Ledger",
     "Prefix",
+    "Reach",
     "Resonance",
     "Run",
     "Settlement",
@@ -62,6 +65,7 @@ __all__ = [
     "fuzz",
     "invariants",
     "ledger",
+    "reach",
     "resonance",
     "simulate",
     "spectrum",

@@ -15,8 +15,9 @@ use num_traits::{Signed, ToPrimitive, Zero};
 /// Digits of the bounds: the disturbances leave more of a gap than they do.
 const DIGITS: u32 = 5;
 
-/// No motion is followed further back.
+/// No motion is followed further back; less far where each mode that it leads through has a duration of its own.
 const LONGEST: i64 = 500;
+const LONGEST_OF_SEVERAL: i64 = 16;
 
 /// The one mode with disturbances, whose motions include those of any switching.
 #[derive(Debug, Clone)]
@@ -57,12 +58,15 @@ pub(crate) fn greatest(
     digits: u32,
     progress: &dyn Progress,
 ) -> Result<Option<Vec<Worst>>, Cancelled> {
+    let longest = if matches!(switching, Switching::Dwell { .. }) { LONGEST_OF_SEVERAL } else { LONGEST };
     let mut times = times.clone();
     loop {
         let Some(solver) = Solver::new(prepared, switching, &times, digits, progress) else { return Ok(None) };
         let found = solver.all(rows)?;
         match &mut times {
-            Times::Forever { back, .. } if *back < rational(LONGEST, 1) && found.iter().any(|worst| !worst.is_closed(digits)) => {
+            Times::Forever { back, .. }
+                if *back < rational(longest, 1) && found.iter().any(|worst| !worst.is_closed(digits)) =>
+            {
                 *back *= rational(2, 1);
             }
             _ => return Ok(Some(found)),
@@ -75,7 +79,11 @@ impl Comparison {
     ///
     /// # Errors
     /// [`Cancelled`].
-    pub fn find(prepared: &Prepared, until: Option<&Rational>, progress: &dyn Progress) -> Result<Option<Self>, Cancelled> {
+    pub fn find(
+        prepared: &Prepared,
+        until: Option<&Rational>,
+        progress: &dyn Progress,
+    ) -> Result<Option<Self>, Cancelled> {
         let (mean, deviations, disturbed) = mean(&prepared.motions);
         let alone = Prepared { motions: vec![mean.clone()], start: prepared.start.clone() };
         let Some(times) = times_of(&alone, until) else { return Ok(None) };
@@ -88,10 +96,15 @@ impl Comparison {
         let Some(free) = bounds(&alone, &times)? else { return Ok(None) };
         let mut gains = Vec::new();
         for &state in &disturbed {
-            let one = disturbed_by(&Motion { drift: vec![Rational::ZERO; mean.a.len()], pushes: Vec::new(), a: mean.a.clone() }, &[state], &[Rational::ONE]);
+            let one = disturbed_by(
+                &Motion { drift: vec![Rational::ZERO; mean.a.len()], pushes: Vec::new(), a: mean.a.clone() },
+                &[state],
+                &[Rational::ONE],
+            );
             let still = Prepared { motions: vec![one], start: vec![Range::point(Rational::ZERO); mean.a.len()] };
             let Some(times) = times_of(&still, until) else { return Ok(None) };
-            let unit: Vec<Deviation> = deviations.iter().map(|d| Deviation { rest: Rational::ZERO, row: d.row.clone(), ..*d }).collect();
+            let unit: Vec<Deviation> =
+                deviations.iter().map(|d| Deviation { rest: Rational::ZERO, row: d.row.clone(), ..*d }).collect();
             let Some(found) = greatest(&still, &switching, &times, &rows, DIGITS, progress)? else { return Ok(None) };
             let Some(gain) = disturbances(&unit, &found, disturbed.len()) else { return Ok(None) };
             gains.push(gain);
@@ -213,7 +226,10 @@ fn fixed_point(free: &[Rational], gains: &[Vec<Rational>]) -> Option<Vec<Rationa
         let still = (0..n).all(|i| next[i] <= limits[i] * (1.0 + 1e-9));
         limits = next;
         if still {
-            return limits.iter().map(|x| Rational::from_float((x * 1.0005 + 1e-9) as f32).map(|x| x * rational(10_001, 10_000))).collect();
+            return limits
+                .iter()
+                .map(|x| Rational::from_float((x * 1.0005 + 1e-9) as f32).map(|x| x * rational(10_001, 10_000)))
+                .collect();
         }
         if limits.iter().any(|x| *x > 1e12) {
             return None;

@@ -98,10 +98,12 @@ fn affine(node: &Node, states: &[String]) -> Result<Affine, Located> {
             None => Err((node.at, Problem::unknown("state", name, states.iter().map(String::as_str)))),
         },
         NodeKind::Negated(inner) => Ok(affine(inner, states)?.scaled(&-Rational::ONE)),
-        NodeKind::Sum(terms) => terms.iter().try_fold(Affine::constant(states.len(), Rational::ZERO), |sum, (minus, term)| {
-            let sign = if *minus { -Rational::ONE } else { Rational::ONE };
-            Ok(sum.plus(affine(term, states)?.scaled(&sign)))
-        }),
+        NodeKind::Sum(terms) => {
+            terms.iter().try_fold(Affine::constant(states.len(), Rational::ZERO), |sum, (minus, term)| {
+                let sign = if *minus { -Rational::ONE } else { Rational::ONE };
+                Ok(sum.plus(affine(term, states)?.scaled(&sign)))
+            })
+        }
         NodeKind::Product(factors) => {
             factors.iter().try_fold(Affine::constant(states.len(), Rational::ONE), |product, (divides, factor)| {
                 times(product, affine(factor, states)?, *divides, factor)

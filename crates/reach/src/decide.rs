@@ -103,6 +103,9 @@ impl Decided {
     }
 }
 
+/// Digits more, where a bound lies within an enclosure.
+const MORE: u32 = 20;
+
 /// Bits of the enclosure of a witness's value.
 const BITS: u32 = 256;
 
@@ -124,10 +127,22 @@ pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<V
     let mut parts: Vec<Vec<Part>> = vec![Vec::new(); system.checks.len()];
     for at in &times {
         let (asked, rows) = rows(system, &prepared, at);
-        let found = worst_of(system, &prepared, at.as_ref(), &rows, digits, progress)?;
+        let mut found = worst_of(system, &prepared, at.as_ref(), &rows, digits, progress)?;
+        // A bound that lies within the enclosure may be met exactly: more digits, in which small numbers are exact, may tell.
+        for (_, condition, index) in &asked {
+            let worst = &found[*index].0;
+            let (lo, hi) = left_side(condition, worst);
+            let between = lo.is_some_and(|lo| lo <= condition.bound) && hi.is_some_and(|hi| hi >= condition.bound);
+            if between && worst.is_closed(digits) {
+                let finer = worst_of(system, &prepared, at.as_ref(), &rows[*index..=*index], digits + MORE, progress)?;
+                found.splice(*index..=*index, finer);
+            }
+        }
         let witnesses: Vec<Option<Witness>> = {
             use rayon::prelude::*;
-            let one = |(row, (worst, _)): (&Vec<Rational>, &(Worst, &str))| worst.lo.as_ref().map(|_| witness(system, &prepared, row, worst));
+            let one = |(row, (worst, _)): (&Vec<Rational>, &(Worst, &str))| {
+                worst.lo.as_ref().map(|_| witness(system, &prepared, row, worst))
+            };
             rows.par_iter().zip(&found).map(one).collect()
         };
         for (check, condition, index) in asked {
@@ -148,7 +163,11 @@ pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<V
 }
 
 /// The rows whose greatest values are asked for at these times, each once, and which condition asks for which.
-fn rows<'a>(system: &'a System, prepared: &Prepared, at: &Option<Rational>) -> (Vec<(usize, &'a Condition, usize)>, Vec<Vec<Rational>>) {
+fn rows<'a>(
+    system: &'a System,
+    prepared: &Prepared,
+    at: &Option<Rational>,
+) -> (Vec<(usize, &'a Condition, usize)>, Vec<Vec<Rational>>) {
     let (mut asked, mut rows): (Vec<_>, Vec<Vec<Rational>>) = (Vec::new(), Vec::new());
     for (k, check) in system.checks.iter().enumerate().filter(|(_, check)| check.at == *at) {
         for condition in &check.conditions {
@@ -194,10 +213,15 @@ fn worst_of(
                 Some(comparison) => comparison.kept_box(progress)?,
                 None => kept_box(&lasting(system, prepared), &prepared.start),
             };
-            kept.map(|rest| Times::Forever { back: rational(8, 1), rest })
+            let back = rational(if matches!(system.switching, Switching::Dwell { .. }) { 16 } else { 8 }, 1);
+            kept.map(|rest| Times::Forever { back, rest })
         }
     };
-    let fixed = matches!(system.switching, Switching::Periodic { .. } | Switching::Windows { .. });
+    let fixed = match &system.switching {
+        Switching::Periodic { .. } => true,
+        Switching::Windows { windows, .. } => windows.iter().all(Range::is_point),
+        _ => false,
+    };
     // Where durations are free, a few digits are what a search over them gives.
     let digits = if fixed { digits } else { digits.min(3) };
     let listed = match &times {
@@ -229,13 +253,22 @@ fn worst_of(
 /// The modes that the states are in at unbounded times.
 fn lasting(system: &System, prepared: &Prepared) -> Vec<crate::prepared::Motion> {
     match &system.switching {
-        Switching::Windows { order, windows } if windows.is_empty() => order.last().map(|&mode| prepared.motions[mode].clone()).into_iter().collect(),
+        Switching::Windows { order, windows } if windows.is_empty() => {
+            order.last().map(|&mode| prepared.motions[mode].clone()).into_iter().collect()
+        }
         _ => prepared.motions.clone(),
     }
 }
 
 /// A bound, and the value of a bad order of modes that was guessed.
-fn guessed(system: &System, prepared: &Prepared, row: &[Rational], last: Option<&Rational>, hi: Option<Rational>, progress: &dyn Progress) -> Result<Worst, ReachError> {
+fn guessed(
+    system: &System,
+    prepared: &Prepared,
+    row: &[Rational],
+    last: Option<&Rational>,
+    hi: Option<Rational>,
+    progress: &dyn Progress,
+) -> Result<Worst, ReachError> {
     let nothing = Worst { lo: None, hi: hi.clone(), at: None, legs: Vec::new() };
     if !matches!(system.switching, Switching::Arbitrary) {
         return Ok(nothing);
@@ -249,7 +282,15 @@ fn guessed(system: &System, prepared: &Prepared, row: &[Rational], last: Option<
     legs.iter().for_each(|(mode, duration)| longest[*mode] = longest[*mode].clone().max(duration.clone()));
     let like = FloatInterval::point(0.0);
     let flows = Flows::new(&prepared.motions, &longest, &[], &like);
-    let walk: Vec<Leg> = legs.iter().map(|(mode, duration)| Leg { mode: *mode, duration: Range::point(duration.clone()), varies: false, start: None }).collect();
+    let walk: Vec<Leg> = legs
+        .iter()
+        .map(|(mode, duration)| Leg {
+            mode: *mode,
+            duration: Range::point(duration.clone()),
+            varies: false,
+            start: None,
+        })
+        .collect();
     let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
     let value = worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value.and_then(|value| value.ends());
     Ok(Worst { lo: value.map(|(lo, _)| lo), hi, at: Some(Range::point(until)), legs })
@@ -264,21 +305,28 @@ fn witness(system: &System, prepared: &Prepared, row: &[Rational], worst: &Worst
     witness
 }
 
+/// A value of the row, which is turned for `>=`, as one of the left side.
+fn turned(condition: &Condition, x: &Rational) -> Rational {
+    let x = if condition.side == Side::AtLeast { -x } else { x.clone() };
+    x + &condition.constant
+}
+
+/// The ends of the worst value of the left side.
+fn left_side(condition: &Condition, worst: &Worst) -> (Option<Rational>, Option<Rational>) {
+    let end = |x: &Option<Rational>| x.as_ref().map(|x| turned(condition, x));
+    let (low, high) = (end(&worst.lo), end(&worst.hi));
+    if condition.side == Side::AtLeast { (high, low) } else { (low, high) }
+}
+
 /// From the greatest value of the row, which is turned for `>=`, to the worst value of the left side.
 fn part(condition: &Condition, worst: &Worst, how: &str, witness: Option<Witness>, digits: u32) -> Part {
-    let turn = |x: &Rational| if condition.side == Side::AtLeast { -x } else { x.clone() } + &condition.constant;
-    let (low, high) = (worst.lo.as_ref().map(turn), worst.hi.as_ref().map(turn));
-    let (lo, hi) = if condition.side == Side::AtLeast { (high, low) } else { (low, high) };
+    let (lo, hi) = left_side(condition, worst);
     let witness = witness.map(|mut witness| {
-        let (a, b) = (turn(&witness.value.lo), turn(&witness.value.hi));
+        let (a, b) = (turned(condition, &witness.value.lo), turned(condition, &witness.value.hi));
         witness.value = if a <= b { Range { lo: a, hi: b } } else { Range { lo: b, hi: a } };
         witness
     });
-    let (bound, strict) = (&condition.bound, condition.strict);
-    let kept = |x: &Rational| match condition.side {
-        Side::AtLeast => if strict { x > bound } else { x >= bound },
-        Side::AtMost => if strict { x < bound } else { x <= bound },
-    };
+    let kept = |x: &Rational| condition.admits(x);
     let (safe, attained) = if condition.side == Side::AtLeast { (&lo, &hi) } else { (&hi, &lo) };
     let violated = |witness: &Witness| !kept(&witness.value.lo) && !kept(&witness.value.hi);
     let verdict = match (safe, attained, &witness) {
@@ -297,9 +345,13 @@ fn part(condition: &Condition, worst: &Worst, how: &str, witness: Option<Witness
 
 /// Whether the flows can be tabulated.
 fn within_limits(system: &System, prepared: &Prepared) -> Result<(), ReachError> {
-    let norm = prepared.motions.iter().flat_map(|motion| (0..motion.a.len()).map(|j| motion.a.iter().map(|row| row[j].abs()).sum::<Rational>()));
+    let norm = prepared
+        .motions
+        .iter()
+        .flat_map(|motion| (0..motion.a.len()).map(|j| motion.a.iter().map(|row| row[j].abs()).sum::<Rational>()));
     let norm = norm.max().unwrap_or_default();
-    let longest = system.checks.iter().filter_map(|check| check.at.clone()).chain(system.until.clone()).max().unwrap_or_default();
+    let longest =
+        system.checks.iter().filter_map(|check| check.at.clone()).chain(system.until.clone()).max().unwrap_or_default();
     // Steps are at most halved below the inverse of the norm.
     if (norm + Rational::ONE) * &longest * rational(2, 1) > rational(MOST as i64, 1) {
         return Err(ReachError::TooLong { until: longest.to_string(), most: MOST });
@@ -325,10 +377,16 @@ fn stable_for_ever(system: &System) -> Result<(), ReachError> {
     for mode in lasting {
         let mode = &system.modes[mode];
         // States that do not move are numbers, not motions.
-        let moving: Vec<usize> = (0..mode.a.len()).filter(|&i| !mode.a[i].iter().chain(&mode.b[i]).chain([&mode.c[i]]).all(Zero::is_zero)).collect();
-        let a: Vec<Vec<Rational>> = moving.iter().map(|&i| moving.iter().map(|&j| mode.a[i][j].clone()).collect()).collect();
+        let moving: Vec<usize> = (0..mode.a.len())
+            .filter(|&i| !mode.a[i].iter().chain(&mode.b[i]).chain([&mode.c[i]]).all(Zero::is_zero))
+            .collect();
+        let a: Vec<Vec<Rational>> =
+            moving.iter().map(|&i| moving.iter().map(|&j| mode.a[i][j].clone()).collect()).collect();
         if let Some(growth) = abscissa(&a).filter(|growth| *growth >= -1e-9 && !moving.is_empty()) {
-            return Err(ReachError::Unstable { mode: mode.name.clone(), growth: if growth.abs() < 1e-9 { 0.0 } else { growth } });
+            return Err(ReachError::Unstable {
+                mode: mode.name.clone(),
+                growth: if growth.abs() < 1e-9 { 0.0 } else { growth },
+            });
         }
     }
     Ok(())

@@ -49,7 +49,9 @@ pub(crate) fn kept_box(motions: &[Motion], start: &[Range]) -> Option<Vec<Range>
 
 /// Whether a state never moves.
 fn stands(motion: &Motion, i: usize) -> bool {
-    motion.a[i].iter().all(Zero::is_zero) && motion.drift[i].is_zero() && motion.pushes.iter().all(|push| push.column[i].is_zero())
+    motion.a[i].iter().all(Zero::is_zero)
+        && motion.drift[i].is_zero()
+        && motion.pushes.iter().all(|push| push.column[i].is_zero())
 }
 
 /// The motion of the states that move; those that do not are inputs within their range.
@@ -91,7 +93,8 @@ impl Ellipsoid {
     fn around(form: Vec<Vec<Rational>>, rate: &Rational, motions: &[Motion], start: &[Range]) -> Option<Self> {
         let zero = Interval::from_rational(&Rational::ZERO, BITS);
         let norm = |x: &[Rational]| -> Option<Interval> {
-            let square: Rational = form.iter().zip(x).map(|(row, y)| y * row.iter().zip(x).map(|(p, z)| p * z).sum::<Rational>()).sum();
+            let square: Rational =
+                form.iter().zip(x).map(|(row, y)| y * row.iter().zip(x).map(|(p, z)| p * z).sum::<Rational>()).sum();
             zero.rational(&square).sqrt().ok()
         };
         let centre: Vec<Rational> = start.iter().map(Range::centre).collect();
@@ -118,7 +121,11 @@ impl Ellipsoid {
     fn reach(&self, i: usize) -> Option<Rational> {
         let zero = Interval::from_rational(&Rational::ZERO, BITS);
         let unit = |j: usize| zero.rational(&rational(i64::from(i == j), 1));
-        let rows = self.form.iter().enumerate().map(|(j, row)| row.iter().map(|q| zero.rational(q)).chain([unit(j)]).collect());
+        let rows = self
+            .form
+            .iter()
+            .enumerate()
+            .map(|(j, row)| row.iter().map(|q| zero.rational(q)).chain([unit(j)]).collect());
         let solved = solve_over_field(rows.collect::<Vec<Vec<Interval>>>()).ok()?;
         let reach = solved.get(i)?.sqrt().ok()? * &self.radius;
         Some(reach.ends()?.1)

@@ -54,7 +54,8 @@ impl Family {
         let mut sum = Range::point(leg.constant.clone());
         for &(index, minus) in &leg.terms {
             let range = &variables[index];
-            let (lo, hi) = if minus { (-range.hi.clone(), -range.lo.clone()) } else { (range.lo.clone(), range.hi.clone()) };
+            let (lo, hi) =
+                if minus { (-range.hi.clone(), -range.lo.clone()) } else { (range.lo.clone(), range.hi.clone()) };
             sum = Range { lo: sum.lo + lo, hi: sum.hi + hi };
         }
         sum

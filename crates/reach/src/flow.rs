@@ -16,6 +16,9 @@ pub(crate) const BLOCK: usize = 64;
 /// Most steps of one leg.
 pub(crate) const MOST_STEPS: usize = 1 << 20;
 
+/// Order of the expansion over many steps at once.
+const ROUGH: usize = 9;
+
 /// Bits beyond those of the result, for the products of the tables.
 const GUARD: u32 = 128;
 
@@ -95,6 +98,8 @@ pub(crate) struct Flow<T> {
     pub outputs: Vec<Output<T>>,
     /// Bounds what follows the last Taylor coefficient, for up to two steps.
     remainder: T,
+    /// The same after the short expansion.
+    rough: T,
     order: usize,
     /// Whether the costate of one state can ever depend on that of another: `links[j][i]`.
     links: Vec<Vec<bool>>,
@@ -135,6 +140,7 @@ impl<T: Scalar> Flow<T> {
             scaled: rounded(&scaled, like),
             outputs: Vec::new(),
             remainder: remainder(order, like),
+            rough: remainder(ROUGH.min(order), like),
             order,
             links,
         };
@@ -173,17 +179,21 @@ impl<T: Scalar> Flow<T> {
     }
 
     /// `e^(A^T step part) p` for a part of a step, at most two.
-    pub fn partly(&self, part: &T, p: &[T]) -> Vec<T> {
+    fn partly(&self, part: &T, p: &[T], order: usize) -> Vec<T> {
+        if part.sign() == Some(Sign::Zero) {
+            return p.to_vec();
+        }
+        let remainder = if order == self.order { &self.remainder } else { &self.rough };
         let mut sum = p.to_vec();
         let mut term = p.to_vec();
-        for k in 1..=self.order {
+        for k in 1..=order {
             let over = part.clone() * part.ratio(1, k as i64);
             term = apply(&self.scaled, &term).into_iter().map(|x| x * &over).collect();
             for (s, x) in sum.iter_mut().zip(&term) {
                 *s = s.clone() + x;
             }
         }
-        let rest = T::symmetric(&(self.remainder.clone() * largest(p)));
+        let rest = T::symmetric(&(remainder.clone() * largest(p)));
         // What cannot depend on anything that is not zero stays exactly zero.
         let touched = |j: usize| p.iter().zip(&self.links[j]).any(|(x, linked)| *linked && !is_zero(x));
         sum.into_iter().enumerate().map(|(j, x)| if touched(j) { x + &rest } else { x }).collect()
@@ -191,19 +201,25 @@ impl<T: Scalar> Flow<T> {
 
     /// Everything that the costate is at durations from `from` to `to`.
     pub fn over(&self, from: &Rational, to: &Rational, p: &[T]) -> Vec<T> {
-        let part = |step: usize, a: &Rational, b: &Rational| {
+        let part = |step: usize, a: &Rational, b: &Rational, order: usize| {
             let before = rational(step as i64, 1);
-            self.partly(&p[0].around(&(a / &self.step - &before), &(b / &self.step - &before)), &self.after(step, p))
+            self.partly(
+                &p[0].around(&(a / &self.step - &before), &(b / &self.step - &before)),
+                &self.after(step, p),
+                order,
+            )
         };
         let (first, last) = (self.whole_steps(from), self.whole_steps(to));
         if last <= first + 1 {
-            return part(first, from, to);
+            return part(first, from, to, self.order);
         }
-        let mut hull = part(first, from, &(&self.step * rational(first as i64 + 1, 1)));
+        // Over many steps the hull is wide, and a short expansion will do.
+        let rough = ROUGH.min(self.order);
+        let mut hull = part(first, from, &(&self.step * rational(first as i64 + 1, 1)), rough);
         for step in first + 1..=last {
             let start = &self.step * rational(step as i64, 1);
             let end = (&start + &self.step).min(to.clone());
-            for (x, y) in hull.iter_mut().zip(part(step, &start, &end)) {
+            for (x, y) in hull.iter_mut().zip(part(step, &start, &end, rough)) {
                 *x = x.joined(&y);
             }
         }
@@ -260,7 +276,13 @@ fn inverses<T: Scalar>(order: usize, like: &T) -> Vec<T> {
 }
 
 impl<T: Scalar> Output<T> {
-    fn new(row: &[Rational], push: Option<(usize, T, T)>, flow: &Flow<T>, scaled: &Matrix<Interval>, wide: &Interval) -> Self {
+    fn new(
+        row: &[Rational],
+        push: Option<(usize, T, T)>,
+        flow: &Flow<T>,
+        scaled: &Matrix<Interval>,
+        wide: &Interval,
+    ) -> Self {
         let like = &flow.step_scalar;
         let mut term: Vec<Interval> = row.iter().map(|q| wide.rational(q)).collect();
         let mut taylor = Vec::new();
@@ -283,10 +305,13 @@ impl<T: Scalar> StepRows<T> {
         let zero = inverses[0].zero();
         let n = fine.len();
         let times = |row: &Vec<T>| -> Vec<T> {
-            (0..n).map(|j| row.iter().zip(fine).fold(zero.clone(), |sum, (x, fine)| sum + x.clone() * &fine[j])).collect()
+            (0..n)
+                .map(|j| row.iter().zip(fine).fold(zero.clone(), |sum, (x, fine)| sum + x.clone() * &fine[j]))
+                .collect()
         };
         let taylor: Vec<Vec<T>> = taylor.iter().map(times).collect();
-        let integral = (0..n).map(|j| taylor.iter().zip(inverses).fold(zero.clone(), |sum, (row, over)| sum + row[j].clone() * over));
+        let integral = (0..n)
+            .map(|j| taylor.iter().zip(inverses).fold(zero.clone(), |sum, (row, over)| sum + row[j].clone() * over));
         let growth = fine.iter().map(|row| row.iter().fold(zero.clone(), |sum, x| sum + x.magnitude()));
         let growth = growth.fold(zero.clone(), |most, x| most.joined(&x).top());
         StepRows { integral: integral.collect(), growth, taylor }
@@ -322,7 +347,8 @@ fn remainder<T: Scalar>(order: usize, like: &T) -> T {
 /// The exponential of a matrix whose rows have absolute sums of at most 1.
 fn exponential(scaled: &Matrix<Interval>, links: &[Vec<bool>], wide: &Interval) -> Matrix<Interval> {
     let n = scaled.len();
-    let identity: Matrix<Interval> = (0..n).map(|i| (0..n).map(|j| wide.integer(i64::from(i == j))).collect()).collect();
+    let identity: Matrix<Interval> =
+        (0..n).map(|i| (0..n).map(|j| wide.integer(i64::from(i == j))).collect()).collect();
     let order = taylor_order(wide.precision());
     let (mut sum, mut term) = (identity.clone(), identity);
     for k in 1..=order {

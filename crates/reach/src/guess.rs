@@ -36,7 +36,9 @@ impl Floats {
         let mut step: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|j| identity(i, j)).collect()).collect();
         let mut term = step.clone();
         for k in 1..=12 {
-            term = (0..n).map(|i| (0..n).map(|j| (0..n).map(|l| term[i][l] * a[l][j]).sum::<f64>() * h / f64::from(k)).collect()).collect();
+            term = (0..n)
+                .map(|i| (0..n).map(|j| (0..n).map(|l| term[i][l] * a[l][j]).sum::<f64>() * h / f64::from(k)).collect())
+                .collect();
             step.iter_mut().flatten().zip(term.iter().flatten()).for_each(|(x, y)| *x += y);
         }
         let push = |push: &crate::prepared::Push| {
@@ -75,8 +77,19 @@ impl Floats {
 ///
 /// # Errors
 /// [`Cancelled`].
-pub(crate) fn bad_order(prepared: &Prepared, row: &[Rational], until: &Rational, progress: &dyn Progress) -> Result<Vec<(usize, Rational)>, Cancelled> {
-    let norm = prepared.motions.iter().flat_map(|motion| &motion.a).map(|row| crate::ellipsoid::size(row)).max().unwrap_or_default();
+pub(crate) fn bad_order(
+    prepared: &Prepared,
+    row: &[Rational],
+    until: &Rational,
+    progress: &dyn Progress,
+) -> Result<Vec<(usize, Rational)>, Cancelled> {
+    let norm = prepared
+        .motions
+        .iter()
+        .flat_map(|motion| &motion.a)
+        .map(|row| crate::ellipsoid::size(row))
+        .max()
+        .unwrap_or_default();
     let wanted = (norm * until * rational(4, 1)).ceil().to_integer().to_usize().unwrap_or(STEPS).clamp(20, STEPS);
     let step = until / rational(wanted as i64, 1);
     let h = step.to_f64().unwrap_or(f64::NAN);

@@ -1,5 +1,6 @@
 //! Worst cases of switched linear systems `x' = A x + B u + c` with bounded inputs.
 
+pub mod answer;
 mod comparison;
 mod condition;
 mod decide;
@@ -14,10 +15,12 @@ mod scalar;
 mod search;
 mod signs;
 mod system;
+mod tube;
 mod walk;
 mod witness;
 mod worst;
 
 pub use decide::{Decided, Part, ReachError, Verdict, decide};
 pub use system::{Check, Condition, Input, Mode, Range, Side, Stay, Switching, System};
+pub use tube::{Tube, along, tube};
 pub use witness::Witness;

@@ -68,7 +68,8 @@ impl Orders {
         for k in 0..=last {
             let chain = &mut products[(k + order.len() - 1) % order.len()];
             while chain.len() + 1 < k {
-                let link = Link { parent: chain.last().copied(), mode: mode(k - 1 - chain.len()), duration: period.clone() };
+                let link =
+                    Link { parent: chain.last().copied(), mode: mode(k - 1 - chain.len()), duration: period.clone() };
                 chain.push(self.chain.len());
                 self.chain.push(link);
             }
@@ -154,7 +155,8 @@ impl Orders {
             }
             family.variables.retain(|range| !range.is_point());
         }
-        self.families.retain(|family| family.legs.iter().all(|leg| !leg.terms.is_empty() || !leg.constant.is_negative()));
+        self.families
+            .retain(|family| family.legs.iter().all(|leg| !leg.terms.is_empty() || !leg.constant.is_negative()));
     }
 
     /// Legs backwards from the time that is looked at; the first one in time starts at 0.
@@ -193,7 +195,15 @@ impl Orders {
     }
 
     /// One order whose modes stay as long as they may; the first of them in time is followed back for the given time only, where there is one.
-    fn stayed(&mut self, order: &[usize], stays: &[Stay], all: &Rational, start: &[Range], times: &Times, cut: Option<&Rational>) {
+    fn stayed(
+        &mut self,
+        order: &[usize],
+        stays: &[Stay],
+        all: &Rational,
+        start: &[Range],
+        times: &Times,
+        cut: Option<&Rational>,
+    ) {
         let (mut variables, mut legs) = (Vec::new(), Vec::new());
         for (i, &mode) in order.iter().enumerate() {
             if let Some(cut) = cut.filter(|_| i + 1 == order.len()) {
@@ -205,7 +215,8 @@ impl Orders {
             legs.push(Length::variable(mode, variables.len()));
             variables.push(Range { lo, hi });
         }
-        let mut family = Family { legs, variables, most: None, latest: None, start: start.to_vec(), attained: cut.is_none() };
+        let mut family =
+            Family { legs, variables, most: None, latest: None, start: start.to_vec(), attained: cut.is_none() };
         match times {
             Times::Forever { .. } => {}
             Times::Until(time) => family.most = Some(time.clone()),

@@ -32,7 +32,9 @@ impl System {
         let start = start(&section, &states)?;
         let constants = inputs.iter().filter(|input| input.constant).count();
         if states.len() + constants > STATES {
-            return Err(section.problem(Problem::Range(format!("a system of at most {STATES} states and constant inputs"))));
+            return Err(
+                section.problem(Problem::Range(format!("a system of at most {STATES} states and constant inputs")))
+            );
         }
         let modes = modes(&top, states.len(), inputs.len())?;
         let switching = switching(source.section("switching")?, &modes)?;
@@ -99,7 +101,8 @@ fn range(entry: &Entry) -> Read<Range> {
     if !entry.is_list() {
         return Ok(Range::point(entry.exact()?));
     }
-    let ends: Vec<Rational> = entry.items("a number or a list of two")?.iter().map(Entry::exact).collect::<Read<_>>()?;
+    let ends: Vec<Rational> =
+        entry.items("a number or a list of two")?.iter().map(Entry::exact).collect::<Read<_>>()?;
     match <[Rational; 2]>::try_from(ends) {
         Ok([lo, hi]) if lo <= hi => Ok(Range { lo, hi }),
         Ok([lo, hi]) => Err(entry.range(format!("an interval, but [{lo}, {hi}] is empty"))),
@@ -124,7 +127,8 @@ fn modes(top: &Section, states: usize, inputs: usize) -> Read<Vec<Mode>> {
         return Err(entry.range(format!("a list of 1 to {OTHERS} modes, not {}", items.len())));
     }
     let tables: Vec<Section> = items.iter().map(|item| item.table("mode")).collect::<Read<_>>()?;
-    let named: Vec<Entry> = tables.iter().map(|table| table.need("name", "the name of the mode")).collect::<Read<_>>()?;
+    let named: Vec<Entry> =
+        tables.iter().map(|table| table.need("name", "the name of the mode")).collect::<Read<_>>()?;
     let names: Vec<String> = named.iter().map(name).collect::<Read<_>>()?;
     distinct(&names, &named)?;
     tables.iter().zip(names).map(|(table, name)| mode(table, name, states, inputs)).collect()
@@ -220,7 +224,11 @@ fn switching(section: Option<Section>, modes: &[Mode]) -> Read<Switching> {
 fn windows(entry: &Entry, modes: usize) -> Read<Vec<Range>> {
     let items = entry.items("a list of intervals of time")?;
     if items.len() + 1 != modes {
-        return Err(entry.range(format!("a list of {} intervals, one for each switch, not {}", modes - 1, items.len())));
+        return Err(entry.range(format!(
+            "a list of {} intervals, one for each switch, not {}",
+            modes - 1,
+            items.len()
+        )));
     }
     let windows: Vec<Range> = items.iter().map(range).collect::<Read<_>>()?;
     let mut last = Rational::ZERO;
@@ -244,7 +252,8 @@ fn stays(section: &Section, modes: &[Mode]) -> Read<Vec<Stay>> {
             let Some(entry) = table.get(name) else { continue };
             let time = entry.exact()?;
             if time.is_negative() || longest && time < stay.least {
-                return Err(entry.range(format!("a time from {} on", if longest { stay.least.clone() } else { Rational::ZERO })));
+                return Err(entry
+                    .range(format!("a time from {} on", if longest { stay.least.clone() } else { Rational::ZERO })));
             }
             if longest { stay.most = Some(time) } else { stay.least = time }
         }

@@ -155,7 +155,9 @@ impl<T: Scalar> Search<'_, T> {
         if family.allowed(&variables) == Allowed::None {
             return None;
         }
-        let done = |variables: Vec<Range>, bound: Option<Rational>, closed: bool| Some(Node { family: index, variables, bound, closed, number });
+        let done = |variables: Vec<Range>, bound: Option<Rational>, closed: bool| {
+            Some(Node { family: index, variables, bound, closed, number })
+        };
         let depth = if variables.len() == 1 { Depth::Curvature } else { Depth::Slopes };
         let over = family.worst(self.flows, &self.row, &variables, depth);
         if family.allowed(&variables) == Allowed::All {
@@ -193,7 +195,9 @@ impl<T: Scalar> Search<'_, T> {
             let value = family.worst(self.flows, &self.row, &variables, Depth::Value).value;
             return done(variables, above(value), closed);
         }
-        let Some(at) = self.visit(index, &middle, Depth::Value, best).value else { return done(variables, above::<T>(None), closed) };
+        let Some(at) = self.visit(index, &middle, Depth::Value, best).value else {
+            return done(variables, above::<T>(None), closed);
+        };
         let bound = over.slopes.iter().zip(&variables).zip(&middle).fold(at, |sum, ((slope, range), middle)| {
             let away = slope.around(&(&range.lo - middle), &(&range.hi - middle));
             sum + slope.clone() * away
@@ -203,13 +207,20 @@ impl<T: Scalar> Search<'_, T> {
 
     /// Newton steps to the maximum of a concave function of one variable on a range: where it is, and a bound. With second derivatives of
     /// at most `-k`, `F <= F(m) + F'(m)^2 / (2 k)`.
-    fn concave(&self, index: usize, range: &Range, curvature: &T, best: &mut Option<Best>) -> Option<(Range, Rational)> {
+    fn concave(
+        &self,
+        index: usize,
+        range: &Range,
+        curvature: &T,
+        best: &mut Option<Best>,
+    ) -> Option<(Range, Rational)> {
         let like = curvature;
         let (_, flattest) = curvature.ends()?;
         let twice = like.rational(&(flattest * rational(-2, 1)));
         let (mut place, mut bound): (Range, Option<Rational>) = (range.clone(), None);
         let mut last: Option<(Rational, Rational)> = None;
-        let mut point = dyadic_near(&range.centre(), &(&range.hi - &range.lo)).clamp(range.lo.clone(), range.hi.clone());
+        let mut point =
+            dyadic_near(&range.centre(), &(&range.hi - &range.lo)).clamp(range.lo.clone(), range.hi.clone());
         for _ in 0..30 {
             let sums = self.visit(index, std::slice::from_ref(&point), Depth::Slopes, best);
             let slope = sums.slopes.first()?;
@@ -235,7 +246,8 @@ impl<T: Scalar> Search<'_, T> {
             let away = (&next - &point).abs();
             last = Some((point.clone(), here));
             let fine = &away * rational(1, 1 << 20);
-            let next = dyadic_near(&next, &fine.max(&self.goal.finest * &self.goal.finest)).clamp(place.lo.clone(), place.hi.clone());
+            let next = dyadic_near(&next, &fine.max(&self.goal.finest * &self.goal.finest))
+                .clamp(place.lo.clone(), place.hi.clone());
             if next == point {
                 break;
             }

@@ -126,8 +126,11 @@ impl<T: Scalar> Expansion<T> {
             let middle = (&left + &right) * rational(1, 2);
             let point = self.error.rational(&middle);
             // The sign of polynomial plus a number within the remainder: its root is where the polynomial takes minus that number.
-            let Some((low, high)) = self.horner(&point).over(&slope).ok().and_then(|step| (point - step).ends()) else { break };
-            let (new_left, new_right) = (low.clamp(left.clone(), right.clone()), high.clamp(left.clone(), right.clone()));
+            let Some((low, high)) = self.horner(&point).over(&slope).ok().and_then(|step| (point - step).ends()) else {
+                break;
+            };
+            let (new_left, new_right) =
+                (low.clamp(left.clone(), right.clone()), high.clamp(left.clone(), right.clone()));
             let shrinks = (&new_right - &new_left) * rational(4, 3) < &right - &left;
             (left, right) = (new_left, new_right);
             if !shrinks || left == right {

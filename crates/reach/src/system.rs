@@ -118,6 +118,18 @@ pub struct Condition {
     pub bound: Rational,
 }
 
+impl Condition {
+    /// Whether a value of the left side satisfies it.
+    pub fn admits(&self, value: &Rational) -> bool {
+        match (self.side, self.strict) {
+            (Side::AtLeast, false) => *value >= self.bound,
+            (Side::AtLeast, true) => *value > self.bound,
+            (Side::AtMost, false) => *value <= self.bound,
+            (Side::AtMost, true) => *value < self.bound,
+        }
+    }
+}
+
 /// What is to hold for all inputs, starts and orders of modes: a conjunction of conditions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {

@@ -100,7 +100,12 @@ pub(crate) fn worst<T: Scalar>(flows: &Flows<T>, row: &[T], legs: &[Leg], start:
 }
 
 /// The signs of the inputs and the start of a worst case, for durations that are numbers.
-pub(crate) fn trace<T: Scalar>(flows: &Flows<T>, row: &[T], legs: &[Leg], start: &[Range]) -> (Vec<Stretch>, Vec<Rational>) {
+pub(crate) fn trace<T: Scalar>(
+    flows: &Flows<T>,
+    row: &[T],
+    legs: &[Leg],
+    start: &[Range],
+) -> (Vec<Stretch>, Vec<Rational>) {
     let mut walk = Walk::new(flows, row, Depth::Value);
     walk.trace = Some(Vec::new());
     walk.run(legs, start);
@@ -115,9 +120,22 @@ pub(crate) fn trace<T: Scalar>(flows: &Flows<T>, row: &[T], legs: &[Leg], start:
 impl<'a, T: Scalar> Walk<'a, T> {
     fn new(flows: &'a Flows<T>, row: &[T], depth: Depth) -> Self {
         let zero = row[0].zero();
-        let sums = Sums { value: None, slopes: Vec::new(), curvature: (depth == Depth::Curvature).then(|| zero.clone()) };
+        let sums =
+            Sums { value: None, slopes: Vec::new(), curvature: (depth == Depth::Curvature).then(|| zero.clone()) };
         let walked = Rational::ZERO;
-        Walk { flows, depth, value: row.to_vec(), firsts: Vec::new(), second: None, third: None, sums, total: zero, partial: false, walked, trace: None }
+        Walk {
+            flows,
+            depth,
+            value: row.to_vec(),
+            firsts: Vec::new(),
+            second: None,
+            third: None,
+            sums,
+            total: zero,
+            partial: false,
+            walked,
+            trace: None,
+        }
     }
 
     fn run(&mut self, legs: &[Leg], start: &[Range]) {
@@ -199,14 +217,14 @@ impl<'a, T: Scalar> Walk<'a, T> {
                     curvature = curvature.map(|sum| sum + rate);
                 }
                 Some((_, centre, radius)) => {
-                    slope = slope + radius.clone() * h.absolute() + centre.clone() * h.clone();
-                    curvature = curvature.map(|sum| sum + centre.clone() * &rate);
-                    curvature = match h.sign() {
-                        Some(Sign::Zero) if rate.sign() == Some(Sign::Zero) => curvature,
-                        Some(Sign::Positive) => curvature.map(|sum| sum + radius.clone() * rate),
-                        Some(Sign::Negative) => curvature.map(|sum| sum - radius.clone() * rate),
+                    let (low, high) = (centre.clone() - radius, centre.clone() + radius);
+                    let known = match (h.sign(), rate.sign()) {
+                        (Some(Sign::Zero), Some(Sign::Zero)) | (Some(Sign::Positive), _) => Some(high.clone()),
+                        (Some(Sign::Negative), _) => Some(low.clone()),
                         _ => None,
                     };
+                    slope = slope + h * known.clone().unwrap_or_else(|| low.joined(&high));
+                    curvature = curvature.zip(known).map(|(sum, edge)| sum + edge * rate);
                 }
             }
         }
@@ -235,7 +253,14 @@ impl<'a, T: Scalar> Walk<'a, T> {
     }
 
     /// One step, or the beginning of it.
-    fn step(&mut self, flow: &Flow<T>, output: &Output<T>, step: usize, end: Option<&Rational>, starts: &Columns<Start<T>>) {
+    fn step(
+        &mut self,
+        flow: &Flow<T>,
+        output: &Output<T>,
+        step: usize,
+        end: Option<&Rational>,
+        starts: &Columns<Start<T>>,
+    ) {
         let place = step % BLOCK;
         let mut h = flow.expansion(output, place, &starts.value);
         let moved = match (&starts.third, &self.third, &starts.second, &starts.firsts[..]) {
@@ -251,7 +276,11 @@ impl<'a, T: Scalar> Walk<'a, T> {
         let Some((input, centre, radius)) = &output.push else {
             return match end {
                 None => self.add(&flow.step_scalar, |p| flow.integral(output, place, p), starts),
-                Some(end) => self.add(&flow.step_scalar, |p| flow.expansion(output, place, p).integral(&rational(0, 1), end), starts),
+                Some(end) => self.add(
+                    &flow.step_scalar,
+                    |p| flow.expansion(output, place, p).integral(&rational(0, 1), end),
+                    starts,
+                ),
             };
         };
         let float_end = end.map_or(1.0, |end| flow.step_scalar.rational(end).upper());
@@ -261,7 +290,13 @@ impl<'a, T: Scalar> Walk<'a, T> {
         };
         match (h.plain_sign(float_end), end) {
             (Some(sign), None) => {
-                self.note(flow, step, *input, &Part { from: rational(0, 1), to: rational(1, 1), sign: Some(sign), slope: None }, &h);
+                self.note(
+                    flow,
+                    step,
+                    *input,
+                    &Part { from: rational(0, 1), to: rational(1, 1), sign: Some(sign), slope: None },
+                    &h,
+                );
                 self.add(&weight(sign), |p| flow.integral(output, place, p), starts);
             }
             _ => {
@@ -294,7 +329,9 @@ impl<'a, T: Scalar> Walk<'a, T> {
         let value = integral(&columns.value);
         let mut firsts: Vec<T> = columns.firsts.iter().map(&integral).collect();
         let mut second = columns.second.as_ref().map(&integral);
-        if let (Some(third), Some((_, away)), Some(bent), [first]) = (&columns.third, &self.third, &mut second, &mut firsts[..]) {
+        if let (Some(third), Some((_, away)), Some(bent), [first]) =
+            (&columns.third, &self.third, &mut second, &mut firsts[..])
+        {
             let third = integral(third);
             let half = away.square() * away.ratio(1, 2);
             *first = first.clone() + bent.clone() * away + third.clone() * &half;
@@ -318,7 +355,9 @@ impl<'a, T: Scalar> Walk<'a, T> {
             return;
         }
         let (mut rates, mut second) = (all.firsts.clone(), all.second.clone());
-        if let (Some(third), Some((_, away)), Some(bent), [rate]) = (&all.third, &self.third, &mut second, &mut rates[..]) {
+        if let (Some(third), Some((_, away)), Some(bent), [rate]) =
+            (&all.third, &self.third, &mut second, &mut rates[..])
+        {
             let half = away.square() * away.ratio(1, 2);
             rate.add(bent, away).add(third, &half);
             bent.add(third, away);
@@ -367,15 +406,15 @@ impl<'a, T: Scalar> Walk<'a, T> {
         for output in &flow.outputs {
             let h = dot(&output.row, &p, &zero);
             let pushed = match &output.push {
-                None => h,
-                Some((_, centre, radius)) => h.absolute() * radius + h * centre,
+                None => h.clone(),
+                Some((_, centre, radius)) => h.clone() * edges(&h, centre, radius),
             };
             self.total = self.total.clone() + pushed * &some;
             for (sum, p) in self.sums.slopes.iter_mut().zip(&firsts) {
                 let rate = dot(&output.row, p, &zero);
                 let pushed = match &output.push {
                     None => rate,
-                    Some((_, centre, radius)) => T::symmetric(&rate.magnitude()) * radius + rate * centre,
+                    Some((_, centre, radius)) => rate * edges(&h, centre, radius),
                 };
                 *sum = sum.clone() + pushed * &some;
             }
@@ -388,7 +427,9 @@ impl<'a, T: Scalar> Walk<'a, T> {
 
     /// The costates over the interval of durations, from those of its middle.
     fn spread(&mut self) {
-        let (Some((third, away)), Some(second), [first]) = (&self.third, &mut self.second, &mut self.firsts[..]) else { return };
+        let (Some((third, away)), Some(second), [first]) = (&self.third, &mut self.second, &mut self.firsts[..]) else {
+            return;
+        };
         let half = away.square() * away.ratio(1, 2);
         let sixth = half.clone() * away * away.ratio(1, 3);
         for i in 0..third.len() {
@@ -422,5 +463,15 @@ impl<'a, T: Scalar> Walk<'a, T> {
                 _ => None,
             };
         }
+    }
+}
+
+/// The values of an input that are worst where the sign of `h` is known, or all of them.
+fn edges<T: Scalar>(h: &T, centre: &T, radius: &T) -> T {
+    let (low, high) = (centre.clone() - radius, centre.clone() + radius);
+    match h.sign() {
+        Some(Sign::Positive) => high,
+        Some(Sign::Negative) => low,
+        _ => low.joined(&high),
     }
 }

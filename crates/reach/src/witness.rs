@@ -1,11 +1,11 @@
 //! An input, a start and an order of modes that attain a value, and that value computed forwards in time, apart from the search that found them.
 
+use crate::flow::Flows;
 use crate::prepared::Prepared;
 use crate::scalar::{Matrix, apply, times};
 use crate::system::{Range, System};
 use crate::walk::{Leg, trace};
-use crate::flow::Flows;
-use arithmetic::{Enclosure, FloatInterval, Interval, Rational, Ring, Field, rational};
+use arithmetic::{Enclosure, Field, FloatInterval, Interval, Rational, Ring, rational};
 use num_traits::{Signed, Zero};
 
 /// A motion of the system. Times are from the start.
@@ -35,7 +35,15 @@ pub(crate) fn attaining(system: &System, prepared: &Prepared, row: &[Rational], 
     }
     let like = FloatInterval::point(0.0);
     let flows = Flows::new(&prepared.motions, &longest, &[], &like);
-    let walk: Vec<Leg> = legs.iter().map(|(mode, duration)| Leg { mode: *mode, duration: Range::point(duration.clone()), varies: false, start: None }).collect();
+    let walk: Vec<Leg> = legs
+        .iter()
+        .map(|(mode, duration)| Leg {
+            mode: *mode,
+            duration: Range::point(duration.clone()),
+            varies: false,
+            start: None,
+        })
+        .collect();
     let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
     let (stretches, corner) = trace(&flows, &floats, &walk, &prepared.start);
     let at: Rational = legs.iter().map(|(_, duration)| duration.clone()).sum();
@@ -90,11 +98,13 @@ impl Witness {
         for (i, from) in instants.iter().enumerate() {
             let to = instants.get(i + 1).map_or(&self.at, |to| *to);
             let mode = latest(&self.modes, from).copied().unwrap_or_default();
-            let inputs: Vec<Rational> = self.inputs.iter().map(|input| latest(input, from).cloned().unwrap_or_default()).collect();
+            let inputs: Vec<Rational> =
+                self.inputs.iter().map(|input| latest(input, from).cloned().unwrap_or_default()).collect();
             let mode = &system.modes[mode];
             let forcing = |i: usize| &mode.c[i] + mode.b[i].iter().zip(&inputs).map(|(b, u)| b * u).sum::<Rational>();
             let n = system.states.len();
-            let mut rows: Vec<Vec<Rational>> = (0..n).map(|i| mode.a[i].iter().cloned().chain([forcing(i)]).collect()).collect();
+            let mut rows: Vec<Vec<Rational>> =
+                (0..n).map(|i| mode.a[i].iter().cloned().chain([forcing(i)]).collect()).collect();
             rows.push(vec![Rational::ZERO; n + 1]);
             state = apply(&exponential(&rows, &(to - *from), &zero), &state);
         }
@@ -125,7 +135,8 @@ fn exponential(rows: &[Vec<Rational>], time: &Rational, zero: &Interval) -> Matr
         scale *= rational(1, 2);
         squarings += 1;
     }
-    let scaled: Matrix<Interval> = rows.iter().map(|row| row.iter().map(|x| zero.rational(&(x * &scale))).collect()).collect();
+    let scaled: Matrix<Interval> =
+        rows.iter().map(|row| row.iter().map(|x| zero.rational(&(x * &scale))).collect()).collect();
     let mut sum: Matrix<Interval> = (0..n).map(|i| (0..n).map(|j| zero.integer(i64::from(i == j))).collect()).collect();
     let mut term = sum.clone();
     // The rest after order k is below twice the next term, at norm 1/2: 2^-k / k!.
@@ -136,7 +147,10 @@ fn exponential(rows: &[Vec<Rational>], time: &Rational, zero: &Interval) -> Matr
         if rest < smallest {
             break;
         }
-        term = times(&term, &scaled).into_iter().map(|row| row.into_iter().map(|x| x * zero.ratio(1, k)).collect()).collect();
+        term = times(&term, &scaled)
+            .into_iter()
+            .map(|row| row.into_iter().map(|x| x * zero.ratio(1, k)).collect())
+            .collect();
         for (row, added) in sum.iter_mut().zip(&term) {
             row.iter_mut().zip(added).for_each(|(x, y)| *x = x.clone() + y);
         }

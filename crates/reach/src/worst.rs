@@ -7,7 +7,8 @@ use crate::prepared::Prepared;
 use crate::scalar::Scalar;
 use crate::search::{Best, Found, Goal, Search};
 use crate::system::{Range, Switching};
-use arithmetic::{Cancelled, FloatInterval, Interval, Progress, Rational, rational};
+use crate::walk::Depth;
+use arithmetic::{Cancelled, Enclosure, FloatInterval, Interval, Progress, Rational, rational};
 use num_traits::Signed;
 use rayon::prelude::*;
 
@@ -46,12 +47,23 @@ pub(crate) struct Solver<'a> {
     progress: &'a dyn Progress,
 }
 
-/// Most boxes of one search.
+/// Most boxes of one search over times.
 const BOXES: usize = 20_000;
+
+/// Most boxes of one search over the durations of several modes: fewer where each takes longer.
+fn boxes_of_several(states: usize) -> usize {
+    (40_000 / (states * states)).clamp(200, 10_000)
+}
 
 impl<'a> Solver<'a> {
     /// None where there is no list of orders.
-    pub fn new(prepared: &'a Prepared, switching: &Switching, times: &Times, digits: u32, progress: &'a dyn Progress) -> Option<Self> {
+    pub fn new(
+        prepared: &'a Prepared,
+        switching: &Switching,
+        times: &Times,
+        digits: u32,
+        progress: &'a dyn Progress,
+    ) -> Option<Self> {
         let orders = orders(switching, prepared.motions.len(), &prepared.start, times)?;
         let flows = Flows::new(&prepared.motions, &orders.longest, &orders.chain, &FloatInterval::point(0.0));
         Some(Solver { prepared, orders, flows, digits, progress })
@@ -87,6 +99,20 @@ impl<'a> Solver<'a> {
         rows.par_iter().map(|row| self.greatest(row)).collect()
     }
 
+    /// An upper bound of the row at one time, in floats, where the order of modes is fixed.
+    pub fn at(&self, row: &[Rational], time: &Rational) -> Option<f64> {
+        let row: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
+        for family in &self.orders.families {
+            let [range] = &family.variables[..] else { continue };
+            let point = &range.lo + time - family.time(std::slice::from_ref(&Range::point(range.lo.clone()))).lo;
+            if point >= range.lo && point <= range.hi {
+                let sums = family.worst(&self.flows, &row, &[Range::point(point)], Depth::Value);
+                return sums.value.map(|value| value.upper());
+            }
+        }
+        None
+    }
+
     fn search<T: Scalar>(
         &self,
         flows: &Flows<T>,
@@ -97,7 +123,12 @@ impl<'a> Solver<'a> {
         boxes: Vec<(usize, Vec<Range>)>,
     ) -> Result<Found, Cancelled> {
         let finest = (0..bits).fold(rational(1, 1), |x, _| x * rational(1, 2));
-        let goal = Goal { tolerance: tolerance.clone(), finest, boxes: BOXES };
+        let several = self.orders.families.iter().any(|family| family.variables.len() > 1);
+        let goal = Goal {
+            tolerance: tolerance.clone(),
+            finest,
+            boxes: if several { boxes_of_several(self.prepared.order()) } else { BOXES },
+        };
         let row = row.iter().map(|q| like.rational(q)).collect();
         Search { flows, row, families: &self.orders.families, goal, progress: self.progress }.run(boxes)
     }

@@ -104,7 +104,8 @@ impl<'a> Section<'a> {
     pub fn entries(&self) -> Vec<(String, Entry<'a>)> {
         let table: &'a DeTable<'a> = self.table;
         let entry = |key: &str, value| Entry { key: format!("{}.{key}", self.name), text: self.text, value };
-        let mut all: Vec<_> = table.iter().map(|(key, value)| (key.get_ref().to_string(), entry(key.get_ref(), value))).collect();
+        let mut all: Vec<_> =
+            table.iter().map(|(key, value)| (key.get_ref().to_string(), entry(key.get_ref(), value))).collect();
         all.sort_by_key(|(_, entry)| entry.value.span().start);
         all
     }
