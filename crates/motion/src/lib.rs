@@ -18,6 +18,7 @@ mod rk4;
 mod side_by_side;
 mod sine;
 mod statistics;
+mod system;
 mod turn_count;
 pub mod validated;
 
@@ -34,6 +35,7 @@ pub use rk4::Rk4;
 pub use side_by_side::{on_a_thread, side_by_side, while_one_waits};
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
 pub use statistics::{Sample, Share};
+pub use system::System;
 pub use turn_count::whole_turns;
 
 /// The right-hand side of `dy/dt = f(t, y)`. A field may keep scratch space, so it is asked by a mutable reference; the

@@ -139,7 +139,7 @@ fn start_place(name: &str) -> Option<(List, usize, usize)> {
         "positions" => List::Positions,
         "velocities" => List::Velocities,
         "phases" => List::Phases,
-        _ => return None,
+        own => List::Own(own.to_string()),
     };
     let mut indices = rest.strip_suffix(']')?.split("][").map(|index| index.parse::<usize>().ok()?.checked_sub(1));
     let agent = indices.next()??;

@@ -5,6 +5,7 @@ use super::config::Scenario;
 use super::error::ConfigError;
 use super::network::{Abilities, Network};
 use super::oscillator::{PARTICLES, PHASES};
+use super::own::OwnMotion;
 use super::platoon;
 use super::potential::PairPotential;
 use super::source::{Entry, Section, Source};
@@ -78,6 +79,8 @@ pub enum ExactMotion {
         /// Amplitude and angular frequency of the leader's swing.
         swing: (Rational, Rational),
     },
+    /// A law of one's own.
+    Own(Box<OwnMotion>),
     /// A motion that cannot be enclosed, and why.
     Other(&'static str),
 }
@@ -107,6 +110,10 @@ impl ExactMotion {
             "phase" => phases(&source),
             "particles" => particles(&source),
             "platoon" => exact_platoon(&source),
+            "own" => Ok(match OwnMotion::read(&source)? {
+                Ok(own) => ExactMotion::Own(Box::new(own)),
+                Err(why) => ExactMotion::Other(why),
+            }),
             "fish" | "vicsek" => Ok(ExactMotion::Other("its time is discrete and its numbers are drawn or rounded")),
             _ => Ok(ExactMotion::Other("its law is not among those that are enclosed")),
         }

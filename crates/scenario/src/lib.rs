@@ -36,5 +36,6 @@ pub use ensemble::Ensemble;
 pub use error::{ConfigError, Problem, RunError};
 pub use exact::{ExactMotion, ExactSpacing, is_drawn, with_numbers};
 pub use observables::{Observable, Value, min_distance, pattern_order, total};
+pub use own::OwnMotion;
 pub use run::{End, Outcome, Row};
 pub use simulation::{Event, Frame, Part};

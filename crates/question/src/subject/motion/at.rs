@@ -9,7 +9,10 @@ use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::number::Number;
 use crate::timeline::{Measured, Moment};
-use arithmetic::{ArithmeticError, Complex, Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, rational};
+use arithmetic::{
+    ArithmeticError, Complex, Dyadic, Field, FloatInterval, Interval, Number as _, Rational, Ring, rational,
+};
+use expressions::Kind;
 use models::double_integrator::{Coordinates, Pair, Potential, State, kinetic_energy, potential_energy};
 use models::oscillator::{
     self, Neighbours, beacon_potential, circle_centres, moment, phase_potential, spacing_potential,
@@ -57,6 +60,7 @@ impl At<'_, '_> {
             ExactMotion::Velocities { positions, .. } => (positions.len(), 2),
             ExactMotion::Particles { positions, .. } => (positions.len(), 2),
             ExactMotion::Platoon { deviations, .. } => (deviations.len(), 1),
+            ExactMotion::Own(own) => (own.agents(), own.position().map_or(0, |position| position.stride)),
             _ => (0, 0),
         }
     }
@@ -76,6 +80,11 @@ impl At<'_, '_> {
     fn disagreement(&self) -> Result<Interval, Failure> {
         let (agents, dimension) = self.agent_count();
         let squares = match self.motion {
+            ExactMotion::Own(own) => {
+                let part = own.part("v").filter(|part| part.kind != Kind::Angle);
+                let part = part.ok_or_else(|| Failure::open("the law has no part `v`", None))?;
+                self.squares(agents, part.stride, part.start).iter().map(widened).collect()
+            }
             ExactMotion::Platoon { .. } => squared_differences(&self.speeds()),
             _ => self.squares(agents, dimension, agents * dimension).iter().map(widened).collect::<Vec<_>>(),
         };
@@ -191,6 +200,11 @@ impl At<'_, '_> {
     fn phasors(&self) -> Vec<Complex<Interval>> {
         let numbers: Vec<Interval> = self.state.iter().map(widened).collect();
         match self.motion {
+            ExactMotion::Own(own) => {
+                let angles = own.angle().map_or(&[][..], |part| &numbers[part.start..][..own.agents()]);
+                let turned = |angle: &Interval| angle.sin_cos().map(|(sin, cos)| Complex::new(cos, sin));
+                angles.iter().filter_map(|angle| turned(angle).ok()).collect()
+            }
             ExactMotion::Particles { .. } => phasors_of(&numbers[numbers.len() / 2..]),
             _ => phasors_of(&numbers),
         }
@@ -203,9 +217,9 @@ impl At<'_, '_> {
         Ok(-(phase * gain))
     }
 
-    fn of_phases(&self, name: &str, network: &Neighbours, arguments: &[Number]) -> Result<Interval, Failure> {
+    fn of_phases(&self, name: &str, network: Option<&Neighbours>, arguments: &[Number]) -> Result<Interval, Failure> {
         let phasors = self.phasors();
-        if name == "phase_potential" {
+        if let Some(network) = network.filter(|_| name == "phase_potential") {
             return phase_potential(network, &phasors, 1).map_err(unmeasured);
         }
         let order = match arguments.first() {
@@ -328,6 +342,8 @@ impl Moment for At<'_, '_> {
         }
         let found = match (self.motion, name) {
             (ExactMotion::Phases { .. } | ExactMotion::Other(_), "min_distance") => return Err(not_here()),
+            (ExactMotion::Own(own), "min_distance") if own.position().is_none() => return Err(not_here()),
+            (ExactMotion::Own(own), "disagreement") if own.part("v").is_some() => self.disagreement(),
             (_, "min_distance") => self.min_distance(),
             (ExactMotion::Velocities { .. } | ExactMotion::Platoon { .. }, "disagreement") => self.disagreement(),
             (ExactMotion::Velocities { positions, headings: Some(_), .. }, "heading_spread") => {
@@ -346,7 +362,8 @@ impl Moment for At<'_, '_> {
             (
                 ExactMotion::Phases { network, .. } | ExactMotion::Particles { network, .. },
                 "order" | "phase_potential",
-            ) => self.of_phases(name, network, arguments),
+            ) => self.of_phases(name, Some(network), arguments),
+            (ExactMotion::Own(own), "order") if own.angle().is_some() => self.of_phases(name, None, arguments),
             (ExactMotion::Particles { .. }, "composite_potential") => self.composite_potential(),
             (ExactMotion::Particles { frequency, network, .. }, "spacing_potential" | "centre_spread") => {
                 self.of_centres(name, frequency, network)

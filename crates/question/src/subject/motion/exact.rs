@@ -103,7 +103,7 @@ impl MotionSubject<'_> {
         }
         let (mut lo, mut hi) = (rational(0, 1), rational(0, 1));
         for (agent, row) in velocities.iter().enumerate() {
-            let own = self.wide.iter().find(|(list, a, c, ..)| (*list, *a, *c) == (Start::Velocities, agent, axis));
+            let own = self.wide.iter().find(|(list, a, c, ..)| (list, *a, *c) == (&Start::Velocities, agent, axis));
             let (least, most) = own.map_or((&row[axis], &row[axis]), |(.., lo, hi)| (lo, hi));
             lo += least;
             hi += most;

@@ -27,6 +27,7 @@ impl At<'_, '_> {
                 let arcs = cars.flat_map(|k| graph.tracked_by(k).iter().map(move |(j, _)| (k, *j)));
                 count(graph.followers() + 1, &arcs.collect::<Vec<_>>())
             }
+            ExactMotion::Own(own) => count(own.agents(), &own.links()),
             ExactMotion::Other(_) => return None,
         };
         Some([fixed, fixed])
