@@ -35,7 +35,7 @@ const DEFINE: [&str; 11] = [
 /// The definitions in these files that a text speaks of, and those that they speak of in turn, in the order of the files. A name that two files give is
 /// taken from both; names of Coq's own libraries are left out.
 pub fn definitions_of(text: &str, files: &[Source]) -> Vec<Definition> {
-    let all: Vec<Definition> = files.iter().flat_map(|file| definitions_in(file)).collect();
+    let all: Vec<Definition> = files.iter().flat_map(definitions_in).collect();
     let mut open = words(text);
     let (mut read, mut wanted) = (BTreeSet::new(), BTreeSet::new());
     while let Some(word) = open.pop() {
