@@ -48,6 +48,6 @@ impl Number for Rational {
     }
 
     fn angle(y: &Self, x: &Self) -> Result<Self, ArithmeticError> {
-        at(y.is_zero() && x.is_positive(), || Zero::zero())
+        at(y.is_zero() && x.is_positive(), Zero::zero)
     }
 }
