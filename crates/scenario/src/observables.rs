@@ -138,7 +138,7 @@ fn flight<T>(view: &View<T>) -> Option<Flight> {
 
 fn clusters<T>(view: &View<T>) -> Found<T> {
     let count = |flight: Flight| flight.clusters(cluster_gap(flight.phases.len())).len();
-    present(flight(view).map(|flight| count(flight)).map(|count| Amount::Count(Some([count; 2]))))
+    present(flight(view).map(count).map(|count| Amount::Count(Some([count; 2]))))
 }
 
 fn pattern_order<T>(view: &View<T>) -> Found<T> {
@@ -182,7 +182,6 @@ fn centre_spread<T: Measurable>(view: &View<T>) -> Found<T> {
 
 const UNSURE: &str = "the links change at that time";
 
-/// The number of some links of a pair, each once; a pair only counts once.
 fn potential<T: Measurable>(view: &View<T>) -> Found<T> {
     let Law::Agents(potential, _) = &view.law else { return Ok(None) };
     let Links::These(_, pairs) = &view.links else { return Ok(Some(Amount::Unknown(UNSURE))) };

@@ -7,10 +7,13 @@ use models::oscillator::{self, Everyone, Interaction, Neighbours, Steering};
 use std::borrow::Cow;
 use std::cell::LazyCell;
 
+/// Makes rows when they are needed.
+type Made<'a, T> = Box<dyn FnOnce() -> Vec<Vec<T>> + 'a>;
+
 /// One row of numbers for each agent.
 pub struct Rows<'a, T> {
     agents: usize,
-    rows: LazyCell<Vec<Vec<T>>, Box<dyn FnOnce() -> Vec<Vec<T>> + 'a>>,
+    rows: LazyCell<Vec<Vec<T>>, Made<'a, T>>,
     apart: Option<Box<dyn Fn(usize, usize) -> T + 'a>>,
 }
 
