@@ -1,10 +1,9 @@
 //! A law of one's own in continuous time on a network that stays as it is, over any scalar.
 
 use super::measured::Heard;
-use super::read::{Described, describe};
-use crate::error::ConfigError;
-use crate::network::{Network, Pair};
-use crate::source::Source;
+use super::read::Described;
+use crate::network::Network;
+use crate::view::Links;
 use arithmetic::{ArithmeticError, Number, Rational};
 use expressions::{Kind, Law, Time, Variable};
 use motion::System;
@@ -20,10 +19,10 @@ pub struct OwnMotion {
 }
 
 impl OwnMotion {
-    /// Reads it from a scenario; why it is not enclosed where it is not.
-    pub(crate) fn read(source: &Source) -> Result<Result<Self, &'static str>, ConfigError> {
-        let Described { law, state, network, time, .. } = describe(source)?;
-        Ok(if time == Time::Discrete {
+    /// Of a law in continuous time on a fixed network; why it is not enclosed otherwise.
+    pub(crate) fn of(own: Described) -> Result<Self, &'static str> {
+        let Described { law, state, network, time, .. } = own;
+        if time == Time::Discrete {
             Err("laws in discrete time are not enclosed")
         } else if network.switches() {
             Err("laws of one's own are enclosed on networks that do not depend on the distances")
@@ -31,7 +30,7 @@ impl OwnMotion {
             Err("links that are replaced at given times are not enclosed")
         } else {
             Ok(OwnMotion { law, network, start: state })
-        })
+        }
     }
 
     /// The number of agents.
@@ -54,6 +53,17 @@ impl OwnMotion {
         self.law.variables().iter().find(|variable| variable.kind == Kind::Angle)
     }
 
+    /// The part that is called `v`, where it is no angle.
+    pub fn velocity(&self) -> Option<&Variable> {
+        self.part("v").filter(|part| part.kind != Kind::Angle)
+    }
+
+    /// The start of a part, a row for each agent.
+    pub fn rows(&self, part: &Variable) -> Vec<Vec<Rational>> {
+        let row = |agent: usize| self.start[part.start + agent * part.stride..][..part.width].to_vec();
+        (0..self.agents()).map(row).collect()
+    }
+
     /// Where a number of an agent stands in the state, all from 0.
     pub fn place(&self, part: &str, agent: usize, coordinate: usize) -> Option<usize> {
         let part = self.part(part).filter(|part| agent < self.agents() && coordinate < part.width)?;
@@ -61,8 +71,8 @@ impl OwnMotion {
     }
 
     /// The links.
-    pub fn links(&self) -> Vec<Pair> {
-        self.network.links()
+    pub fn links(&self) -> Links<'_> {
+        self.network.shown()
     }
 }
 

@@ -8,4 +8,4 @@ mod read;
 mod start;
 
 pub use enclosed::OwnMotion;
-pub(super) use read::read;
+pub(super) use read::{Described, describe, simulation};
