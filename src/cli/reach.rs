@@ -1,8 +1,8 @@
 //! `reach`: worst cases of switched linear systems with bounded inputs.
 
-use super::{CliError, interrupt, output, progress};
+use super::{CliError, certify, interrupt, output, progress};
 use flockproof::arithmetic::Progress;
-use flockproof::reach::{Decided, ReachError, System, Verdict, answer, decide};
+use flockproof::reach::{Decided, ReachError, System, Verdict, answer, certificate, decide};
 use flockproof::report::{Provenance, shown};
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -23,6 +23,9 @@ pub struct Arguments {
     /// Print one JSON document, flockproof.reach/1
     #[arg(long)]
     json: bool,
+    /// Write the motion found for the first check that is false, or else the first, as a certificate, see proofs_checks/README.md
+    #[arg(long, value_name = "OUT")]
+    certificate: Option<PathBuf>,
     /// Draw the tube of each quantity with the worst motion, its modes and inputs
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
@@ -72,6 +75,7 @@ impl Answered {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     arguments.plot.as_deref().map_or(Ok(()), output::check_writable)?;
+    certify::check_asked(arguments.certificate.as_deref())?;
     let input = output::read_input(&arguments.file)?;
     let watch = interrupt::Watch::with(progress::spinner("worst cases"));
     let found = answered(&input, arguments.digits, &watch).map_err(|error| CliError::file(&arguments.file, error))?;
@@ -79,6 +83,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         watch.finish();
         return Ok(interrupt::status(false));
     };
+    if let Some(path) = &arguments.certificate {
+        let wanted = found.decided.iter().find(|found| found.verdict == Verdict::False).or(found.decided.first());
+        let text = wanted.and_then(|found_of| certificate(&found.system, found_of.decisive()));
+        let text =
+            text.ok_or_else(|| CliError::Use("--certificate: no motion was found that it could show".to_string()))?;
+        output::write_file(path, text.as_bytes())?;
+    }
     if let Some(path) = &arguments.plot {
         let Ok(picture) = shown::worst_cases(&found.system, &found.decided, &watch) else {
             watch.finish();

@@ -186,7 +186,7 @@ impl<T: Number> Evaluator<T> {
             Op::Product(a, b) => of(a)?.clone() * of(b)?,
             Op::Quotient(a, b) => of(a)?.over(of(b)?)?,
             Op::Power(a, k) => of(a)?.power(u64::from(*k)),
-            Op::Function(function, a) => of(a)?.function(*function)?,
+            Op::Function(function, a) => function.at(of(a)?)?,
             Op::Angle(y, x) => T::angle(of(y)?, of(x)?)?,
             Op::Absolute(a) => match of(a)?.sign().ok_or(OPEN)? {
                 Sign::Negative => -of(a)?.clone(),

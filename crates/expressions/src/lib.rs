@@ -19,6 +19,7 @@
 mod alike;
 mod compile;
 mod evaluate;
+mod function;
 mod law;
 mod problem;
 mod program;

@@ -16,7 +16,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 const DIGITS: u32 = 5;
 
 /// No motion is followed further back; less far where each mode that it leads through has a duration of its own.
-const LONGEST: i64 = 500;
+const LONGEST: i64 = 5000;
 const LONGEST_OF_SEVERAL: i64 = 16;
 
 /// The one mode with disturbances, whose motions include those of any switching.

@@ -162,12 +162,11 @@ pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<V
     Ok(system.checks.iter().zip(parts).map(decided).collect())
 }
 
+/// A condition with its check, and the row whose greatest value it asks for.
+type Asked<'a> = (usize, &'a Condition, usize);
+
 /// The rows whose greatest values are asked for at these times, each once, and which condition asks for which.
-fn rows<'a>(
-    system: &'a System,
-    prepared: &Prepared,
-    at: &Option<Rational>,
-) -> (Vec<(usize, &'a Condition, usize)>, Vec<Vec<Rational>>) {
+fn rows<'a>(system: &'a System, prepared: &Prepared, at: &Option<Rational>) -> (Vec<Asked<'a>>, Vec<Vec<Rational>>) {
     let (mut asked, mut rows): (Vec<_>, Vec<Vec<Rational>>) = (Vec::new(), Vec::new());
     for (k, check) in system.checks.iter().enumerate().filter(|(_, check)| check.at == *at) {
         for condition in &check.conditions {

@@ -7,7 +7,7 @@ use crate::prepared::{Motion, Push};
 use crate::scalar::Scalar;
 use crate::system::Range;
 use algebra::matrix::{inertia, solve_over_field};
-use arithmetic::{Enclosure, Field, Interval, Rational, Real, rational};
+use arithmetic::{Enclosure, Field, Interval, Number, Rational, rational};
 use dense::faer::Mat;
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -85,7 +85,7 @@ impl Ellipsoid {
             let shift = Rational::from_float(-growth * part)?;
             let form = lyapunov(&mean, -growth * part)?;
             let rate = shift * rational(2, 1);
-            motions.iter().all(|motion| decays(&motion.a, &form, &rate)).then(|| ())?;
+            motions.iter().all(|motion| decays(&motion.a, &form, &rate)).then_some(())?;
             Ellipsoid::around(form, &rate, motions, start)
         })
     }

@@ -1,6 +1,7 @@
 //! Worst cases of switched linear systems `x' = A x + B u + c` with bounded inputs.
 
 pub mod answer;
+mod certificate;
 mod comparison;
 mod condition;
 mod decide;
@@ -20,6 +21,7 @@ mod walk;
 mod witness;
 mod worst;
 
+pub use certificate::certificate;
 pub use decide::{Decided, Part, ReachError, Verdict, decide};
 pub use system::{Check, Condition, Input, Mode, Range, Side, Stay, Switching, System};
 pub use tube::{Tube, along, tube};

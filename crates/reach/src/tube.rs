@@ -8,6 +8,9 @@ use crate::worst::Solver;
 use arithmetic::{Cancelled, Progress, Rational, rational};
 use num_traits::ToPrimitive;
 
+/// A matrix of floats by rows.
+type Rows = Vec<Vec<f64>>;
+
 /// Times, and the ends of a quantity at each.
 pub type Tube = Vec<(f64, f64, f64)>;
 
@@ -56,7 +59,7 @@ pub fn along(system: &System, condition: &Condition, witness: &Witness, samples:
     let latest = |list: &[(Rational, Rational)], t: f64| {
         list.iter().rev().find(|(from, _)| float(from) <= t).map_or(0.0, |(_, x)| float(x))
     };
-    let modes: Vec<(Vec<Vec<f64>>, Vec<Vec<f64>>, Vec<f64>)> = system
+    let modes: Vec<(Rows, Rows, Vec<f64>)> = system
         .modes
         .iter()
         .map(|mode| {

@@ -90,26 +90,33 @@ impl Witness {
     pub fn states(&self, system: &System, bits: u32) -> Vec<Interval> {
         let zero = Interval::from_rational(&Rational::ZERO, bits);
         let mut state: Vec<Interval> = self.start.iter().map(|x| zero.rational(x)).chain([zero.one()]).collect();
-        let mut instants: Vec<&Rational> = self.modes.iter().map(|(time, _)| time).collect();
-        instants.extend(self.inputs.iter().flatten().map(|(time, _)| time));
-        instants.retain(|time| **time < self.at);
-        instants.sort();
-        instants.dedup();
-        for (i, from) in instants.iter().enumerate() {
-            let to = instants.get(i + 1).map_or(&self.at, |to| *to);
-            let mode = latest(&self.modes, from).copied().unwrap_or_default();
-            let inputs: Vec<Rational> =
-                self.inputs.iter().map(|input| latest(input, from).cloned().unwrap_or_default()).collect();
+        for (mode, time, inputs) in self.stretches() {
             let mode = &system.modes[mode];
             let forcing = |i: usize| &mode.c[i] + mode.b[i].iter().zip(&inputs).map(|(b, u)| b * u).sum::<Rational>();
             let n = system.states.len();
             let mut rows: Vec<Vec<Rational>> =
                 (0..n).map(|i| mode.a[i].iter().cloned().chain([forcing(i)]).collect()).collect();
             rows.push(vec![Rational::ZERO; n + 1]);
-            state = apply(&exponential(&rows, &(to - *from), &zero), &state);
+            state = apply(&exponential(&rows, &time, &zero), &state);
         }
         state.truncate(self.start.len());
         state
+    }
+
+    /// Stretches of one mode and constant inputs: the mode, how long it lasts, the values of the inputs.
+    pub fn stretches(&self) -> Vec<(usize, Rational, Vec<Rational>)> {
+        let mut instants: Vec<&Rational> = self.modes.iter().map(|(time, _)| time).collect();
+        instants.extend(self.inputs.iter().flatten().map(|(time, _)| time));
+        instants.retain(|time| **time < self.at);
+        instants.sort();
+        instants.dedup();
+        let ends = instants.iter().skip(1).copied().chain([&self.at]);
+        let stretch = |(from, to): (&&Rational, &Rational)| {
+            let mode = latest(&self.modes, from).copied().unwrap_or_default();
+            let inputs = self.inputs.iter().map(|input| latest(input, from).cloned().unwrap_or_default());
+            (mode, to - *from, inputs.collect())
+        };
+        instants.iter().zip(ends).map(stretch).collect()
     }
 
     /// Encloses the value of a row at its time.

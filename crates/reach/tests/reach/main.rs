@@ -2,11 +2,12 @@
 
 extern crate flockproof_reach as reach;
 
+mod certificates;
 mod inputs;
 mod random;
 mod switching;
 
-use arithmetic::{Enclosure, Interval, Rational, Real, Ring, Unwatched, parse_rational, rational};
+use arithmetic::{Enclosure, Interval, Number, Rational, Real, Ring, Unwatched, parse_rational, rational};
 use reach::{Decided, Part, System, Verdict, decide};
 
 /// One mode with the rows of `A` and `B` as texts of TOML.
