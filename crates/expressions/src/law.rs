@@ -160,11 +160,23 @@ impl Law {
     pub fn write_rates<T: Number>(
         &self,
         evaluator: &mut Evaluator<T>,
-        (time, state): (&T, &[T]),
+        moment: (&T, &[T]),
         hearing: &dyn Hearing,
         rates: &mut [T],
     ) -> Result<(), Fault> {
-        evaluator.agents(time, state, hearing, |agent, output, value| {
+        self.write_rates_of(0..hearing.agents(), evaluator, moment, hearing, rates)
+    }
+
+    /// Those of some agents only, from 0.
+    pub(crate) fn write_rates_of<T: Number>(
+        &self,
+        agents: impl Iterator<Item = usize>,
+        evaluator: &mut Evaluator<T>,
+        moment: (&T, &[T]),
+        hearing: &dyn Hearing,
+        rates: &mut [T],
+    ) -> Result<(), Fault> {
+        evaluator.agents(agents, moment, hearing, |agent, output, value| {
             let (variable, component) = self.targets[output];
             let variable = &self.variables[variable];
             rates[variable.start + agent * variable.stride + component] = value;

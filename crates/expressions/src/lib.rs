@@ -17,6 +17,7 @@
 //! ```
 
 mod alike;
+mod blocks;
 mod compile;
 mod evaluate;
 mod law;
@@ -26,6 +27,7 @@ mod program;
 mod syntax;
 
 pub use alike::{nearest_ids, nearest_name};
+pub use blocks::Blocks;
 pub use evaluate::{Evaluator, Everyone, Fault, Hearing};
 pub use law::{Kind, Law, LawError, LawText, Parameter, Time, Variable};
 pub use number::{Function, Number};
