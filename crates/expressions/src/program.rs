@@ -323,7 +323,8 @@ impl Things {
         let this = &self.loops[number];
         let first: Vec<Id> = this.condition.into_iter().collect();
         let (before, done, mut outside) = self.plan(this.slot, &first, (&BTreeSet::new(), wanted));
-        let is_wanted = |place: usize| self.known.get(&Op::Gathered(number, place)).is_some_and(|id| wanted.contains(id));
+        let is_wanted =
+            |place: usize| self.known.get(&Op::Gathered(number, place)).is_some_and(|id| wanted.contains(id));
         let bodies = this.bodies.iter().enumerate().filter(|(place, _)| is_wanted(*place)).map(|(_, (_, body))| *body);
         let bodies: Vec<Id> = bodies.collect();
         let (after, _, further) = self.plan(this.slot, &bodies, (&done, wanted));

@@ -253,7 +253,8 @@ fn blocks_of_large_flocks_as_one_number_after_the_other() {
 
 #[test]
 fn threads_change_no_byte() {
-    let law = second_order(&[], "sum(j, (v[j] - v)/(1 + norm2(x[j] - x))^(1/4)) + mean(k, x[k])", &[]).compile(900).unwrap();
+    let law =
+        second_order(&[], "sum(j, (v[j] - v)/(1 + norm2(x[j] - x))^(1/4)) + mean(k, x[k])", &[]).compile(900).unwrap();
     let mut random = generator("expressions", "threads", 0);
     let state: Vec<f64> = (0..3600).map(|_| uniform(&mut random)).collect();
     let with = |threads: usize| {
@@ -303,7 +304,10 @@ fn random_expressions_as_by_a_walk_through_the_tree() {
                     compared += 1;
                     assert!((found - wanted).abs() < 1e-9 * size, "{text}: {found} for {wanted} (agent {agent})");
                     let found = blocks[8 + 2 * agent + c];
-                    assert!((found - wanted).abs() < 1e-9 * size, "{text}: {found} in blocks for {wanted} (agent {agent})");
+                    assert!(
+                        (found - wanted).abs() < 1e-9 * size,
+                        "{text}: {found} in blocks for {wanted} (agent {agent})"
+                    );
                 }
             }
         }

@@ -7,7 +7,7 @@ use crate::network::{Change, Network, Pair, Rule};
 use crate::observables::Observable;
 use crate::simulation::{Event, Frame, Simulation};
 use arithmetic::{ArithmeticError, Progress, Rational, Sign};
-use expressions::{Evaluator, Law, Number};
+use expressions::{Blocks, Evaluator, Law, Number};
 use num_traits::ToPrimitive;
 use std::cell::RefCell;
 use std::cmp::Ordering;
@@ -24,7 +24,7 @@ pub(super) struct Stepping<T> {
     state: Vec<T>,
     next: Vec<T>,
     evaluator: Evaluator<T>,
-    observed: RefCell<Evaluator<f64>>,
+    observed: RefCell<Blocks>,
     rounded: fn(&T) -> f64,
     declaration: Vec<String>,
 }
@@ -35,7 +35,7 @@ impl<T: Number> Stepping<T> {
         let mut stepping = Stepping {
             radius: own.radius.map(|radius| zero.rational(&radius)),
             evaluator: own.law.evaluator(zero),
-            observed: RefCell::new(own.law.observing(&0.0)),
+            observed: RefCell::new(Blocks::observables(&own.law)),
             next: vec![zero.clone(); state.len()],
             law: own.law,
             network: own.network,

@@ -4,7 +4,7 @@ use crate::network::Network;
 use crate::observables::{Observable, min_distance};
 use crate::simulation::{Frame, Part};
 use arithmetic::{ArithmeticError, Complex};
-use expressions::{Evaluator, Fault, Hearing, Kind, Law};
+use expressions::{Blocks, Fault, Hearing, Kind, Law};
 use models::oscillator::moment;
 
 /// Orders that are measured of an angle.
@@ -70,7 +70,7 @@ pub(super) fn frame(law: &Law, state: &[f64]) -> Frame {
 pub(super) fn observe(
     law: &Law,
     network: &Network,
-    (evaluator, time): (&mut Evaluator<f64>, f64),
+    (blocks, time): (&mut Blocks, f64),
     state: &[f64],
 ) -> Result<Vec<Observable>, Fault> {
     let is_own = |name: &str| law.observables().iter().any(|(own, _)| own == name);
@@ -87,7 +87,7 @@ pub(super) fn observe(
         all.push(Observable::list("order", orders(&phases).unwrap_or_default()));
     }
     all.retain(|observable| !is_own(&observable.name));
-    let mut numbers = evaluator.flock(&time, state, &Heard(network))?.into_iter();
+    let mut numbers = blocks.observe(time, state, &Heard(network))?.into_iter();
     for (name, count) in law.observables() {
         let values: Vec<f64> = numbers.by_ref().take(*count).collect();
         all.push(match values[..] {

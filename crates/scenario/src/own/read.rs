@@ -7,7 +7,6 @@ use crate::error::{ConfigError, Problem};
 use crate::network::{Abilities, Kind as NetworkKind, Network, Rule};
 use crate::simulation::{Continuous, Simulation};
 use crate::source::{Entry, Section, Source};
-use crate::stepped::Stepped;
 use arithmetic::{Rational, rational};
 use expressions::{Kind, Law, LawError, LawText, Parameter, Time};
 use num_traits::ToPrimitive;
@@ -64,7 +63,7 @@ pub(crate) fn read(source: &Source, tolerance: f64) -> Result<(Box<dyn Simulatio
     let mut moving = Moving::new(own);
     moving.start(&state).map_err(|problem| source.top().problem(problem))?;
     let simulation: Box<dyn Simulation> = match fixed {
-        Some(step) => Box::new(Stepped::settled(moving, state, step)),
+        Some(step) => Box::new(moving.stepped(state, step)),
         None => Box::new(Continuous::new(moving, &state, tolerance)),
     };
     Ok((simulation, None))
