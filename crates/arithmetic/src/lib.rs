@@ -44,6 +44,7 @@ mod regression;
 mod residue;
 mod series;
 mod surd;
+pub mod threads;
 mod words;
 
 pub use ball::Ball;
