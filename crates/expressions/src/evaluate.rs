@@ -77,6 +77,12 @@ impl<T: Number> Evaluator<T> {
         Evaluator { bound: vec![0; program.slots.len()], program, lists, like: like.clone(), known }
     }
 
+    /// Sets the numbers that were drawn for this step: of each list one for each agent.
+    pub fn set_drawn(&mut self, drawn: &[Vec<T>]) {
+        let first = self.lists.len() - drawn.len().min(self.lists.len());
+        self.lists[first..].iter_mut().zip(drawn).for_each(|(list, drawn)| list.clone_from(drawn));
+    }
+
     /// The numbers of the flock, in their order.
     ///
     /// # Errors

@@ -28,8 +28,9 @@ mod syntax;
 
 pub use alike::{nearest_ids, nearest_name};
 pub use blocks::Blocks;
+pub use compile::{Clauses, Comparison};
 pub use evaluate::{Evaluator, Everyone, Fault, Hearing};
-pub use law::{Kind, Law, LawError, LawText, Parameter, Time, Variable};
+pub use law::{Drawn, Kind, Law, LawError, LawText, Parameter, Time, Variable};
 pub use number::{Function, Number};
 pub use problem::Problem;
 pub use program::Program;

@@ -333,7 +333,7 @@ impl Things {
     }
 
     /// All that some things need: of what a loop gathers for several programs, each takes its own.
-    fn wanted(&self, outputs: &[Id]) -> BTreeSet<Id> {
+    pub fn wanted(&self, outputs: &[Id]) -> BTreeSet<Id> {
         let (mut wanted, mut open) = (BTreeSet::new(), outputs.to_vec());
         while let Some(id) = open.pop() {
             if !wanted.insert(id) {

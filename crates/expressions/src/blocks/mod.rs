@@ -55,6 +55,19 @@ impl Blocks {
         Blocks { code, columns, spaces, outputs: Vec::new(), arch: pulp::Arch::new(), slow }
     }
 
+    /// Sets the numbers that were drawn for this step: of each list one for each agent.
+    pub fn set_drawn(&mut self, law: &Law, drawn: &[Vec<f64>]) {
+        self.slow.set_drawn(drawn);
+        let first = law.lists.len() - drawn.len().min(law.lists.len());
+        for (numbers, column) in self.columns.iter_mut().zip(&self.code.columns) {
+            if let Column::Parameter(list) = column
+                && let Some(drawn) = list.checked_sub(first).and_then(|k| drawn.get(k))
+            {
+                numbers.clone_from(drawn);
+            }
+        }
+    }
+
     fn fill_columns(&mut self, state: &[f64]) {
         for (numbers, column) in self.columns.iter_mut().zip(&self.code.columns) {
             if let Column::State { start, stride, component } = column {

@@ -43,6 +43,11 @@ impl Moving {
         }
     }
 
+    /// The law and its network.
+    pub fn parts(&self) -> (&expressions::Law, &Network) {
+        (&self.law, &self.network)
+    }
+
     /// Makes the links of the start, and looks whether the law has a value there.
     pub fn start(&mut self, state: &[f64]) -> Result<(), Problem> {
         self.settle(state);

@@ -3,6 +3,7 @@
 mod continuous;
 mod discrete;
 mod measured;
+mod noisy;
 mod read;
 mod start;
 
