@@ -18,6 +18,7 @@ mod near;
 mod rk4;
 mod sine;
 mod statistics;
+mod system;
 mod turn_count;
 pub mod validated;
 
@@ -34,6 +35,7 @@ pub use near::NearLists;
 pub use rk4::Rk4;
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
 pub use statistics::{Sample, Share};
+pub use system::System;
 pub use turn_count::whole_turns;
 
 /// The right-hand side of `dy/dt = f(t, y)`. A field may keep scratch space, so it is asked by a mutable reference; the

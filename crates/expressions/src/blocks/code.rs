@@ -1,6 +1,6 @@
 //! From the plan of a program to code for blocks: registers numbered, each level with its constants, what it loads and what comes from outside.
 
-use crate::number::Function;
+use crate::function::Function;
 use crate::program::{FLOCK, Gather, Id, OWN, Of, Op, Program, Round, Slot, Step as Planned};
 use crate::syntax::Relation;
 use num_traits::ToPrimitive;

@@ -1,7 +1,7 @@
 //! What is done with the lanes of registers: loops that the compiler makes vectors of.
 
 use super::code::{Instruction, Register};
-use crate::number::Function;
+use crate::function::Function;
 use crate::syntax::Relation;
 use motion::sin_cos_of;
 use pulp::{Simd, WithSimd};

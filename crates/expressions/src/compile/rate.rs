@@ -2,8 +2,8 @@
 //! `e` is differentiated thing by thing, and the numbers of the state change as the law says.
 
 use super::{Compiler, Made, Scope, Value};
+use crate::function::Function;
 use crate::law::Time;
-use crate::number::Function;
 use crate::problem::Problem;
 use crate::program::{FLOCK, Gather, Id, Of, Op};
 use crate::syntax::{Node, Relation};

@@ -3,11 +3,11 @@
 use super::{Compiler, Made, Scope, Value};
 use crate::evaluate::{Evaluator, Hearing};
 use crate::law::{LawError, LawText};
-use crate::number::Number;
+
 use crate::problem::Problem;
 use crate::program::{FLOCK, Id, Op, Program};
 use crate::syntax::{Node, NodeKind, Relation};
-use arithmetic::{ArithmeticError, Rational};
+use arithmetic::{ArithmeticError, Number, Rational};
 use std::sync::Arc;
 
 /// Clauses, or comparisons in one, beyond which a property is not taken apart.

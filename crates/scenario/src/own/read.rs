@@ -34,6 +34,7 @@ const KEYS: [&str; 13] = [
 ];
 
 /// A law of one's own with everything that a run needs.
+#[derive(Clone)]
 pub(crate) struct Described {
     pub law: Arc<Law>,
     /// The start: exact, in the order of the law's state.
@@ -49,9 +50,12 @@ pub(crate) struct Described {
     pub random: ChaCha8Rng,
 }
 
-/// Reads a scenario with a law of its own; with it the step of discrete time.
-pub(crate) fn read(source: &Source, tolerance: f64) -> Result<(Box<dyn Simulation>, Option<Rational>), ConfigError> {
-    let mut own = describe(source)?;
+/// The run in floats, or of discrete time exactly; with it the step of discrete time.
+pub(crate) fn simulation(
+    mut own: Described,
+    source: &Source,
+    tolerance: f64,
+) -> Result<(Box<dyn Simulation>, Option<Rational>), ConfigError> {
     let run = source.needed("run")?;
     let fixed = run.get("step").map(|entry| entry.positive()).transpose()?;
     if own.time == Time::Discrete {
