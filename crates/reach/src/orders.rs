@@ -177,7 +177,8 @@ impl Orders {
                     self.stayed(&order, stays, all, rest, times, Some(&stays[last].least));
                     continue;
                 }
-                if stays[last].most.is_none() {
+                // What lasts longer than is looked back.
+                if stays[last].most.as_ref().is_none_or(|most| most > all) {
                     self.stayed(&order, stays, all, rest, times, Some(all));
                 }
             }

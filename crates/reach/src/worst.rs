@@ -86,7 +86,10 @@ impl<'a> Solver<'a> {
             let like = Interval::from_rational(&Rational::ZERO, bits);
             let flows = Flows::new(&self.prepared.motions, &self.orders.longest, &self.orders.chain, &like);
             let finer = self.search(&flows, &like, row, &tolerance, bits / 2, found.open.clone())?;
-            found = Found { above: finer.above.clone().or(found.above), ..finer };
+            // The boxes that were left out are below the value that was attained before.
+            let best = finer.best.into_iter().chain(found.best).reduce(|a, b| if b.value > a.value { b } else { a });
+            let above = finer.above.zip(best.as_ref()).map(|(above, best)| above.max(best.value.clone()));
+            found = Found { above: above.or(found.above), best, open: finer.open };
         }
         Ok(self.worst(&found))
     }
