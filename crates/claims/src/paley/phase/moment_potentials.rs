@@ -88,7 +88,7 @@ pub fn moment_potentials() -> Record<MomentVariant> {
             });
             let squares = identities(run, &[1, 2], &[], squares);
             let saddles = Run::all([few_phases(variant, run), two_clusters(variant, run)]).checks("step P4");
-            Run::all([saddles, squares, argued(&[3], "every N >= 2 and m", "notes/paley_phases.md, steps P4")])
+            Run::all([squares, saddles, argued(&[3], "every N >= 2 and m", "notes/paley_phases.md, steps P4")])
         },
     )
     .reading(
