@@ -9,7 +9,7 @@ use super::state_space::{StateSpace, StateSpaceError};
 use super::{CommunicationGraph, Gains};
 use algebra::matrix::MatrixError;
 use algebra::spectrum::{Largest, LargestError, Place, Polynomial, largest_quotient};
-use arithmetic::{ArithmeticError, Cancelled, Dyadic, Interval, Progress, Rational, Real};
+use arithmetic::{ArithmeticError, Cancelled, Dyadic, Interval, Number, Progress, Rational};
 use num_bigint::BigInt;
 
 /// Most followers of a platoon of which the peak is meant to be proved; the cost grows like the fourth power of their number.

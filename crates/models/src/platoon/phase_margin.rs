@@ -13,7 +13,7 @@ use super::gain_margin::MOST_MODES;
 use super::vector_form::motion_rows_of_cars;
 use algebra::matrix::{RationalMatrix, SparseMatrix};
 use algebra::spectrum::matrix_spectrum;
-use arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, Sign, Signed, rational};
+use arithmetic::{ArithmeticError, Field, Interval, Number, Rational, Real, Ring, Sign, Signed, rational};
 use std::f64::consts::PI;
 
 /// Most followers with gains of their own of which it is searched.

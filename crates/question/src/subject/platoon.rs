@@ -12,7 +12,8 @@ use crate::timeline::Measured;
 use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{Polynomial, matrix_spectrum};
 use arithmetic::{
-    ArithmeticError, Complex, Dyadic, Field, Interval, Progress, Rational, Real, Ring, Sign, Signed, rational, shown,
+    ArithmeticError, Complex, Dyadic, Field, Interval, Number as _, Progress, Rational, Ring, Sign, Signed, rational,
+    shown,
 };
 use models::platoon::vector_form::motion_matrix;
 use models::platoon::{

@@ -4,7 +4,7 @@ use super::continuous::Moving;
 use super::discrete::Stepping;
 use super::start::{Ranges, start};
 use crate::error::{ConfigError, Problem};
-use crate::network::{Abilities, Kind as NetworkKind, Network, Rule};
+use crate::network::{Abilities, Kind as NetworkKind, Network};
 use crate::simulation::{Continuous, Simulation};
 use crate::source::{Entry, Section, Source};
 use crate::stepped::Stepped;
@@ -19,6 +19,7 @@ const KEYS: [&str; 11] =
     ["name", "time", "step", "dimension", "state", "position", "parameters", "define", "rates", "next", "observables"];
 
 /// A law of one's own with everything that a run needs.
+#[derive(Clone)]
 pub(crate) struct Described {
     pub law: Arc<Law>,
     /// The start: exact, in the order of the law's state.
@@ -32,9 +33,12 @@ pub(crate) struct Described {
     pub declaration: Vec<String>,
 }
 
-/// Reads a scenario with a law of its own; with it the step of discrete time.
-pub(crate) fn read(source: &Source, tolerance: f64) -> Result<(Box<dyn Simulation>, Option<Rational>), ConfigError> {
-    let mut own = describe(source)?;
+/// The run in floats, or of discrete time exactly; with it the step of discrete time.
+pub(crate) fn simulation(
+    mut own: Described,
+    source: &Source,
+    tolerance: f64,
+) -> Result<(Box<dyn Simulation>, Option<Rational>), ConfigError> {
     let run = source.needed("run")?;
     let fixed = run.get("step").map(|entry| entry.positive()).transpose()?;
     if own.time == Time::Discrete {
@@ -132,10 +136,7 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
     text.planar = text.dimension == 1 && network.switches();
     let law = text.compile(agents).map_err(|error| refused(&section, rates, error))?;
     let state = laid_out(&law, &parts);
-    let radius = match network.rule() {
-        Rule::Within(_) => Some(source.needed("graph")?.need("radius", "a number above 0")?.exact()?),
-        _ => None,
-    };
+    let radius = network.exact_radius().cloned();
     let name = section.get("name").map(|entry| entry.word()).transpose()?;
     let mut declaration = declaration(&text, name, &step);
     declaration.push(match &radius {
