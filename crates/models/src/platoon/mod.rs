@@ -6,6 +6,7 @@
 
 pub mod banded;
 mod communication_graph;
+pub mod front_in_time;
 pub mod gain_margin;
 pub mod growth;
 mod law;
