@@ -123,10 +123,6 @@ Check (@chazelle_birds.last_switch :
    (i < 4)%nat ->
    (j < 4)%nat ->
    chazelle_birds.G (chazelle_birds.hysteresis chazelle_birds.eps) t i j = chazelle_birds.path4 i j)).
-(* chazelle.lem3.6.i (part) *)
-Check (@chazelle_birds.within_distance_joined :
-  forall (e : Q) (H : chazelle_birds.network) (y : chazelle_birds.vec) (z : nat -> Q) (i j : nat),
-  i <> j -> (Qabs (z i - z j) <= 1)%Q -> chazelle_birds.hysteresis e H y z i j = true).
 End NumbersAndBirds.
 
 Module Matrices.
@@ -564,6 +560,10 @@ Check (@chazelle_losses.lemma_3_6_ii :
   (forall t i, w t i = 2%:R / (3 * degree (G t) i)%:R) \/ (forall t i, w t i = (degree (G t) i).+1%:R^-1) ->
   (forall i, norm2 (row i (v 1%N)) <= n%:R) ->
   forall t i j, 1 + n%:R ^- (n ^ 3) < norm2 (row i (x t) - row j (x t)) -> ~~ G t i j).
+(* chazelle.lem3.6.i: any threshold, any dimension *)
+Check (@chazelle_losses.within_unit :
+  forall (R : rcfType) (n d : nat) (eps : R) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  chazelle_switches.flock eps x v G w -> forall t i j, i != j -> norm2 (row i (x t) - row j (x t)) <= 1 -> G t i j).
 (* chazelle.lem3.1.count (corrected) *)
 Check (@chazelle_switches.count_corrected :
   forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (b : 'I_n) (T : nat -> nat)

@@ -11,9 +11,10 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 121] = sources![
+const SOURCES: [(&str, &str); 128] = sources![
     "IntervalStdZ",
     "RealSums",
+    "inclusions",
     "chazelle_birds",
     "chazelle_model",
     "chazelle_ergodicity",
@@ -72,6 +73,8 @@ const SOURCES: [(&str, &str); 121] = sources![
     "tanner2_switching",
     "tanner2_distance",
     "tanner2_filippov",
+    "tanner2_lasting",
+    "tanner_angle",
     "tanner_graph",
     "tanner_components",
     "tanner_rates",
@@ -82,6 +85,7 @@ const SOURCES: [(&str, &str); 121] = sources![
     "veerman_stability",
     "veerman_lemma1",
     "veerman_matrices",
+    "veerman_dimensions",
     "veerman_numbers",
     "veerman_rest",
     "veerman_amplitude",
@@ -115,7 +119,9 @@ const SOURCES: [(&str, &str); 121] = sources![
     "audit_paley_spectrum",
     "audit_tanner1",
     "audit_tanner2",
+    "audit_tanner_motions",
     "audit_veerman",
+    "audit_matrices",
     "audit_independent_chazelle",
     "audit_independent_angle",
     "audit_independent_paley",
@@ -133,6 +139,7 @@ const SOURCES: [(&str, &str); 121] = sources![
     "audit_independent_links",
     "audit_independent_sums",
     "audit_independent_chazelle_more",
+    "audit_independent_motions",
 ];
 
 /// A file of the development.
