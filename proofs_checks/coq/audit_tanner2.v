@@ -84,18 +84,7 @@ Check (tanner2_facts.Q_rate :
        is_derive (fun s : R_AbsRing => Qsat n V R0 (fun i : nat => r i s) (fun i : nat => v i s)) t
          (- qform (2 * n) (kron2 (lap n (near (fun i : nat => r i t) R0))) (stack (fun i : nat => v i t)))).
 
-(* tanner2.Qjump *)
-Check (tanner_nonsmooth.saturated_continuous :
-  forall (V V' : R -> R) (R0 : R),
-       0 < R0 ->
-       (forall s : R, 0 < s -> is_derive V s (V' s)) -> forall s : R, 0 < s -> continuity_pt (saturated V R0) s).
 
-(* tanner2.Qjump *)
-Check (tanner_nonsmooth.saturated_not_differentiable :
-  forall (V V' : R -> R) (R0 c : R),
-       0 < R0 ->
-       (forall s : R, 0 < s -> is_derive V s (V' s)) ->
-       continuity_pt V' R0 -> V' R0 = c -> 0 < c -> ~ ex_derive (saturated V R0) R0).
 
 (* tanner2.S_config *)
 Check (tanner2_facts.S_config_fails :

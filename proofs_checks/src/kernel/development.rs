@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 128] = sources![
+const SOURCES: [(&str, &str); 136] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -38,6 +38,7 @@ const SOURCES: [(&str, &str); 128] = sources![
     "chazelle_losses",
     "chazelle_worked",
     "chazelle_angle",
+    "chazelle_lower",
     "paley_model",
     "paley_phase",
     "paley_laplacian",
@@ -50,6 +51,7 @@ const SOURCES: [(&str, &str); 128] = sources![
     "paley_composite",
     "paley_fish",
     "paley_stability",
+    "paley_limits",
     "tanner_energy",
     "paley_behaviours",
     "paley_circulant",
@@ -73,8 +75,10 @@ const SOURCES: [(&str, &str); 128] = sources![
     "tanner2_switching",
     "tanner2_distance",
     "tanner2_filippov",
+    "tanner2_limits",
     "tanner2_lasting",
     "tanner_angle",
+    "tanner2_energies",
     "tanner_graph",
     "tanner_components",
     "tanner_rates",
@@ -99,6 +103,7 @@ const SOURCES: [(&str, &str); 128] = sources![
     "veerman_size_limit",
     "veerman_exponent",
     "veerman_lesser",
+    "veerman_root",
     "certificate_matrices",
     "certificate_flocks",
     "certificate_limits",
@@ -117,9 +122,11 @@ const SOURCES: [(&str, &str); 128] = sources![
     "audit_chazelle",
     "audit_paley",
     "audit_paley_spectrum",
+    "audit_paley_limits",
     "audit_tanner1",
     "audit_tanner2",
     "audit_tanner_motions",
+    "audit_tanner_energies",
     "audit_veerman",
     "audit_matrices",
     "audit_independent_chazelle",
@@ -140,6 +147,7 @@ const SOURCES: [(&str, &str); 128] = sources![
     "audit_independent_sums",
     "audit_independent_chazelle_more",
     "audit_independent_motions",
+    "audit_independent_lower",
 ];
 
 /// A file of the development.
