@@ -594,13 +594,6 @@ Check (eq_refl : place2 = fun d i => match i with 0%nat => RtoC (2 + d / 2) | 1%
 Check (eq_refl : speed2 = fun e i => match i with 0%nat => RtoC (e / 2) | 1%nat => RtoC 0 | _ => RtoC (- e / 2) end).
 Check (eq_refl : apart = fun t => exp (- t / 2) * cos (t / 2)).
 
-(* tanner2.noninter *)
-Check (tanner2_path.unlinked_meet :
-  solution 3 path3 (fun _ _ : nat => VP) (fun _ _ : nat => VP') (fun (i : nat) (t : R) => place2 (apart t) i)
-         (fun (i : nat) (t : R) => speed2 (apart' t) i) /\
-       (forall s : R, 0 < s -> s <> 2 -> VP 2 < VP s) /\
-       path3 0 2 = false /\
-       norm (place2 (apart 0) 0 - place2 (apart 0) 2)%C = 1 /\ place2 (apart PI) 0 = place2 (apart PI) 2).
 
 (* tanner2.sec4.flocking *)
 Check (tanner2_path.unlinked_together :

@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra Lia Relations List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles tanner_energy tanner_flock tanner2_motion tanner_trees tanner1_heading.
-From Flockproof Require tanner2_lasting tanner_angle.
+From Flockproof Require tanner2_lasting tanner_angle tanner2_collision.
 Open Scope R_scope.
 
 Check (eq_refl : is_velocity = fun r t v => is_derive (fun s => fst (r s)) t (fst v) /\ is_derive (fun s => snd (r s)) t (snd v)).
@@ -79,3 +79,11 @@ Check (tanner_angle.Omega_limits : forall (n : nat) (adj : graph) (V V' : nat ->
   (forall i j, (i < n)%nat -> (j < n)%nat -> tends (fun k => x k i j) (y i j)) ->
   (forall i, (i < n)%nat -> tends (fun k => v k i) (u i)) ->
   (forall i, (i < n)%nat -> is_lim_seq (fun k => th k i) (al i)) -> tanner_angle.in_Omega n adj V c y u al).
+
+(* tanner2.noninter: any graph, any pair that is not linked *)
+Check (tanner2_collision.unlinked_collide : forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (i j : nat),
+  undirected adj -> no_loops adj -> (forall a b, V a b = V b a) -> (forall a b, V' a b = V' b a) ->
+  (forall a b, (a < n)%nat -> (b < n)%nat -> adj a b = true -> potential (V a b) (V' a b)) ->
+  (forall a b s, (a < n)%nat -> (b < n)%nat -> adj a b = true -> 0 < s -> continuity_pt (V' a b) s) ->
+  (i < n)%nat -> (j < n)%nat -> i <> j -> adj i j = false ->
+  exists r v : nat -> R -> C, distinct n adj (fun k => r k 0) /\ (forall t, 0 <= t -> moves n adj V' r v t) /\ r i 0 <> r j 0 /\ exists T, 0 < T /\ r i T = r j T).

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 136] = sources![
+const SOURCES: [(&str, &str); 137] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -79,6 +79,7 @@ const SOURCES: [(&str, &str); 136] = sources![
     "tanner2_lasting",
     "tanner_angle",
     "tanner2_energies",
+    "tanner2_collision",
     "tanner_graph",
     "tanner_components",
     "tanner_rates",
