@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 137] = sources![
+const SOURCES: [(&str, &str); 138] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -149,6 +149,7 @@ const SOURCES: [(&str, &str); 137] = sources![
     "audit_independent_chazelle_more",
     "audit_independent_motions",
     "audit_independent_lower",
+    "audit_independent_limits",
 ];
 
 /// A file of the development.
