@@ -1,4 +1,4 @@
-(* Clauses about the motions of Tanner, Jadbabaie and Pappas, formalised from their words before they were proved: motions last for all time, so that
+(* Clauses about the motions of Tanner, Jadbabaie and Pappas, formalised from their words with own definitions by who proved them: motions last for all time, so that
    what is said of motions for all t >= 0 (tanner2.thm1a, tanner2.thm1c clause 2, tanner2.cor1 clauses 4, 5) is said of all; the angle of a velocity
    (tanner1.eq2, tanner2.eq2 clause 2); the set Omega (tanner1.Omega.bounded clause 3, tanner1.Omega.closed). *)
 From Coq Require Import Reals Lra Lia Relations Psatz.
