@@ -101,11 +101,6 @@ Check (paley_patterns.Wm_corrected :
   forall (n m : nat) (th : nat -> R),
        (1 <= n)%nat -> (1 <= m)%nat -> Wm n complete m th = INR n / (2 * INR m ^ 2) - Um n m th).
 
-(* paley.balexist *)
-Check (paley_fourier.balanced_exists :
-  forall (n : nat) (adj : graph) (s : nat -> bool),
-       (2 <= n)%nat ->
-       undirected adj -> circulant n adj s -> exists th : nat -> R, balanced n th /\ stationary n (W1 n adj) th).
 
 (* paley.balexist *)
 Check (paley_fourier.balanced_needs_two :

@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase.
-From Flockproof Require inclusions paley_limits.
+From Flockproof Require paley_laplacian paley_fourier paley_directed inclusions paley_limits.
 Open Scope R_scope.
 
 Check (eq_refl : expi = fun t => (cos t, sin t)).
@@ -38,3 +38,9 @@ Check (paley_limits.rest_unstable : forall n, (1 <= n)%nat -> forall w0 K1 a, (2
 Check (paley_limits.clusters_unstable : forall n, (1 <= n)%nat -> forall w0 K1 (x : R) (s : nat -> bool) (a : nat -> R), K1 <> 0 -> (forall k, (k < n)%nat -> a k = if s k then x else x + PI) ->
   (exists j, (j < n)%nat /\ s j = true) -> (exists j, (j < n)%nat /\ s j = false) -> Sum n (fun k => if s k then 1 else 0) <> Sum n (fun k => if s k then 0 else 1) ->
   (stationary n (U1 n) a /\ ~ paley_limits.stable n w0 K1 a) /\ (expi (x + PI) = - expi x)%C /\ forall k, (k < n)%nat -> expi (a k) = if s k then expi x else expi (x + PI)).
+
+(* paley.balexist: circulant graphs, directed ones too *)
+Check (eq_refl : W1 = fun n adj th => / (2 * INR n) * Sum n (fun k => inner (expi (th k)) (Csum n (fun j => RtoC (lap n adj k j) * expi (th j))%C))).
+Check (eq_refl : paley_fourier.circulant = fun n adj s => forall k j, (k < n)%nat -> (j < n)%nat -> adj k j = s ((j + n - k) mod n)%nat).
+Check (paley_directed.balanced_exists_directed : forall (n : nat) (adj : graph) (s : nat -> bool), (2 <= n)%nat -> paley_fourier.circulant n adj s ->
+  exists th, balanced n th /\ stationary n (W1 n adj) th).

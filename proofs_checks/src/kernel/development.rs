@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 138] = sources![
+const SOURCES: [(&str, &str); 139] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -44,6 +44,7 @@ const SOURCES: [(&str, &str); 138] = sources![
     "paley_laplacian",
     "paley_gradient",
     "paley_fourier",
+    "paley_directed",
     "paley_particles",
     "paley_centre",
     "paley_convergence",
