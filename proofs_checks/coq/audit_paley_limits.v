@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase.
-From Flockproof Require paley_laplacian paley_fourier paley_directed inclusions paley_limits.
+From Flockproof Require paley_laplacian paley_fourier paley_directed paley_headings inclusions paley_limits.
 Open Scope R_scope.
 
 Check (eq_refl : expi = fun t => (cos t, sin t)).
@@ -44,3 +44,11 @@ Check (eq_refl : W1 = fun n adj th => / (2 * INR n) * Sum n (fun k => inner (exp
 Check (eq_refl : paley_fourier.circulant = fun n adj s => forall k j, (k < n)%nat -> (j < n)%nat -> adj k j = s ((j + n - k) mod n)%nat).
 Check (paley_directed.balanced_exists_directed : forall (n : nat) (adj : graph) (s : nat -> bool), (2 <= n)%nat -> paley_fourier.circulant n adj s ->
   exists th, balanced n th /\ stationary n (W1 n adj) th).
+
+(* paley.figS3.difference (corrected), clause 2: independent uniform headings, one integral after the other *)
+Check (eq_refl : paley_headings.mean_of = fun F m th => / (2 * PI) * RInt (fun s => F (upd th m s)) 0 (2 * PI)).
+Check (fun F th => eq_refl : paley_headings.mean_over 0 F th = F th).
+Check (fun k F th => eq_refl : paley_headings.mean_over (S k) F th = paley_headings.mean_over k (paley_headings.mean_of F k) th).
+Check (paley_headings.figS3_mean : forall (n : nat) (g h : graph) (b c : nat) (th : nat -> R), (1 <= n)%nat -> no_loops g -> no_loops h -> (1 <= b)%nat -> (1 <= c)%nat ->
+  (forall k, (k < n)%nat -> deg n g k = INR b) -> (forall k, (k < n)%nat -> deg n h k = INR c) ->
+  paley_headings.mean_over n (fun x => W1 n h x / INR c - W1 n g x / INR b) th = 0).

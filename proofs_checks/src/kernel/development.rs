@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 139] = sources![
+const SOURCES: [(&str, &str); 140] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -51,6 +51,7 @@ const SOURCES: [(&str, &str); 139] = sources![
     "paley_patterns",
     "paley_composite",
     "paley_fish",
+    "paley_headings",
     "paley_stability",
     "paley_limits",
     "tanner_energy",
