@@ -12,14 +12,17 @@ from ._numbers import Enclosure, ExactMatrix, Undecided, exact
 from ._queries import (
     Eigenvalue,
     Ergodicity,
+    Peak,
     Prefix,
     Resonance,
     Spectrum,
     Stabiliser,
     Theorem1,
     ergodicity,
+    peak,
     resonance,
     spectrum,
+    system_peak,
 )
 from ._questions import Answer, Campaign, Failure, Invariant, Table, check, fuzz, invariants, sweep
 from ._runs import Event, Simulation, Tracks, simulate, tracks
@@ -43,6 +46,7 @@ __all__ = [
     "Flock",
     "Invariant",
     "Ledger",
+    "Peak",
     "Prefix",
     "Reach",
     "Resonance",
@@ -65,11 +69,13 @@ __all__ = [
     "fuzz",
     "invariants",
     "ledger",
+    "peak",
     "reach",
     "resonance",
     "simulate",
     "spectrum",
     "sweep",
+    "system_peak",
     "tracks",
     "verify",
 ]

@@ -9,6 +9,9 @@ use num_traits::{Signed, ToPrimitive};
 /// Most families; orders of more modes are left to the bounds for arbitrary switching.
 const FAMILIES: usize = 4000;
 
+/// Most modes in turn with a duration of their own each.
+const LEGS: usize = 8;
+
 /// Which times are looked at.
 #[derive(Debug, Clone)]
 pub(crate) enum Times {
@@ -167,7 +170,7 @@ impl Orders {
         };
         let mut orders: Vec<Vec<usize>> = (0..stays.len()).map(|mode| vec![mode]).collect();
         while let Some(order) = orders.pop() {
-            if self.families.len() > FAMILIES || order.len() > 60 {
+            if self.families.len() > FAMILIES || order.len() > LEGS {
                 return None;
             }
             let least: Rational = order[1..].iter().map(|&mode| stays[mode].least.clone()).sum();

@@ -121,7 +121,7 @@ fn what_switching_makes_unstable_has_no_bound() {
 #[test]
 fn long_stays_count_for_ever() {
     let slow = "[system]\nstates = [\"x\"]\ninputs = { u = [0, 1] }\nstart = { x = 0 }\n[[mode]]\nname = \"off\"\nA = [[-1]]\nB = [[0]]\n\
-        [[mode]]\nname = \"on\"\nA = [[\"-1/40\"]]\nB = [[1]]\n[switching]\nkind = \"dwell\"\nfirst = \"off\"\nat_least = { off = 1 }\n\
+        [[mode]]\nname = \"on\"\nA = [[\"-1/40\"]]\nB = [[1]]\n[switching]\nkind = \"dwell\"\nfirst = \"off\"\nat_least = { off = 10 }\n\
         at_most = { on = 30 }\n[run]\nuntil = \"inf\"\n[[check]]\nholds = \"x <= 100\"\n";
     let ever = worst(slow, 4);
     // 30 on from nothing: 40 (1 - e^(-3/4)) > 21.
