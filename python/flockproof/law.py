@@ -34,13 +34,15 @@ class Expression:
         return self.text
 
     def __bool__(self) -> bool:
-        raise TypeError(f"`{self.text}` has no truth value while a law is traced: use flockproof.law.choose(condition, a, b)")
+        told = "use flockproof.law.choose(condition, a, b)"
+        raise TypeError(f"`{self.text}` has no truth value while a law is traced: {told}")
 
     def __iter__(self) -> Any:
         raise TypeError(f"`{self.text}` cannot be taken apart while a law is traced: components are e[0], e[1]")
 
     def __float__(self) -> float:
-        raise TypeError(f"`{self.text}` is no number while a law is traced: use NumPy's functions or those of flockproof.law")
+        told = "use NumPy's functions or those of flockproof.law"
+        raise TypeError(f"`{self.text}` is no number while a law is traced: {told}")
 
     def _with(self, other: Any, sign: str, turned: bool = False) -> Expression:
         first, second = (_text(other), self.text) if turned else (self.text, _text(other))
@@ -124,14 +126,15 @@ class Expression:
             if name in ("maximum", "minimum") and len(inputs) == 2:
                 return _called("max" if name == "maximum" else "min", *inputs)
             if name == "negative":
-                return -inputs[0]
-        raise TypeError(f"numpy.{name} is not a function of laws; there are {', '.join(sorted(_UFUNCS))}, maximum, minimum")
+                return Expression(f"(-{_text(inputs[0])})")
+        known = ", ".join(sorted(_UFUNCS))
+        raise TypeError(f"numpy.{name} is not a function of laws; there are {known}, maximum, minimum")
 
 
 def _text(value: Any) -> str:
     if isinstance(value, Expression):
         return value.text
-    if isinstance(value, bool) or not hasattr(value, "__index__") and not hasattr(value, "as_integer_ratio"):
+    if isinstance(value, bool) or (not hasattr(value, "__index__") and not hasattr(value, "as_integer_ratio")):
         raise TypeError(f"`{str(value)[:60]}` is no expression of a law and no number")
     numerator, denominator = value.as_integer_ratio()
     return f"{numerator}" if denominator == 1 else f"({numerator}/{denominator})"
@@ -210,7 +213,8 @@ class Agent:
         if part in self._law.parameters:
             return Expression(part)
         if part not in self._law.state:
-            raise AttributeError(f"an agent has no {part}; it has {', '.join([*self._law.state, *self._law.parameters])}")
+            known = ", ".join([*self._law.state, *self._law.parameters])
+            raise AttributeError(f"an agent has no {part}; it has {known}")
         return Expression(f"{part}[{self._name}]")
 
 
@@ -219,7 +223,8 @@ class _Tracing:
 
     def __init__(self, state: Mapping[str, str], parameters: Mapping[str, Any]) -> None:
         self.state, self.parameters = state, parameters
-        self.lists = [name for name, value in parameters.items() if isinstance(value, Sequence) and not isinstance(value, str)]
+        several = [isinstance(value, Sequence) and not isinstance(value, str) for value in parameters.values()]
+        self.lists = [name for name, is_list in zip(parameters, several, strict=True) if is_list]
         self.bound: list[str] = []
 
     def agent(self) -> Agent:
@@ -383,11 +388,14 @@ class Law:
 
 def _line_of(error: BaseException) -> str:
     """Where in the traced function something went wrong."""
-    frames = [frame for frame in inspect.getinnerframes(error.__traceback__) if frame.filename != __file__] if error.__traceback__ else []
+    if error.__traceback__ is None:
+        return ""
+    frames = [frame for frame in inspect.getinnerframes(error.__traceback__) if frame.filename != __file__]
     return f" (line {frames[-1].lineno} of {frames[-1].filename})" if frames else ""
 
 
-_GREEK = {"alpha", "beta", "gamma", "delta", "epsilon", "eta", "theta", "kappa", "lambda", "mu", "nu", "omega", "phi", "psi", "rho", "sigma", "tau", "pi"}
+_LETTERS = "alpha beta gamma delta epsilon eta theta kappa lambda mu nu omega phi psi rho sigma tau pi"
+_GREEK = set(_LETTERS.split())
 _COMPARED = {ast.Lt: "<", ast.LtE: r"\le", ast.Gt: ">", ast.GtE: r"\ge", ast.Eq: "=", ast.NotEq: r"\ne"}
 
 
@@ -405,7 +413,8 @@ def latex(text: str) -> str:
     >>> print(latex("K / (1 + norm2(x[j] - x))^beta"))
     \frac{K}{\left(1 + \left|x_{j} - x_{i}\right|^{2}\right)^{\beta}}
     """
-    python = re.sub(r"\.(\d+)", r"._\1", re.sub(r"(?<=[\w\])])\.(\d+)(?![\d.])", r"._\1", text)) if "]." in text else text
+    # Components such as x[j].1 are attributes that Python can read.
+    python = re.sub(r"\]\.(\d+)", r"]._\1", text)
     python = python.replace("^", "**").replace(" where ", ", __where__, ")
     python = re.sub(r"(?<![<>!=])=(?!=)", "==", python)
     python = re.sub(r"\bif\(", "if_(", python)

@@ -36,11 +36,13 @@ def test_functions_are_the_same_law_as_texts(tmp_path):
 
 
 def test_all_states():
-    answer = cucker_smale(True).check({
-        "question": {"id": "mine.momentum"},
-        "for": {"agents": "2..3", "x": "any", "v": "any"},
-        "holds": {"property": "rate(momentum) = 0", "controls": ["rate(momentum) = v[1]"]},
-    })
+    answer = cucker_smale(True).check(
+        {
+            "question": {"id": "mine.momentum"},
+            "for": {"agents": "2..3", "x": "any", "v": "any"},
+            "holds": {"property": "rate(momentum) = 0", "controls": ["rate(momentum) = v[1]"]},
+        }
+    )
     assert (answer.verdict, answer.grades) == ("holds", ("identity",))
 
 

@@ -82,6 +82,11 @@ impl ScenarioFile {
         matches!(self.file, File::Motion { is_drawn: true, .. })
     }
 
+    /// Whether it is a law of one's own in discrete time, whose future may be decided.
+    pub fn is_discrete(&self) -> bool {
+        matches!(&self.file, File::Motion { source, .. } if OwnSteps::are_of(source))
+    }
+
     fn no_place(&self, name: &str) -> String {
         self.problem(&format!("there is no number at `{name}`"))
     }

@@ -236,6 +236,10 @@ impl Question {
 
     fn read_values(&mut self, section: &Section) -> Result<(), QuestionError> {
         self.values_at = section.at();
+        if self.law.is_some() {
+            let why = "[values] needs a scenario or a graph: all states of a law have no one value".to_string();
+            return Err(section.problem(Problem::Other(why)));
+        }
         for entry in section.entries() {
             let expression = self.expression(&entry, false)?;
             self.values.push((entry.key, expression));

@@ -1,6 +1,6 @@
 //! The decision about the states of one flock.
 
-use super::inequality::{Sign, keeps_sign};
+use super::inequality::holds_on_boxes;
 use super::instance::Instance;
 use super::{How, LawFile, identity, pairs, search};
 use crate::bindings::{Bindings, Value};
@@ -66,18 +66,17 @@ fn clause_holds(instance: &Instance, clause: &[Comparison], progress: &dyn Progr
             return Ok(Found::Holds(vec![How::Identity(bits)]));
         }
     }
+    let all: Vec<usize> = (0..instance.sides.len()).collect();
+    if let Some(ways) = holds_on_boxes(instance, clause, &instance.links, &all, progress)? {
+        return Ok(Found::Holds(ways));
+    }
     for comparison in clause {
-        let Some(sign) = Sign::of(comparison.relation) else { continue };
-        let all: Vec<usize> = (0..instance.sides.len()).collect();
-        let ways = match keeps_sign(instance, comparison, &instance.links, &all, sign, progress)? {
-            Some(ways) => Some(ways),
-            None => pairs::holds(instance, comparison, sign, progress)?,
-        };
-        if let Some(ways) = ways {
+        let may_vanish = matches!(comparison.relation, Relation::AtMost | Relation::AtLeast);
+        if may_vanish && let Some(ways) = pairs::holds(instance, comparison, progress)? {
             return Ok(Found::Holds(ways));
         }
     }
-    let texts = "no counterexample was found, and no identity, sum of squares or sum over pairs that proves it";
+    let texts = "no counterexample was found, and no identity, enclosure on boxes or sum over pairs that proves it";
     Ok(Found::Open(texts.to_string()))
 }
 

@@ -1,64 +1,76 @@
-//! Inequalities at every state: what is decided about polynomials decides them.
+//! Inequalities on boxes of states: enclosures, and halves of boxes where these are too wide. What is attained is not decided so.
 
 use super::How;
 use super::instance::{Instance, Links, Side, value_of};
-use arithmetic::{ArithmeticError, Cancelled, Number, Progress, Rational};
+use arithmetic::{Cancelled, Enclosure, FloatInterval, Progress, Rational, rational};
 use expressions::{Comparison, Relation};
+use num_traits::ToPrimitive;
 
-/// Which sign a number should have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Sign {
-    AtMostZero,
-    AtLeastZero,
-}
+/// Boxes that are looked at.
+const MOST_BOXES: usize = 4000;
 
-impl Sign {
-    pub fn of(relation: Relation) -> Option<Self> {
-        match relation {
-            Relation::AtMost => Some(Sign::AtMostZero),
-            Relation::AtLeast => Some(Sign::AtLeastZero),
-            _ => None,
-        }
-    }
-}
-
-/// A comparison as a function of some numbers of the state, the others fixed.
-pub(super) struct OfNumbers<'a> {
-    comparison: &'a Comparison,
-    links: &'a Links,
-    /// Numbers that are fixed; the others are arguments.
-    fixed: Vec<Option<Rational>>,
-}
-
-impl OfNumbers<'_> {
-    pub fn at<T: Number>(&self, arguments: &[T]) -> Result<T, ArithmeticError> {
-        let like = arguments.first().ok_or(ArithmeticError::Domain("a variable"))?;
-        let mut next = arguments.iter();
-        let number = |fixed: &Option<Rational>| match fixed {
-            Some(q) => Ok(like.rational(q)),
-            None => next.next().cloned().ok_or(ArithmeticError::Domain("a variable")),
-        };
-        let state = self.fixed.iter().map(number).collect::<Result<Vec<T>, _>>()?;
-        value_of(self.comparison, self.links, &state)
-    }
-}
-
-/// Whether a number has a sign whatever the numbers in these places are; the others, on which it does not depend, are 0 where they may be anything.
-pub(super) fn keeps_sign(
+/// Whether some comparison of a clause holds whatever the numbers in these places are; the others, on which nothing depends, are 0 where they may be
+/// anything.
+pub(super) fn holds_on_boxes(
     instance: &Instance,
-    comparison: &Comparison,
+    clause: &[Comparison],
     links: &Links,
     places: &[usize],
-    sign: Sign,
     progress: &dyn Progress,
 ) -> Result<Option<Vec<How>>, Cancelled> {
-    let fixed = |place: usize| match &instance.sides[place] {
-        Side::Point(q) => Some(q.clone()),
-        _ if !places.contains(&place) => Some(arithmetic::rational(0, 1)),
-        _ => None,
+    let ends = |place: usize| match &instance.sides[place] {
+        Side::Point(q) => Some((q.clone(), q.clone())),
+        _ if !places.contains(&place) => Some((rational(0, 1), rational(0, 1))),
+        Side::Between(lo, hi) => Some((lo.clone(), hi.clone())),
+        Side::Line => None,
     };
-    let fixed: Vec<Option<Rational>> = (0..instance.sides.len()).map(fixed).collect();
-    let function = OfNumbers { comparison, links, fixed };
-    let _ = (function.at(&[0.0]), sign, progress.is_cancelled());
-    Ok(None)
+    let Some(first) = (0..instance.sides.len()).map(ends).collect::<Option<Vec<_>>>() else { return Ok(None) };
+    let mut open = vec![first];
+    let mut looked = 0;
+    while let Some(sides) = open.pop() {
+        progress.checkpoint()?;
+        looked += 1;
+        if looked > MOST_BOXES {
+            return Ok(None);
+        }
+        if clause.iter().any(|comparison| holds(comparison, links, &sides)) {
+            continue;
+        }
+        let Some([low, high]) = halves(&sides) else { return Ok(None) };
+        open.extend([high, low]);
+    }
+    Ok(Some(vec![How::Decided("enclosures")]))
+}
+
+type Sides = Vec<(Rational, Rational)>;
+
+fn holds(comparison: &Comparison, links: &Links, sides: &Sides) -> bool {
+    let enclosed =
+        |(lo, hi): &(Rational, Rational)| FloatInterval::from_rational(lo).hull(&FloatInterval::from_rational(hi));
+    let state: Vec<FloatInterval> = sides.iter().map(enclosed).collect();
+    value_of(comparison, links, &state).is_ok_and(|value| match comparison.relation {
+        Relation::Less => value.upper() < 0.0,
+        Relation::AtMost => value.upper() <= 0.0,
+        Relation::Greater => value.lower() > 0.0,
+        Relation::AtLeast => value.lower() >= 0.0,
+        Relation::Equal => value.lower() == 0.0 && value.upper() == 0.0,
+        Relation::Different => value.lower() > 0.0 || value.upper() < 0.0,
+    })
+}
+
+/// The two halves along the longest side; nothing of a single point.
+fn halves(sides: &Sides) -> Option<[Sides; 2]> {
+    let length = |(lo, hi): &(Rational, Rational)| (hi - lo).to_f64().unwrap_or(f64::INFINITY);
+    let longest = (0..sides.len()).max_by(|a, b| length(&sides[*a]).total_cmp(&length(&sides[*b])).then(b.cmp(a)))?;
+    let (lo, hi) = sides[longest].clone();
+    if lo == hi {
+        return None;
+    }
+    let middle = (&lo + &hi) * rational(1, 2);
+    let with = |ends: (Rational, Rational)| {
+        let mut half = sides.clone();
+        half[longest] = ends;
+        half
+    };
+    Some([with((lo, middle.clone())), with((middle, hi))])
 }

@@ -2,7 +2,7 @@
 
 use super::How;
 use super::identity::sum_over_pairs;
-use super::inequality::{Sign, keeps_sign};
+use super::inequality::holds_on_boxes;
 use super::instance::{Instance, Links};
 use arithmetic::{Cancelled, Progress};
 use expressions::Comparison;
@@ -11,7 +11,6 @@ use expressions::Comparison;
 pub(super) fn holds(
     instance: &Instance,
     comparison: &Comparison,
-    sign: Sign,
     progress: &dyn Progress,
 ) -> Result<Option<Vec<How>>, Cancelled> {
     let pairs: Vec<((usize, usize), Links)> =
@@ -23,16 +22,19 @@ pub(super) fn holds(
     // Where no agent is named, what holds of one pair holds of all that hear each other alike and range over the same.
     let alike = comparison.is_symmetric() && instance.is_uniform();
     let mutual = |links: &Links| links.is_mutual();
+    let mut how = vec![How::Identity(bits), How::Pairs];
     let mut looked: Vec<bool> = Vec::new();
     for ((i, j), links) in &pairs {
         if alike && looked.contains(&mutual(links)) {
             continue;
         }
         let places = [&instance.of_agent[*i][..], &instance.of_agent[*j][..]].concat();
-        if keeps_sign(instance, comparison, links, &places, sign, progress)?.is_none() {
-            return Ok(None);
+        let alone = std::slice::from_ref(comparison);
+        match holds_on_boxes(instance, alone, links, &places, progress)? {
+            Some(ways) => how.extend(ways),
+            None => return Ok(None),
         }
         looked.push(mutual(links));
     }
-    Ok(Some(vec![How::Identity(bits), How::Pairs]))
+    Ok(Some(how))
 }

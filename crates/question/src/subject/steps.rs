@@ -146,9 +146,12 @@ struct At<'f, 'c> {
 
 impl Moment for At<'_, '_> {
     fn measure(&self, quantity: &Quantity, _: &[Number], precision: u32) -> Result<Measured, Failure> {
-        // A time beyond all steps is one of rest, or not known.
-        let time = self.time.to_usize().unwrap_or(MOST_STEPS).min(MOST_STEPS + 1);
-        let State { positions, velocities, links: (order, links) } = self.flock.state(time)?;
+        // All times from one beyond the last step on are one stretch: it is known only where nothing changes any more.
+        let time = self.time.to_usize().filter(|time| *time <= MOST_STEPS);
+        if time.is_none() && self.flock.rest(MOST_STEPS)?.is_none() {
+            return Err(Failure::open(too_far(), None));
+        }
+        let State { positions, velocities, links: (order, links) } = self.flock.state(time.unwrap_or(MOST_STEPS))?;
         let view = View {
             positions: Rows::of(positions.len(), || positions),
             velocities: Rows::of(velocities.len(), || velocities),

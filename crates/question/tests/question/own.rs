@@ -49,7 +49,7 @@ fn opinions_are_decided_exactly_for_ever() {
     let answer = answered(
         OPINIONS,
         "n = 1",
-        "eventually[0, 10](always[0, inf](components = 3)) and always[20, inf](min_distance = 0)",
+        "eventually[0, 10](always[0, inf](components = 2)) and always[20, inf](min_distance = 0)",
         "always[0, inf](components > 2)",
     );
     assert_eq!(answer.verdict, Verdict::Holds, "{}", answer.why);

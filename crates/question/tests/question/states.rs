@@ -46,7 +46,18 @@ fn a_false_rate_is_refuted_at_a_state() {
     assert_eq!(found.verdict, Verdict::False, "{}", found.why);
     let boxed = "agents = 2\nx = \"[-1, 1]\"\nv = \"[0, 1]\"";
     let found = answer(boxed, "v[1].1 >= 0 implies rate(x[1].1) >= 0", "\"rate(x[1].1) > 0\"");
-    assert_eq!((found.verdict, &found.grades[..]), (Verdict::Holds, &["identity"][..]), "{}", found.why);
+    assert_eq!((found.verdict, &found.grades[..]), (Verdict::Holds, &["certified"][..]), "{}", found.why);
+}
+
+#[test]
+fn inequalities_on_boxes_that_are_not_attained() {
+    let boxed = "agents = 2\nx = \"[-1, 1]\"\nv = \"any\"\n\"v[1].1\" = \"[1, 2]\"\n\"v[2].1\" = \"[-1, 0]\"\n\"v[1].2\" = 0\n\"v[2].2\" = 0";
+    let found = answer(boxed, "rate(v[1].1) < -1/10", "\"rate(v[1].1) < -1\"");
+    assert_eq!((found.verdict, &found.grades[..]), (Verdict::Holds, &["certified"][..]), "{}", found.why);
+    // Attained where all velocities are equal: not decided by boxes.
+    let found =
+        answer("agents = 2\nx = \"[-1, 1]\"\nv = \"[-1, 1]\"", "rate(fluctuation) <= 0", "\"rate(fluctuation) < -1\"");
+    assert_eq!(found.verdict, Verdict::Undecided, "{}", found.why);
 }
 
 #[test]

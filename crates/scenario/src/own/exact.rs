@@ -3,7 +3,7 @@
 use super::discrete::Stepping;
 use super::read::describe;
 use crate::error::{ConfigError, RunError};
-use crate::source::Source;
+use crate::source::{Entry, Source};
 use crate::view::Links;
 use arithmetic::{Rational, rational};
 use expressions::{Kind, Time, Variable};
@@ -26,12 +26,7 @@ impl OwnSteps {
     /// # Errors
     /// [`ConfigError`].
     pub fn of(source: &Source) -> Result<Option<Result<Self, &'static str>>, ConfigError> {
-        let own = source.top().get("model").is_some_and(|entry| entry.word().is_ok_and(|model| model == "own"));
-        let discrete = |source: &Source| -> Result<bool, ConfigError> {
-            let law = source.needed("law")?;
-            Ok(law.get("time").is_some_and(|entry| entry.word().is_ok_and(|time| time == "discrete")))
-        };
-        if !own || !discrete(source)? {
+        if !OwnSteps::are_of(source) {
             return Ok(None);
         }
         let mut described = describe(source)?;
@@ -48,6 +43,15 @@ impl OwnSteps {
             let rounded = |x: &Rational| x.to_f64().unwrap_or(f64::NAN);
             Ok(OwnSteps { stepping: Stepping::new(described, state, &rational(0, 1), rounded) })
         }))
+    }
+
+    /// Whether a scenario is of a law of one's own in discrete time.
+    pub fn are_of(source: &Source) -> bool {
+        let word = |entry: Option<Entry>, wanted: &str| {
+            entry.is_some_and(|entry| entry.word().is_ok_and(|word| word == wanted))
+        };
+        let law = source.section("law").ok().flatten();
+        word(source.top().get("model"), "own") && law.is_some_and(|law| word(law.get("time"), "discrete"))
     }
 
     /// One step.
