@@ -12,14 +12,17 @@ from ._numbers import Enclosure, ExactMatrix, Undecided, exact
 from ._queries import (
     Eigenvalue,
     Ergodicity,
+    Peak,
     Prefix,
     Resonance,
     Spectrum,
     Stabiliser,
     Theorem1,
     ergodicity,
+    peak,
     resonance,
     spectrum,
+    system_peak,
 )
 from ._questions import Answer, Campaign, Failure, Invariant, Table, check, fuzz, invariants, sweep
 from ._runs import Event, Simulation, Tracks, simulate, tracks
@@ -43,6 +46,7 @@ __all__ = [
     "Invariant",
     "Law",
     "Ledger",
+    "Peak",
     "Prefix",
     "Resonance",
     "Run",
@@ -64,10 +68,12 @@ __all__ = [
     "fuzz",
     "invariants",
     "ledger",
+    "peak",
     "resonance",
     "simulate",
     "spectrum",
     "sweep",
+    "system_peak",
     "tracks",
     "verify",
 ]
