@@ -1,6 +1,6 @@
 //! A property of the states of one flock: so many agents on one network.
 
-use super::LawFile;
+use super::{LawFile, MOST_AGENTS};
 use crate::bindings::{Bindings, Value};
 use crate::error::{Problem, QuestionError};
 use crate::question::{Expression, Question};
@@ -78,9 +78,6 @@ pub(super) struct Instance {
     /// Numbers of each agent, by their places in the state.
     pub of_agent: Vec<Vec<usize>>,
 }
-
-/// Most agents.
-const MOST_AGENTS: usize = 64;
 
 impl Instance {
     pub fn new(

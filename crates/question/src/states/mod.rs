@@ -16,6 +16,9 @@ use std::sync::{Mutex, PoisonError};
 
 pub(crate) use decide::decide;
 
+/// Most agents.
+const MOST_AGENTS: usize = 64;
+
 /// What the numbers of a part of the state range over: all reals where there are no ends.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Range {
@@ -83,13 +86,10 @@ impl LawFile {
     /// Reads the file of a law.
     pub fn read(name: &str, text: &str) -> Result<Self, String> {
         let law = scenario::read_law(text).map_err(|error| format!("{name}: {error}"))?;
-        // What is wrong with the law itself comes first.
-        let of_two = law.compile(2).or_else(|error| match error.table {
-            // Lists with one value for each agent say how many there are.
-            "parameters" => Err(None),
-            _ => Err(Some(error)),
-        });
-        if let Err(Some(error)) = of_two {
+        // What is wrong with the law itself comes first; lists with one value for each agent are looked at with the flock.
+        if let Err(error) = law.compile(MOST_AGENTS)
+            && error.table != "parameters"
+        {
             return Err(format!("{name}: {}", scenario::law_problem(text, error)));
         }
         Ok(LawFile { name: name.to_string(), text: text.to_string(), law, ranges: Vec::new(), how: Mutex::default() })

@@ -49,7 +49,7 @@ fn sign_of(x: f64) -> Sign {
 /// Small whole numbers first, then fractions of several sizes; some agents alike.
 fn drawn(instance: &Instance, k: usize, random: &mut ChaCha8Rng) -> Vec<Rational> {
     let size = SIZES[k % SIZES.len()];
-    let parts = if k % 3 == 0 { 1 } else { 8 };
+    let parts = if k.is_multiple_of(3) { 1 } else { 8 };
     let mut number = |lo: &Rational, hi: &Rational| {
         let steps = (size * parts * 2) as f64;
         let step = (uniform(random) * (steps + 1.0)).floor().min(steps) as i64;
