@@ -27,6 +27,7 @@ from ._queries import (
 from ._questions import Answer, Campaign, Failure, Invariant, Table, check, fuzz, invariants, sweep
 from ._runs import Event, Simulation, Tracks, simulate, tracks
 from ._systems import Check, Reach, reach
+from .law import Law
 
 __all__ = [
     "Answer",
@@ -45,6 +46,7 @@ __all__ = [
     "Failure",
     "Flock",
     "Invariant",
+    "Law",
     "Ledger",
     "Peak",
     "Prefix",
