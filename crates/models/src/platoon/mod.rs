@@ -15,7 +15,6 @@ mod neighbourhood;
 pub mod next_order;
 pub mod observe;
 mod peak;
-mod phase;
 mod resonance;
 mod response;
 mod shape;
@@ -29,7 +28,6 @@ pub use law::{Communication, Gains, accelerations};
 pub use modes::slowest_rate;
 pub use neighbourhood::Neighbourhood;
 pub use peak::{Peak, PeakError, peak_of_system, peak_on_graph};
-pub use phase::{argument, phase_lag_one_sided, phase_lags_two_sided};
 pub use resonance::{
     LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, is_below_full_phase, lesser_resonance, peak_near,
     resonance, resonance_from,
