@@ -1,9 +1,8 @@
 //! Programs over any scalar.
 
-use super::number::Number;
 use super::program::{Gather, OWN, Of, Op, Program, Round, Step};
 use super::syntax::Relation;
-use arithmetic::{ArithmeticError, Rational, Sign};
+use arithmetic::{ArithmeticError, Number, Rational, Sign};
 use std::sync::Arc;
 
 /// Whom each agent hears.
@@ -187,7 +186,7 @@ impl<T: Number> Evaluator<T> {
             Op::Product(a, b) => of(a)?.clone() * of(b)?,
             Op::Quotient(a, b) => of(a)?.over(of(b)?)?,
             Op::Power(a, k) => of(a)?.power(u64::from(*k)),
-            Op::Function(function, a) => of(a)?.function(*function)?,
+            Op::Function(function, a) => function.at(of(a)?)?,
             Op::Angle(y, x) => T::angle(of(y)?, of(x)?)?,
             Op::Absolute(a) => match of(a)?.sign().ok_or(OPEN)? {
                 Sign::Negative => -of(a)?.clone(),

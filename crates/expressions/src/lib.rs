@@ -19,8 +19,8 @@
 mod alike;
 mod compile;
 mod evaluate;
+mod function;
 mod law;
-mod number;
 mod problem;
 mod program;
 mod syntax;
@@ -28,7 +28,6 @@ mod syntax;
 pub use alike::{nearest_ids, nearest_name};
 pub use evaluate::{Evaluator, Everyone, Fault, Hearing};
 pub use law::{Kind, Law, LawError, LawText, Parameter, Time, Variable};
-pub use number::{Function, Number};
 pub use problem::Problem;
 pub use program::Program;
 pub use syntax::{KEYWORDS, Located, Node, NodeKind, Relation, parse_domain, parse_property};

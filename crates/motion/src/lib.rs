@@ -17,6 +17,7 @@ mod lanes;
 mod rk4;
 mod sine;
 mod statistics;
+mod system;
 mod turn_count;
 pub mod validated;
 
@@ -32,6 +33,7 @@ pub use lanes::Lanes;
 pub use rk4::Rk4;
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
 pub use statistics::{Sample, Share};
+pub use system::System;
 pub use turn_count::whole_turns;
 
 /// The right-hand side of `dy/dt = f(t, y)`. A field may keep scratch space, so it is asked by a mutable reference; the

@@ -169,7 +169,7 @@ fn start_place(path: &Path) -> Option<(List, usize, usize)> {
         "positions" => List::Positions,
         "velocities" => List::Velocities,
         "phases" => List::Phases,
-        _ => return None,
+        own => List::Own(own.to_string()),
     };
     Some((list, agent, coordinate))
 }

@@ -40,6 +40,7 @@ pub use error::{ConfigError, Problem, RunError};
 pub use exact::ExactMotion;
 pub use model::Model;
 pub use observables::{Found, Observable, QUANTITIES, Quantity, Value, measure, observables_as_markdown};
+pub use own::OwnMotion;
 pub use path::{Path, Step};
 pub use run::{End, Outcome, Row};
 pub use simulation::{Event, Frame, Part};

@@ -132,9 +132,9 @@ pub(super) const MODELS: [Row; 9] = [
     Row {
         name: "own",
         model: Model::Own,
-        read: |_| Ok(Box::new(Floats(own::read, OTHERS))),
+        read: |source| Ok(Box::new(own::describe(source)?)),
         keys: &["step", "exact"],
-        enclosed: false,
+        enclosed: true,
     },
 ];
 

@@ -1,7 +1,7 @@
 //! Operators and conditions.
 
 use super::{Compiler, Made, Scope, Value};
-use crate::number::Function;
+use crate::function::Function;
 use crate::problem::Problem;
 use crate::program::{Id, Op, Things};
 use crate::syntax::{Node, NodeKind, Relation};

@@ -2,8 +2,10 @@
 
 mod continuous;
 mod discrete;
+mod enclosed;
 mod measured;
 mod read;
 mod start;
 
-pub(super) use read::read;
+pub use enclosed::OwnMotion;
+pub(super) use read::describe;

@@ -2,8 +2,11 @@
 
 use super::continuous::Moving;
 use super::discrete::Stepping;
+use super::enclosed::OwnMotion;
 use super::start::{Ranges, start};
 use crate::error::{ConfigError, Problem};
+use crate::exact::ExactMotion;
+use crate::model::{Built, Described as Motion};
 use crate::network::{Abilities, Kind as NetworkKind, Network};
 use crate::simulation::{Continuous, Simulation};
 use crate::source::{Entry, Section, Source};
@@ -19,6 +22,7 @@ const KEYS: [&str; 11] =
     ["name", "time", "step", "dimension", "state", "position", "parameters", "define", "rates", "next", "observables"];
 
 /// A law of one's own with everything that a run needs.
+#[derive(Clone)]
 pub(crate) struct Described {
     pub law: Arc<Law>,
     /// The start: exact, in the order of the law's state.
@@ -32,46 +36,55 @@ pub(crate) struct Described {
     pub declaration: Vec<String>,
 }
 
-/// Reads a scenario with a law of its own; with it the step of discrete time.
-pub(crate) fn read(source: &Source, tolerance: f64) -> Result<(Box<dyn Simulation>, Option<Rational>), ConfigError> {
-    let mut own = describe(source)?;
-    let run = source.needed("run")?;
-    let fixed = run.get("step").map(|entry| entry.positive()).transpose()?;
-    if own.time == Time::Discrete {
-        if let Some(entry) = run.get("step") {
-            return Err(entry.range("left out: in discrete time `step` stands in [law]"));
-        }
-        let exact = run.get("exact").map_or(Ok(false), |entry| entry.flag())?;
-        if exact && !own.law.is_rational() {
-            let why = "false: the law has functions whose values are not rational";
-            return Err(run.need("exact", "true or false")?.range(why));
-        }
-        let step = own.step.clone();
-        let state = std::mem::take(&mut own.state);
-        let simulation: Box<dyn Simulation> = if exact {
-            own.declaration.push("exact steps on rational numbers, rounded once where they are written".to_string());
-            Box::new(Stepping::new(own, state, &rational(0, 1), rounded))
-        } else {
-            let state = state.iter().map(rounded).collect();
-            Box::new(Stepping::new(own, state, &0.0, |x| *x))
-        };
-        return Ok((simulation, Some(step)));
-    }
-    if let Some(entry) = run.get("exact") {
-        return Err(entry.range("left out: only laws in discrete time run exactly; `check` encloses continuous ones"));
-    }
-    let state: Vec<f64> = own.state.iter().map(rounded).collect();
-    let mut moving = Moving::new(own);
-    moving.start(&state).map_err(|problem| source.top().problem(problem))?;
-    let simulation: Box<dyn Simulation> = match fixed {
-        Some(step) => Box::new(Stepped::settled(moving, state, step)),
-        None => Box::new(Continuous::new(moving, &state, tolerance)),
-    };
-    Ok((simulation, None))
-}
-
 fn rounded(x: &Rational) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)
+}
+
+impl Motion for Described {
+    fn exact(&self) -> ExactMotion {
+        OwnMotion::of(self.clone()).map_or_else(ExactMotion::Other, |own| ExactMotion::Own(Box::new(own)))
+    }
+
+    /// The run in floats, or of discrete time exactly.
+    fn simulation(self: Box<Self>, source: &Source, tolerance: f64) -> Result<Built, ConfigError> {
+        let mut own = *self;
+        let run = source.needed("run")?;
+        let fixed = run.get("step").map(|entry| entry.positive()).transpose()?;
+        if own.time == Time::Discrete {
+            if let Some(entry) = run.get("step") {
+                return Err(entry.range("left out: in discrete time `step` stands in [law]"));
+            }
+            let exact = run.get("exact").map_or(Ok(false), |entry| entry.flag())?;
+            if exact && !own.law.is_rational() {
+                let why = "false: the law has functions whose values are not rational";
+                return Err(run.need("exact", "true or false")?.range(why));
+            }
+            let step = own.step.clone();
+            let state = std::mem::take(&mut own.state);
+            let simulation: Box<dyn Simulation> = if exact {
+                own.declaration
+                    .push("exact steps on rational numbers, rounded once where they are written".to_string());
+                Box::new(Stepping::new(own, state, &rational(0, 1), rounded))
+            } else {
+                let state = state.iter().map(rounded).collect();
+                Box::new(Stepping::new(own, state, &0.0, |x| *x))
+            };
+            return Ok((simulation, Some(step)));
+        }
+        if let Some(entry) = run.get("exact") {
+            return Err(
+                entry.range("left out: only laws in discrete time run exactly; `check` encloses continuous ones")
+            );
+        }
+        let state: Vec<f64> = own.state.iter().map(rounded).collect();
+        let mut moving = Moving::new(own);
+        moving.start(&state).map_err(|problem| source.top().problem(problem))?;
+        let simulation: Box<dyn Simulation> = match fixed {
+            Some(step) => Box::new(Stepped::settled(moving, state, step)),
+            None => Box::new(Continuous::new(moving, &state, tolerance)),
+        };
+        Ok((simulation, None))
+    }
 }
 
 /// Everything but how it is run.
