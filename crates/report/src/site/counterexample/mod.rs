@@ -50,9 +50,34 @@ fn alone(witnesses: &[Witness]) -> Option<(usize, &[Link])> {
     }
 }
 
+/// Most agents, and points of a curve, that are drawn.
+const MOST: usize = 64;
+
+/// Whether its parts fit each other: a ledger may come from a file.
+fn is_sound(witness: &Witness) -> bool {
+    let among = |links: &[Link], order: usize| links.iter().all(|(i, j)| i.max(j) < &order);
+    match witness {
+        Witness::Agents { places, velocities, links } => {
+            (1..=MOST).contains(&places.len())
+                && (velocities.is_empty() || velocities.len() == places.len())
+                && among(links, places.len())
+        }
+        Witness::Networks { order, networks, .. } => {
+            (1..=MOST).contains(order) && networks.len() <= MOST && networks.iter().all(|links| among(links, *order))
+        }
+        Witness::Phases { turns } => (1..=MOST).contains(&turns.len()),
+        Witness::Directions { points } => (1..=MOST).contains(&points.len()),
+        Witness::Gain { marks, .. } => marks.len() <= MOST,
+        Witness::Potential { slope, tangent, radius, .. } => {
+            slope.len() <= MOST && tangent.is_some() != radius.is_some()
+        }
+        Witness::Variables { .. } | Witness::Compared { .. } => true,
+    }
+}
+
 /// What can be drawn: of variables the agents whose places they are.
 fn placed(witness: &Witness) -> Option<Witness> {
-    let Witness::Variables { values } = witness else { return Some(witness.clone()) };
+    let Witness::Variables { values } = witness else { return is_sound(witness).then(|| witness.clone()) };
     let number = |name: &str, k: usize| {
         let name = name.replace('%', &k.to_string());
         values.iter().find(|(known, _)| *known == name).map(|(_, number)| number.clone())
@@ -63,7 +88,7 @@ fn placed(witness: &Witness) -> Option<Witness> {
     let headings = || (1..).map_while(|k| number("tan(th_%/2)", k).map(|t| heading(&t.0))).collect::<Vec<Point>>();
     let velocities = named(&[["vx%", "vy%"]]).unwrap_or_else(headings);
     let velocities = if velocities.len() == places.len() { velocities } else { Vec::new() };
-    Some(Witness::Agents { places, velocities, links: Vec::new() })
+    Some(Witness::Agents { places, velocities, links: Vec::new() }).filter(is_sound)
 }
 
 /// The unit vector at an angle of which the half tangent is given.
