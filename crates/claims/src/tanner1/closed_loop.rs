@@ -18,8 +18,8 @@ pub(super) fn moving_upwards() -> Witness {
     Witness::agents(&[point(0, 0), point(1, 1)], &[point(0, 2), point(0, 1)], &[])
 }
 
-/// Whether the sides agree at the state above; the counterexample if not.
-pub(super) fn at_upwards(identity: &Identity, what: &str) -> Result<Option<Outcome>, ArithmeticError> {
+/// Whether the sides agree at the state above; the counterexample if not, in this part.
+pub(super) fn at_upwards(identity: &Identity, part: &str, what: &str) -> Result<Option<Outcome>, ArithmeticError> {
     let (left, right) = identity.at(&upwards())?;
     let place = left.iter().zip(&right).position(|(l, r)| l != r);
     Ok(place.map(|k| {
@@ -27,7 +27,7 @@ pub(super) fn at_upwards(identity: &Identity, what: &str) -> Result<Option<Outco
         let compared = Witness::compared(what, &left[k], "claimed", &right[k]);
         Outcome::fails(
             Counterexample::new(text, [moving_upwards(), compared]),
-            exact(what, "exact rates of change; equal headings, so that alignment forces vanish"),
+            exact(part, "exact rates of change; equal headings, so that alignment forces vanish"),
         )
     }))
 }
