@@ -1,0 +1,5 @@
+//! Mirrors `src/`.
+
+extern crate flockproof_polynomials as polynomials;
+
+mod sums;
