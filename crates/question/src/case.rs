@@ -4,7 +4,7 @@ use crate::bindings::{Bindings, Value};
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::{Quantity, Subject, quantity_of, unknown_quantity};
-use crate::number::Number;
+use arithmetic::RealNumber as Number;
 use crate::question::Question;
 use crate::subject::flock::FlockSubject;
 use crate::subject::graph::GraphSubject;

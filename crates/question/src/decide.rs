@@ -8,7 +8,7 @@ use crate::error::{Problem, QuestionError};
 use crate::evaluate::Evaluator;
 use crate::failure::Failure;
 use crate::names::Subject;
-use crate::number::Number;
+use arithmetic::RealNumber as Number;
 use crate::outcome::{Decided, Judged, Outcome};
 use crate::point::FIRST_BITS;
 use crate::question::{Expression, Question};

@@ -11,7 +11,7 @@ use crate::case::Case;
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::FUNCTIONS;
-use crate::number::{Number, Obstacle};
+use arithmetic::{Obstacle, RealNumber as Number};
 use crate::syntax::{Kind, Node, Relation};
 use crate::timeline::{Measured, Moment, Piece};
 use crate::truth::{Margin, Truth};

@@ -7,7 +7,7 @@ use crate::error::Problem;
 use crate::evaluate::Evaluator;
 use crate::failure::Failure;
 use crate::names::FAMILIES;
-use crate::number::Number;
+use arithmetic::RealNumber as Number;
 use crate::question::Question;
 use crate::subject::graph::changed_by_one_link;
 use crate::syntax::{Kind, Node};

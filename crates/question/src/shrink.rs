@@ -5,7 +5,7 @@ use crate::case::Case;
 use crate::domain::Members;
 use crate::error::QuestionError;
 use crate::evaluate::Evaluator;
-use crate::number::Number;
+use arithmetic::RealNumber as Number;
 use crate::question::{Expression, Question};
 use crate::syntax::{Kind, Node};
 use crate::truth::Truth;

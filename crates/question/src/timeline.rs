@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::names::Quantity;
-use crate::number::Number;
+use arithmetic::RealNumber as Number;
 use crate::syntax::Node;
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::Rational;

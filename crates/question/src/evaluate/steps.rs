@@ -6,7 +6,7 @@ use super::{Evaluator, Judged};
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
-use crate::number::Number;
+use arithmetic::RealNumber as Number;
 use crate::syntax::{Kind, Node};
 use crate::timeline::{Measured, Moment, Piece, Timeline};
 use crate::truth::{Doubt, Margin, Truth};

@@ -1,6 +1,6 @@
 //! Distances of exact vectors: the least one, and that from the mean.
 
-use crate::number::{Number, Obstacle};
+use arithmetic::{Obstacle, RealNumber as Number};
 use arithmetic::{Rational, rational};
 
 /// The smallest distance of two rows; `None` of fewer than two.

@@ -3,7 +3,7 @@
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
-use crate::number::{Number, Obstacle};
+use arithmetic::{Obstacle, RealNumber as Number};
 use crate::subject::distances::{disagreement, least_distance};
 use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
 use crate::truth::Doubt;

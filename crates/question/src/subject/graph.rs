@@ -3,7 +3,7 @@
 use crate::bindings::GraphValue;
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::number::{Algebraic, Number};
+use arithmetic::{Algebraic, RealNumber as Number};
 use crate::timeline::Measured;
 use algebra::graph::{Graph, LaplacianKind};
 use algebra::matrix::SparseMatrix;

@@ -2,7 +2,7 @@
 
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::number::Number;
+use arithmetic::RealNumber as Number;
 use crate::timeline::Measured;
 use algebra::matrix::{StochasticMatrix, product_sequential, tau_2_squared};
 

@@ -7,7 +7,7 @@
 use crate::bindings::{Bindings, GraphValue, Value};
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::number::Number;
+use arithmetic::RealNumber as Number;
 use crate::timeline::Measured;
 use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{Polynomial, matrix_spectrum};

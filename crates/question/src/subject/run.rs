@@ -3,7 +3,7 @@
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
-use crate::number::Number;
+use arithmetic::RealNumber as Number;
 use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
 use crate::truth::Doubt;
 use arithmetic::{Dyadic, Interval, Rational};

@@ -2,7 +2,7 @@
 
 use super::MotionSubject;
 use super::numbers::Start;
-use crate::number::Number;
+use arithmetic::RealNumber as Number;
 use crate::subject::distances::{disagreement, least_distance};
 use arithmetic::{Complex, Interval, Rational, rational};
 use models::double_integrator::{Coordinates, Pair, Potential, kinetic_energy, linked_within, potential_gradients};
