@@ -73,6 +73,12 @@ impl Real for f64 {
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
         Ok((f64::sinh(*self), f64::cosh(*self)))
     }
+
+    /// By the library, which knows all sides.
+    #[inline]
+    fn argument(y: &Self, x: &Self) -> Result<Self, ArithmeticError> {
+        if *x == 0.0 && *y == 0.0 { Err(ArithmeticError::Argument("heading")) } else { Ok(y.atan2(*x)) }
+    }
 }
 
 impl Signed for f64 {

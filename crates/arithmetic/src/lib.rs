@@ -16,6 +16,9 @@
 //! | [`Residue`] | exact modulo a prime |
 //! | [`DegreeBound`] | degrees and coefficient sizes of numerator and denominator, for the error bound of an identity test |
 //! | [`Probe`] | one of the three that an identity test needs |
+//!
+//! Generic code asks for the weakest trait that will do: [`Ring`], [`Field`], [`Signed`], [`Number`] (also functions, which may have no value in the
+//! scalar), [`Real`] (functions that have one); [`Enclosure`] is what intervals and balls have in common.
 
 /// Crates that stand in signatures.
 pub use {num_bigint, num_rational, num_traits, rand_chacha};
@@ -26,6 +29,8 @@ mod degree;
 mod dual;
 mod dyadic;
 mod elementary;
+mod elementary_function;
+mod enclosure;
 mod fixed;
 mod float;
 mod float_interval;
@@ -53,6 +58,8 @@ pub use complex::Complex;
 pub use degree::DegreeBound;
 pub use dual::Dual;
 pub use dyadic::Dyadic;
+pub use elementary_function::{Elementary, Number};
+pub use enclosure::Enclosure;
 pub use float_interval::FloatInterval;
 pub use flow::{along_flow, gradient};
 pub use interval::{Interval, decimals, significant_digits};
@@ -227,6 +234,21 @@ pub trait Real: Field {
     #[inline]
     fn cosh(&self) -> Result<Self, ArithmeticError> {
         Ok(self.sinh_cosh()?.1)
+    }
+
+    /// The angle of the vector `(x, y)`, in (-pi, pi], by the side of the axes on which it is.
+    fn argument(y: &Self, x: &Self) -> Result<Self, ArithmeticError>
+    where
+        Self: Signed,
+    {
+        let quarter = |sign: i64| y.pi() * &y.ratio(sign, 2);
+        match (x.sign(), y.sign()) {
+            (Some(Sign::Positive), _) => y.over(x)?.atan(),
+            (_, Some(Sign::Positive)) => Ok(quarter(1) - x.over(y)?.atan()?),
+            (_, Some(Sign::Negative)) => Ok(quarter(-1) - x.over(y)?.atan()?),
+            (Some(Sign::Negative), Some(Sign::Zero)) => Ok(y.pi()),
+            _ => Err(ArithmeticError::Argument("heading")),
+        }
     }
 }
 

@@ -1,9 +1,8 @@
 //! Programs over any scalar.
 
-use super::number::Number;
 use super::program::{Gather, OWN, Of, Op, Program, Round, Step};
 use super::syntax::Relation;
-use arithmetic::{ArithmeticError, Rational, Sign};
+use arithmetic::{ArithmeticError, Number, Rational, Sign};
 use std::sync::Arc;
 
 /// Whom each agent hears.

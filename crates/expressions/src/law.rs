@@ -2,10 +2,9 @@
 
 use super::compile::Compiler;
 use super::evaluate::{Evaluator, Fault, Hearing};
-use super::number::Number;
 use super::problem::Problem;
 use super::program::Program;
-use arithmetic::Rational;
+use arithmetic::{Number, Rational};
 use std::sync::Arc;
 
 /// What an agent has.

@@ -3,9 +3,8 @@
 //! Things are numbered in the order in which they were made, so that what a thing needs has a smaller number. An *agent variable* (a slot) is bound by
 //! a loop; slot 0 stands for the flock, slot 1 for the agent whose rates are asked for. A thing belongs to the innermost slot that it depends on.
 
-use super::number::Function;
 use super::syntax::Relation;
-use arithmetic::{Rational, Ring, rational};
+use arithmetic::{Elementary, Rational, Ring, rational};
 use num_traits::Zero;
 use std::collections::{BTreeSet, HashMap};
 
@@ -49,7 +48,7 @@ pub(crate) enum Op {
     Product(Id, Id),
     Quotient(Id, Id),
     Power(Id, u32),
-    Function(Function, Id),
+    Function(Elementary, Id),
     /// The angle of `(x, y)`, from y and x.
     Angle(Id, Id),
     Absolute(Id),

@@ -1,11 +1,10 @@
 //! Operators and conditions.
 
 use super::{Compiler, Made, Scope, Value};
-use crate::number::Function;
 use crate::problem::Problem;
 use crate::program::{Id, Op, Things};
 use crate::syntax::{Node, NodeKind, Relation};
-use arithmetic::{Rational, rational};
+use arithmetic::{Elementary, Rational, rational};
 use num_traits::ToPrimitive;
 
 impl Compiler<'_> {
@@ -59,11 +58,11 @@ impl Compiler<'_> {
         let twice = constant.as_ref().map(|q| q * rational(2, 1)).filter(Rational::is_integer);
         let small = twice.and_then(|twice| twice.to_integer().to_i64()).filter(|twice| twice.unsigned_abs() <= 128);
         let Some(twice) = small else {
-            let logarithm = things.add(Op::Function(Function::Logarithm, base));
+            let logarithm = things.add(Op::Function(Elementary::Logarithm, base));
             let product = things.add(Op::Product(exponent, logarithm));
-            return things.add(Op::Function(Function::Exponential, product));
+            return things.add(Op::Function(Elementary::Exponential, product));
         };
-        let root = if twice % 2 == 0 { base } else { things.add(Op::Function(Function::Root, base)) };
+        let root = if twice % 2 == 0 { base } else { things.add(Op::Function(Elementary::Root, base)) };
         let times = if twice % 2 == 0 { twice / 2 } else { twice };
         let size = u32::try_from(times.unsigned_abs()).unwrap_or_default();
         let one = things.integer(1);
