@@ -1,6 +1,6 @@
 //! What is decided: a function written once over the scalar, a relation to zero, a domain.
 
-use arithmetic::{ArithmeticError, Number, Rational, rational};
+use arithmetic::{ArithmeticError, Number, Rational, Sign, rational};
 use num_traits::ToPrimitive;
 
 /// A function of several numbers, written once over the scalar: rationals give its values exactly, intervals bounds, dual numbers derivatives, the
@@ -27,6 +27,18 @@ pub enum Compared {
     Zero,
     /// Not zero.
     NotZero,
+}
+
+impl Compared {
+    /// Whether a number of this sign is as asked.
+    pub fn admits(self, sign: Sign) -> bool {
+        match self {
+            Compared::Positive => sign == Sign::Positive,
+            Compared::NotNegative => sign != Sign::Negative,
+            Compared::Zero => sign == Sign::Zero,
+            Compared::NotZero => sign != Sign::Zero,
+        }
+    }
 }
 
 /// A function that is compared with zero.
@@ -89,8 +101,20 @@ impl Side {
     pub fn middle(&self) -> Rational {
         match (&self.lo, &self.hi) {
             (Some(lo), Some(hi)) => (lo + hi) * rational(1, 2),
-            (Some(lo), None) => if *lo < rational(1, 2) { rational(1, 1) } else { lo * rational(2, 1) },
-            (None, Some(hi)) => if *hi > rational(-1, 2) { rational(-1, 1) } else { hi * rational(2, 1) },
+            (Some(lo), None) => {
+                if *lo < rational(1, 2) {
+                    rational(1, 1)
+                } else {
+                    lo * rational(2, 1)
+                }
+            }
+            (None, Some(hi)) => {
+                if *hi > rational(-1, 2) {
+                    rational(-1, 1)
+                } else {
+                    hi * rational(2, 1)
+                }
+            }
             (None, None) => rational(0, 1),
         }
     }

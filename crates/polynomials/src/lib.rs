@@ -1,6 +1,9 @@
 //! Polynomials over any ring, sums of squares with exact certificates, and inequalities that are decided where they are attained.
 
+pub mod decide;
+mod function;
 mod multivariate;
 pub mod sums;
 
+pub use function::{Compared, Function, Literal, Side};
 pub use multivariate::{Monomial, Multivariate, monomial_product, total_degree};

@@ -203,7 +203,11 @@ impl Real for Extended {
     fn sqrt(&self) -> Result<Self, ArithmeticError> {
         let inside = self.within(0.0, false);
         let root = |x: f64| {
-            if x.is_infinite() { None } else { Some((if x == 0.0 { 0.0 } else { x.sqrt().next_down().max(0.0) }, x.sqrt().next_up())) }
+            if x.is_infinite() {
+                None
+            } else {
+                Some((if x == 0.0 { 0.0 } else { x.sqrt().next_down().max(0.0) }, x.sqrt().next_up()))
+            }
         };
         Ok(inside.monotone(|x| if x == 0.0 { Some((0.0, 0.0)) } else { root(x) }))
     }
@@ -249,7 +253,13 @@ impl Real for Extended {
 
     fn atan(&self) -> Result<Self, ArithmeticError> {
         let quarter = (self.pi() * &Extended::of(&arithmetic::rational(1, 2))).hi;
-        Ok(self.monotone(|x| if x.is_infinite() { Some((x.signum() * quarter, x.signum() * quarter)) } else { general(x, Interval::atan) }))
+        Ok(self.monotone(|x| {
+            if x.is_infinite() {
+                Some((x.signum() * quarter, x.signum() * quarter))
+            } else {
+                general(x, Interval::atan)
+            }
+        }))
     }
 
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {

@@ -2,4 +2,5 @@
 
 extern crate flockproof_polynomials as polynomials;
 
+mod decide;
 mod sums;
