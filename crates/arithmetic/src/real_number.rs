@@ -6,7 +6,10 @@
 //! `2^(-(D-1) u - l)` (Burnikel, Funke, Mehlhorn, Schirra and Schmitt 2001). So equality is decided, too.
 
 use super::operators::operators;
-use super::{ArithmeticError, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, decimals, rational, significant_digits};
+use super::{
+    ArithmeticError, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, decimals, rational,
+    significant_digits,
+};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed as _, ToPrimitive, Zero};
@@ -197,9 +200,13 @@ impl RealNumber {
     /// The product.
     pub fn times(&self, other: &Self, precision: u32) -> Self {
         match (self, other) {
-            (RealNumber::Exact(q), RealNumber::Turns(p)) | (RealNumber::Turns(p), RealNumber::Exact(q)) => RealNumber::turns(p * q),
+            (RealNumber::Exact(q), RealNumber::Turns(p)) | (RealNumber::Turns(p), RealNumber::Exact(q)) => {
+                RealNumber::turns(p * q)
+            }
             (RealNumber::Exact(zero), _) | (_, RealNumber::Exact(zero)) if zero.is_zero() => RealNumber::integer(0),
-            (RealNumber::Beyond(..), x) | (x, RealNumber::Beyond(..)) if x.sign().is_some_and(|sign| sign != Sign::Zero) => {
+            (RealNumber::Beyond(..), x) | (x, RealNumber::Beyond(..))
+                if x.sign().is_some_and(|sign| sign != Sign::Zero) =>
+            {
                 let sign = if self.sign() == other.sign() { Sign::Positive } else { Sign::Negative };
                 RealNumber::Beyond(sign, self.enclosure(precision) * other.enclosure(precision))
             }
@@ -428,7 +435,10 @@ impl RealNumber {
             let lowest = Dyadic::new(BigInt::from(-1), LOWEST_EXPONENT);
             let end = x.hi().clone().max(lowest);
             let most = of(&Interval::between(end.clone(), end, precision))?;
-            return Ok(RealNumber::Beyond(Sign::Positive, Interval::between(Dyadic::zero(), most.hi().clone(), precision)));
+            return Ok(RealNumber::Beyond(
+                Sign::Positive,
+                Interval::between(Dyadic::zero(), most.hi().clone(), precision),
+            ));
         }
         Ok(RealNumber::Enclosed(of(&x)?, None))
     }

@@ -70,6 +70,8 @@ pub struct Answer {
     pub replay: Option<String>,
     /// Encloses the smallest margin of all cases that were looked at.
     pub margin: Option<Margin>,
+    /// A point at which the margin is 0, where the property holds on a continuum.
+    pub attained: Option<Bindings>,
     /// The same of each inequality of the property by itself, under the time operators around it; `None` where it was nowhere compared.
     pub inequalities: Vec<(String, Option<Margin>)>,
     /// Whether the smallest margin is the smallest one of these.
@@ -126,6 +128,7 @@ impl Answer {
             shorter,
             replay,
             margin,
+            attained: outcome.attained.filter(|_| verdict == Verdict::Holds),
             inequalities,
             is_conjunction: question.property.as_ref().is_some_and(|whole| matches!(whole.node.kind, Kind::And(_))),
             cases: outcome.cases,
@@ -154,6 +157,7 @@ impl Answer {
             "decisive": self.decisive.as_ref().map(sides),
             "replay": replay,
             "margin": enclosed(self.margin.as_ref()),
+            "attained": self.attained.as_ref().map(named),
             "inequalities": self.inequalities.iter().map(own).collect::<Vec<_>>(),
             "cases": self.cases,
             "undecided": self.undecided,
@@ -188,7 +192,8 @@ impl Answer {
             Some(if lo == hi { format!("= {lo}") } else { format!("in [{lo}, {hi}]") })
         };
         if let Some(between) = between(self.margin.as_ref()) {
-            let _ = writeln!(text, "smallest margin {between}");
+            let at = self.attained.as_ref().map_or(String::new(), |at| format!(" at ({at})"));
+            let _ = writeln!(text, "smallest margin {between}{at}");
         }
         let several = self.is_conjunction && self.inequalities.len() > 1;
         for (inequality, margin) in self.inequalities.iter().filter(|_| several) {

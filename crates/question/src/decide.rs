@@ -8,7 +8,6 @@ use crate::error::{Problem, QuestionError};
 use crate::evaluate::Evaluator;
 use crate::failure::Failure;
 use crate::names::Subject;
-use arithmetic::RealNumber as Number;
 use crate::outcome::{Decided, Judged, Outcome};
 use crate::point::FIRST_BITS;
 use crate::question::{Expression, Question};
@@ -16,6 +15,7 @@ use crate::shrink::Shrunk;
 use crate::timeline::Measured;
 use crate::truth::{Margin, Truth};
 use arithmetic::Progress;
+use arithmetic::RealNumber as Number;
 use motion::side_by_side;
 
 /// Boxes that a continuum is divided into at most, for all members of the family together.
@@ -97,7 +97,7 @@ impl Question {
         };
         let counterexample = (truth == Truth::False).then(|| bindings.clone());
         let open = u64::from(matches!(truth, Truth::Unknown(_)));
-        Ok(Decided { truth, margin, inequalities, excluded: false, boxes: 1, open, counterexample })
+        Ok(Decided { truth, margin, inequalities, excluded: false, boxes: 1, open, counterexample, attained: None })
     }
 }
 
@@ -178,6 +178,7 @@ fn over_family(
         open: 0,
         boxed: false,
         counterexample: None,
+        attained: None,
     };
     // A counterexample decides, whatever has no value elsewhere.
     let mut missing = None;
@@ -206,6 +207,7 @@ fn over_family(
             outcome.cases += found.boxes;
             outcome.open += found.open;
             outcome.boxed |= boxed;
+            outcome.attained = outcome.attained.or(found.attained);
             outcome.margin = Some(outcome.margin.map_or(found.margin, |least| least.least(found.margin)));
             Margin::least_of_each(&mut outcome.inequalities, &found.inequalities);
             if found.counterexample.is_some() {

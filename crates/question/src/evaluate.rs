@@ -11,11 +11,11 @@ use crate::case::Case;
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::FUNCTIONS;
-use arithmetic::{Obstacle, RealNumber as Number};
 use crate::syntax::{Kind, Node, Relation};
 use crate::timeline::{Measured, Moment, Piece};
 use crate::truth::{Margin, Truth};
 use arithmetic::{Interval, Sign, rational};
+use arithmetic::{Obstacle, RealNumber as Number};
 use num_integer::Integer;
 use num_traits::Signed;
 

@@ -28,6 +28,8 @@ pub struct Decided {
     pub open: u64,
     /// Names for which the property fails, confirmed.
     pub counterexample: Option<Bindings>,
+    /// Names for which the margin is 0, where the property holds.
+    pub attained: Option<Bindings>,
 }
 
 /// The outcome of a property over a whole family.
@@ -49,6 +51,8 @@ pub struct Outcome {
     pub boxed: bool,
     /// The first counterexample.
     pub counterexample: Option<Bindings>,
+    /// Names for which the margin is 0, where the property holds and a continuum was divided.
+    pub attained: Option<Bindings>,
 }
 
 impl Decided {
@@ -62,6 +66,7 @@ impl Decided {
             boxes: 0,
             open: 0,
             counterexample: None,
+            attained: None,
         }
     }
 }

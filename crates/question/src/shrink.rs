@@ -5,10 +5,10 @@ use crate::case::Case;
 use crate::domain::Members;
 use crate::error::QuestionError;
 use crate::evaluate::Evaluator;
-use arithmetic::RealNumber as Number;
 use crate::question::{Expression, Question};
 use crate::syntax::{Kind, Node};
 use crate::truth::Truth;
+use arithmetic::RealNumber as Number;
 use arithmetic::{Progress, Rational, rational, simplest_between};
 use num_traits::Signed;
 

@@ -75,6 +75,13 @@ pub struct Open {
     pub degrees: Vec<u32>,
 }
 
+impl Open {
+    /// A point at which the sign could not be told.
+    pub fn at_point(why: String) -> Self {
+        Open { why, boxes: Vec::new(), share: None, looked: 0, degrees: Vec::new() }
+    }
+}
+
 /// The decision.
 #[derive(Debug, Clone)]
 pub enum Decision {

@@ -3,11 +3,11 @@
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
-use arithmetic::{Obstacle, RealNumber as Number};
 use crate::subject::distances::{disagreement, least_distance};
 use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
 use crate::truth::Doubt;
 use algebra::graph::Graph;
+use arithmetic::{Obstacle, RealNumber as Number};
 use arithmetic::{Progress, Rational, rational};
 use models::averaging::settle::{Ending, Limits, Settlement, settle};
 use models::averaging::{Flock, Start};

@@ -7,10 +7,10 @@
 use crate::bindings::{Bindings, GraphValue, Value};
 use crate::error::Problem;
 use crate::failure::Failure;
-use arithmetic::RealNumber as Number;
 use crate::timeline::Measured;
 use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{Polynomial, matrix_spectrum};
+use arithmetic::RealNumber as Number;
 use arithmetic::{
     ArithmeticError, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, Unwatched, rational, shown,
 };

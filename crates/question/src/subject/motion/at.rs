@@ -7,8 +7,8 @@ use super::numbers::{BITS, narrowed, widened};
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
-use arithmetic::RealNumber as Number;
 use crate::timeline::{Measured, Moment};
+use arithmetic::RealNumber as Number;
 use arithmetic::{ArithmeticError, Complex, Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, rational};
 use models::double_integrator::{Coordinates, Pair, Potential, State, kinetic_energy, potential_energy};
 use models::oscillator::{

@@ -2,8 +2,8 @@
 
 use super::MotionSubject;
 use super::numbers::Start;
-use arithmetic::RealNumber as Number;
 use crate::subject::distances::{disagreement, least_distance};
+use arithmetic::RealNumber as Number;
 use arithmetic::{Complex, Interval, Rational, rational};
 use models::double_integrator::{Coordinates, Pair, Potential, kinetic_energy, linked_within, potential_gradients};
 use models::oscillator::phase_potential;
