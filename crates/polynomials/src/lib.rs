@@ -4,6 +4,7 @@ pub mod decide;
 mod function;
 mod multivariate;
 pub mod sums;
+pub mod univariate;
 
 pub use function::{Compared, Function, Literal, Side};
 pub use multivariate::{Monomial, Multivariate, monomial_product, total_degree};

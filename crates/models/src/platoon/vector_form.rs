@@ -67,7 +67,7 @@ pub fn motion_matrix(reduced: &RationalMatrix, gains: &Gains<Rational>) -> Resul
 /// # Errors
 /// [`MatrixError::NotSquare`].
 pub fn is_stable(motion: &RationalMatrix) -> Result<bool, MatrixError> {
-    Ok(Polynomial::characteristic(motion)?.is_hurwitz())
+    Ok(motion.primitive_characteristic()?.is_hurwitz())
 }
 
 /// `A + lambda K`, by which a mode of the eigenvalue `lambda` of `P` moves.

@@ -358,5 +358,5 @@ fn tracked(graph: &GraphValue) -> Result<CommunicationGraph, Failure> {
 fn characteristic(graph: &CommunicationGraph, f: &Rational, g: &Rational) -> Result<Polynomial, Failure> {
     let gains = Gains { f: f.clone(), g: g.clone() };
     let motion = graph.reduced_laplacian().and_then(|reduced| motion_matrix(&reduced, &gains));
-    motion.and_then(|motion| Polynomial::characteristic(&motion)).map_err(|error| refused(error.to_string()))
+    motion.and_then(|motion| motion.primitive_characteristic()).map_err(|error| refused(error.to_string()))
 }
