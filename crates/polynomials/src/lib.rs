@@ -4,7 +4,9 @@ pub mod decide;
 mod function;
 mod multivariate;
 pub mod sums;
+mod symbolic;
 pub mod univariate;
 
 pub use function::{Compared, Function, Literal, Side};
 pub use multivariate::{Monomial, Multivariate, monomial_product, total_degree};
+pub use symbolic::{Extension, Symbolic};

@@ -1,8 +1,11 @@
 //! The decision of "at every point of a domain one of these functions has its sign": points first, then boxes with derivatives, then polynomials.
 
+mod bernstein;
 mod extended;
+mod goals;
 mod local;
 mod points;
+mod roots;
 mod subdivision;
 
 use crate::function::{Function, Literal, Side};
@@ -130,11 +133,22 @@ pub fn decide<F: Function>(
         Decision::Undecided(open) => open,
         decided => return Ok(with_zeros(decided, found.zeros)),
     };
-    if effort.boxes <= FIRST_BOXES {
-        return Ok(Decision::Undecided(open));
-    }
-    Ok(match subdivision::divide(clause, domain, effort, progress)? {
-        Decision::Undecided(all) => Decision::Undecided(all),
+    let degrees = match goals::prove(clause, domain, effort, progress)? {
+        goals::Outcome::Proved(mut proof) => {
+            proof.boxes += open.looked;
+            proof.methods.sort_unstable();
+            proof.methods.dedup();
+            return Ok(with_zeros(Decision::Holds(proof), found.zeros));
+        }
+        goals::Outcome::Open(degrees) => degrees,
+    };
+    let rest = if effort.boxes <= FIRST_BOXES {
+        Decision::Undecided(open)
+    } else {
+        subdivision::divide(clause, domain, effort, progress)?
+    };
+    Ok(match rest {
+        Decision::Undecided(all) => Decision::Undecided(Open { degrees, ..all }),
         decided => with_zeros(decided, found.zeros),
     })
 }

@@ -7,6 +7,7 @@
 mod certificate;
 mod gram;
 mod semidefinite;
+mod text;
 
 pub use certificate::{Certificate, Square};
 

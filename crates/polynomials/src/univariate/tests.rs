@@ -18,7 +18,6 @@ impl Progress for After {
     }
 }
 
-
 fn integers(coefficients: &[i64]) -> Polynomial {
     Polynomial::new(coefficients.iter().map(|&c| BigInt::from(c)).collect())
 }

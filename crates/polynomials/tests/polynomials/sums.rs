@@ -14,8 +14,25 @@ fn c(p: i64, q: i64) -> P {
 fn search(goal: P, strict: bool, constraints: Vec<P>) -> Option<Certificate> {
     let problem = Problem { names: Vec::new(), goal, strict, constraints, relations: Vec::new(), zeros: Vec::new() };
     match problem.search(&Unwatched).unwrap() {
-        Search::Found(found) => Some(*found),
+        Search::Found(found) => {
+            checked(&found);
+            Some(*found)
+        }
         Search::Nothing(_) => None,
+    }
+}
+
+/// The separate checker takes the file, and refuses it with another goal.
+fn checked(found: &Certificate) {
+    let text = found.text();
+    let accepted = flockproof_checker::check(text.as_bytes()).unwrap_or_else(|refusal| panic!("{refusal:?}\n{text}"));
+    assert_eq!(accepted.claim, found.claim());
+    for small in [rational(1, 1000), rational(1, 1_000_000)] {
+        let mut altered = found.clone();
+        altered.goal = altered.goal - Multivariate::of(small);
+        assert!(!altered.is_valid());
+        let refusal = flockproof_checker::check(altered.text().as_bytes()).expect_err("another goal");
+        assert!(refusal.reason.contains("not the same polynomial"), "{refusal:?}");
     }
 }
 
