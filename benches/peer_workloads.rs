@@ -2,12 +2,13 @@
 //!
 //! usage: cargo bench --bench peer_workloads -- [FILTER]   (FILTER keeps the configurations whose name contains it)
 
+use flockproof::arithmetic::threads::on_a_thread;
 use flockproof::arithmetic::{Interval, Rational, Unwatched, decimal, rational};
 use flockproof::averaging::{FilteredFlock, Flock, Hysteresis, Start, Weights};
 use flockproof::double_integrator::{Potential, State, SwitchingFlock};
 use flockproof::graph::{LaplacianKind, NamedGraph};
 use flockproof::matrix::{SparseMatrix, StochasticMatrix, prefix_products, product_sequential, product_tree};
-use flockproof::motion::{Rk4, on_a_thread};
+use flockproof::motion::Rk4;
 use flockproof::oscillator::AllToAll;
 use flockproof::platoon::time_domain::Modes;
 use flockproof::platoon::{Gains, resonance, theorem1};

@@ -51,6 +51,7 @@ mod regression;
 mod residue;
 mod series;
 mod surd;
+pub mod threads;
 mod words;
 
 pub use ball::Ball;

@@ -15,7 +15,6 @@ mod individual;
 mod jet;
 mod lanes;
 mod rk4;
-mod side_by_side;
 mod sine;
 mod statistics;
 mod turn_count;
@@ -31,7 +30,6 @@ pub use individual::{IndividualFlock, IndividualLaw, Moving, Pace, Rates, Sensin
 pub use jet::Jet;
 pub use lanes::Lanes;
 pub use rk4::Rk4;
-pub use side_by_side::{on_a_thread, side_by_side, while_one_waits};
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
 pub use statistics::{Sample, Share};
 pub use turn_count::whole_turns;

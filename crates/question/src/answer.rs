@@ -4,7 +4,7 @@ use crate::bindings::Bindings;
 use crate::decisive::Decisive;
 use crate::error::QuestionError;
 use crate::names::Subject;
-use crate::outcome::Outcome;
+use crate::outcome::{Outcome, Unsettled};
 use crate::question::Question;
 use crate::scenario_file::is_place;
 use crate::shrink::Shrunk;
@@ -13,6 +13,7 @@ use crate::truth::{Margin, Truth};
 use algebra::graph::LaplacianKind;
 use arithmetic::Progress;
 use models::platoon::Communication;
+use polynomials::sums::Certificate;
 use serde_json::{Map, json};
 use std::fmt::Write;
 
@@ -72,6 +73,10 @@ pub struct Answer {
     pub margin: Option<Margin>,
     /// A point at which the margin is 0, where the property holds on a continuum.
     pub attained: Option<Bindings>,
+    /// Sums of squares that `holds` rests on, for the separate checker.
+    pub certificates: Vec<Certificate>,
+    /// What is open of a continuum.
+    pub unsettled: Option<Unsettled>,
     /// The same of each inequality of the property by itself, under the time operators around it; `None` where it was nowhere compared.
     pub inequalities: Vec<(String, Option<Margin>)>,
     /// Whether the smallest margin is the smallest one of these.
@@ -129,6 +134,8 @@ impl Answer {
             replay,
             margin,
             attained: outcome.attained.filter(|_| verdict == Verdict::Holds),
+            certificates: if verdict == Verdict::Holds { outcome.certificates } else { Vec::new() },
+            unsettled: outcome.unsettled.filter(|_| verdict == Verdict::Undecided),
             inequalities,
             is_conjunction: question.property.as_ref().is_some_and(|whole| matches!(whole.node.kind, Kind::And(_))),
             cases: outcome.cases,
@@ -158,6 +165,7 @@ impl Answer {
             "replay": replay,
             "margin": enclosed(self.margin.as_ref()),
             "attained": self.attained.as_ref().map(named),
+            "open": self.unsettled.as_ref().map(|open| json!({"share": open.share.map(|share| format!("~{share:.3e}")), "boxes": open.boxes.iter().map(named).collect::<Vec<_>>()})),
             "inequalities": self.inequalities.iter().map(own).collect::<Vec<_>>(),
             "cases": self.cases,
             "undecided": self.undecided,

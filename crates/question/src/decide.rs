@@ -8,6 +8,7 @@ use crate::error::{Problem, QuestionError};
 use crate::evaluate::Evaluator;
 use crate::failure::Failure;
 use crate::names::Subject;
+use crate::number::Number;
 use crate::outcome::{Decided, Judged, Outcome};
 use crate::point::FIRST_BITS;
 use crate::question::{Expression, Question};
@@ -15,8 +16,7 @@ use crate::shrink::Shrunk;
 use crate::timeline::Measured;
 use crate::truth::{Margin, Truth};
 use arithmetic::Progress;
-use arithmetic::RealNumber as Number;
-use motion::side_by_side;
+use arithmetic::threads::side_by_side;
 
 /// Boxes that a continuum is divided into at most, for all members of the family together.
 const MOST_BOXES: u64 = 200_000;
@@ -97,7 +97,16 @@ impl Question {
         };
         let counterexample = (truth == Truth::False).then(|| bindings.clone());
         let open = u64::from(matches!(truth, Truth::Unknown(_)));
-        Ok(Decided { truth, margin, inequalities, excluded: false, boxes: 1, open, counterexample, attained: None })
+        Ok(Decided {
+            truth,
+            margin,
+            inequalities,
+            excluded: false,
+            boxes: 1,
+            open,
+            counterexample,
+            ..Decided::nothing()
+        })
     }
 }
 
@@ -179,6 +188,8 @@ fn over_family(
         boxed: false,
         counterexample: None,
         attained: None,
+        certificates: Vec::new(),
+        unsettled: None,
     };
     // A counterexample decides, whatever has no value elsewhere.
     let mut missing = None;
@@ -208,6 +219,8 @@ fn over_family(
             outcome.open += found.open;
             outcome.boxed |= boxed;
             outcome.attained = outcome.attained.or(found.attained);
+            outcome.certificates.extend(found.certificates);
+            outcome.unsettled = outcome.unsettled.or(found.unsettled);
             outcome.margin = Some(outcome.margin.map_or(found.margin, |least| least.least(found.margin)));
             Margin::least_of_each(&mut outcome.inequalities, &found.inequalities);
             if found.counterexample.is_some() {

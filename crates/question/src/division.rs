@@ -6,7 +6,7 @@ use crate::error::QuestionError;
 use crate::failure::Failure;
 use crate::formula::{Clause, clauses};
 use crate::names::Subject;
-use crate::outcome::{Decided, Judged};
+use crate::outcome::{Decided, Judged, Unsettled};
 use crate::point::FIRST_BITS;
 use crate::question::{Expression, Question};
 use crate::syntax::Kind;
@@ -80,27 +80,31 @@ const FIRST_BOXES: u64 = 64;
 /// Most boxes then.
 const MOST_SHARP: u64 = 20_000;
 
+/// Open boxes that are told.
+const TOLD: usize = 64;
+
+fn boxed(whole: &Bindings, places: &[(usize, Side)], sides: &[Side]) -> Bindings {
+    let mut bindings = whole.clone();
+    for ((place, _), side) in places.iter().zip(sides) {
+        if let (Some(lo), Some(hi)) = (&side.lo, &side.hi) {
+            let value = if lo == hi { Value::Number(lo.clone()) } else { Value::Box(lo.clone(), hi.clone()) };
+            bindings.set(*place, value);
+        }
+    }
+    bindings
+}
+
 /// What is left open, in words.
-fn told(open: &Open, whole: &Bindings, places: &[(usize, Side)]) -> String {
+fn told(open: &Open, first: Option<&Bindings>) -> String {
     let mut text = open.why.clone();
     if !open.degrees.is_empty() {
         let degrees: Vec<String> = open.degrees.iter().map(ToString::to_string).collect();
-        text += &format!("; sums of squares of degree {} were tried", degrees.join(", "));
+        text += &format!("; sums of squares were looked for in vain, of degree {}", degrees.join(", "));
     }
     if let Some(share) = open.share {
-        text += &format!("; open is a share of {} of the volume", arithmetic::shown(&format!("{share:.3e}")));
+        text += &format!("; open is a share of {share:.3e} of the volume");
     }
-    if let Some(sides) = open.boxes.first() {
-        let mut bindings = whole.clone();
-        for ((place, _), side) in places.iter().zip(sides) {
-            if let (Some(lo), Some(hi)) = (&side.lo, &side.hi) {
-                bindings
-                    .set(*place, if lo == hi { Value::Number(lo.clone()) } else { Value::Box(lo.clone(), hi.clone()) });
-            }
-        }
-        text += &format!(" (a box: {bindings})");
-    }
-    text
+    first.map_or(text.clone(), |bindings| format!("{text} (a box: {bindings})"))
 }
 
 /// Boxes that are still looked at for a counterexample when a value is missing.
@@ -147,6 +151,7 @@ impl Division<'_> {
             match decision {
                 Decision::Holds(proof) => {
                     found.boxes += proof.boxes;
+                    found.certificates.extend(proof.certificates);
                     for zero in proof.zeros {
                         let point = at(&zero);
                         self.fails_at(point.clone(), &mut found, &mut missing)?;
@@ -176,7 +181,10 @@ impl Division<'_> {
         if let Some(open) = left {
             found.open = found.open.max(1);
             found.attained = None;
-            found.truth = Truth::Unknown(Doubt { why: told(&open, whole, &places), bits: None });
+            let boxes: Vec<Bindings> = open.boxes.iter().take(TOLD).map(|sides| boxed(whole, &places, sides)).collect();
+            let why = told(&open, boxes.first());
+            found.unsettled = Some(Unsettled { share: open.share, boxes });
+            found.truth = Truth::Unknown(Doubt { why, bits: None });
             return Ok(found);
         }
         // True everywhere: no inequality that has to be true misses.

@@ -20,6 +20,7 @@ mod floats;
 mod formula;
 mod inequalities;
 pub mod names;
+mod number;
 mod outcome;
 mod point;
 mod question;
@@ -33,14 +34,16 @@ mod timeline;
 mod truth;
 
 pub use answer::{Answer, Verdict};
-pub use arithmetic::RealNumber as Number;
 pub use bindings::{Bindings, GraphValue, Value};
 pub use decide::{Tabulated, decide};
 pub use decisive::Decisive;
 pub use drawn::Instance;
 pub use error::{Place, Problem, QuestionError};
 pub use expressions::nearest_ids;
-pub use outcome::{Decided, Outcome};
+pub use number::Number;
+pub use outcome::{Decided, Outcome, Unsettled};
+/// Proofs by sums of squares.
+pub use polynomials::sums::Certificate;
 pub use question::{Files, Question};
 pub use regions::{Region, Standing};
 pub use truth::{Doubt, Margin, Truth};

@@ -2,6 +2,7 @@
 
 use crate::bindings::Bindings;
 use crate::truth::{Margin, Truth};
+use polynomials::sums::Certificate;
 
 /// What was found for one point.
 #[derive(Debug, Clone)]
@@ -9,6 +10,15 @@ pub(crate) struct Judged {
     pub truth: Truth,
     pub margin: Margin,
     pub inequalities: Vec<Margin>,
+}
+
+/// What is open of a continuum.
+#[derive(Debug, Clone)]
+pub struct Unsettled {
+    /// Its share of the volume.
+    pub share: Option<f64>,
+    /// Boxes of it, not all where there are very many.
+    pub boxes: Vec<Bindings>,
 }
 
 /// What was found for one case.
@@ -30,6 +40,10 @@ pub struct Decided {
     pub counterexample: Option<Bindings>,
     /// Names for which the margin is 0, where the property holds.
     pub attained: Option<Bindings>,
+    /// Sums of squares that the decision rests on.
+    pub certificates: Vec<Certificate>,
+    /// Share of the volume that is open, with boxes of it, where boxes were not enough.
+    pub unsettled: Option<Unsettled>,
 }
 
 /// The outcome of a property over a whole family.
@@ -53,6 +67,10 @@ pub struct Outcome {
     pub counterexample: Option<Bindings>,
     /// Names for which the margin is 0, where the property holds and a continuum was divided.
     pub attained: Option<Bindings>,
+    /// Sums of squares that the decision rests on.
+    pub certificates: Vec<Certificate>,
+    /// What is open of the first member that is.
+    pub unsettled: Option<Unsettled>,
 }
 
 impl Decided {
@@ -67,6 +85,8 @@ impl Decided {
             open: 0,
             counterexample: None,
             attained: None,
+            certificates: Vec::new(),
+            unsettled: None,
         }
     }
 }

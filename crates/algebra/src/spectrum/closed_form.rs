@@ -23,7 +23,7 @@ use super::enclosed::{FloatEnclosure, bits, least_top, order};
 use super::float_bounds::{nearest, nearest_root};
 use super::{CyclotomicSum, Eigenvalue, RootTable};
 use crate::graph::{LaplacianKind, NamedGraph};
-use crate::threads::map;
+use arithmetic::threads::map;
 use arithmetic::{ArithmeticError, Interval, Rational, Real, Ring, rational};
 use num_bigint::BigInt;
 use rayon::prelude::*;

@@ -2,7 +2,6 @@
 
 use crate::prelude::*;
 use crate::veerman::{enclosed, gains};
-use algebra::spectrum::Polynomial;
 use models::platoon::modes::mode_eigenvalue;
 use models::platoon::vector_form::motion_matrix;
 use models::platoon::{Communication, CommunicationGraph, Gains, slowest_rate};

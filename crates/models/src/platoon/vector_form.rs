@@ -2,7 +2,6 @@
 
 use super::Gains;
 use algebra::matrix::{MatrixError, RationalMatrix};
-use algebra::spectrum::Polynomial;
 use arithmetic::{Field, Rational, Ring};
 
 /// A 2 x 2 matrix that acts on the pair (position, velocity) of one agent.

@@ -4,7 +4,6 @@
 mod at;
 mod exact;
 mod laws;
-mod links;
 mod modes;
 mod numbers;
 
@@ -21,7 +20,7 @@ use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
 use models::double_integrator::{
     Coordinates, EnclosedFlock, FixedNetwork, HeadingDifference, Pair, Potential, State, heading, linked_within,
 };
-use models::oscillator::Neighbours;
+use models::oscillator::{Neighbours, Orientation, Steering};
 use modes::ModalPlatoon;
 use motion::validated::{Flow, IntervalVector, Parallelepiped, SmoothLaw, Step};
 use num_traits::{ToPrimitive, Zero};
@@ -183,7 +182,9 @@ impl<'c> MotionSubject<'c> {
                 self.small(phases.len())?;
                 let mut state = self.vectors(Start::Positions, positions).concat();
                 state.extend(self.phasors(phases)?);
-                let tube = self.followed(ParticleLaw { frequency, gain, spacing, drift, network }, &state, until)?;
+                let orientation = Orientation::Laplacian(gain.clone());
+                let steering = Steering { frequency: frequency.clone(), orientation, spacing: spacing.clone() };
+                let tube = self.followed(ParticleLaw { steering, drift, network }, &state, until)?;
                 Ok(match radius {
                     Some(radius) => while_linked(tube, network, &(radius * radius)),
                     None => tube,

@@ -4,7 +4,7 @@ use super::continuous::Moving;
 use super::discrete::Stepping;
 use super::start::{Ranges, start};
 use crate::error::{ConfigError, Problem};
-use crate::network::{Abilities, Kind as NetworkKind, Network, Rule};
+use crate::network::{Abilities, Kind as NetworkKind, Network};
 use crate::simulation::{Continuous, Simulation};
 use crate::source::{Entry, Section, Source};
 use crate::stepped::Stepped;
@@ -132,10 +132,7 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
     text.planar = text.dimension == 1 && network.switches();
     let law = text.compile(agents).map_err(|error| refused(&section, rates, error))?;
     let state = laid_out(&law, &parts);
-    let radius = match network.rule() {
-        Rule::Within(_) => Some(source.needed("graph")?.need("radius", "a number above 0")?.exact()?),
-        _ => None,
-    };
+    let radius = network.exact_radius().cloned();
     let name = section.get("name").map(|entry| entry.word()).transpose()?;
     let mut declaration = declaration(&text, name, &step);
     declaration.push(match &radius {

@@ -1,0 +1,3 @@
+//! The values of expressions.
+
+pub use arithmetic::RealNumber as Number;
