@@ -3,4 +3,5 @@
 extern crate flockproof_polynomials as polynomials;
 
 mod decide;
+mod random;
 mod sums;

@@ -26,6 +26,61 @@ const ATTAINED: &[(&str, &str)] = &[
     ("x = \"[0, 1]\"\ny = \"[0, 1]\"", "x + y <= 1 - EPS implies 4*x*y <= 1 - 3*EPS"),
 ];
 
+/// Estimates of the five papers and of the proofs in the notes, as `notes/questions.md` lists them.
+const PAPERS: &[(&str, &str)] = &[
+    ("x = \"[-1, 1]\"\nu = \"[-1, 1]\"", "abs(abs(x + u) - abs(x)) <= abs(u)*(1 - EPS)"),
+    ("x = \"[0, 2]\"", "1 - x <= exp(-x)*(1 - EPS)"),
+    ("x = \"[0, 4]\"", "log(1 + x) <= x - EPS*x"),
+    ("x = \"[0, 1]\"", "log(1 + x) >= x/(1 + x) + EPS*x"),
+    ("x = \"[0, 3/2]\"", "sin(x) >= 2*x/pi + EPS"),
+    ("x = \"[0, 2]\"", "sin(x) >= x - x^3/6 + EPS*x^3"),
+    ("x = \"[-2, 2]\"", "1 - cos(x) >= x^2/2 - x^4/24 + EPS*x^4"),
+    ("a = \"[0, 1]\"\nb = \"[0, 1]\"\nc = \"[0, 1]\"", "a*b + b*c + c*a <= (a^2 + b^2 + c^2)*(1 - EPS)"),
+    (
+        "f = \"[-4, -1/10]\"\ng = \"[-4, -1]\"\ny = \"[0, 10]\"",
+        "y >= -2*f implies (f^2 + g^2*y)/((f + y)^2 + g^2*y) <= 1 - EPS",
+    ),
+    (
+        "f = \"[-4, -1/10]\"\ng = \"[-4, -1]\"\ny = \"[0, 10]\"",
+        "y <= -2*f implies (f^2 + g^2*y)/((f + y)^2 + g^2*y) >= 1 + EPS",
+    ),
+    ("x = \"[-1, 4]\"", "sqrt(1 + x) <= 1 + x/2 - EPS"),
+    ("x = \"[-2, 2]\"", "exp(x) + exp(-x) >= 2 + x^2 + EPS*x^2"),
+    ("x = \"[0, 3]\"", "exp(x) - exp(-x) >= 2*x + EPS*x"),
+    ("x = \"[-3, 3]\"\ny = \"[-3, 3]\"", "(1 + cos(x) + cos(y))^2 + (sin(x) + sin(y))^2 <= 9 - EPS"),
+    ("x = \"[-3, 3]\"\ny = \"[-3, 3]\"", "cos(x - y) <= 1 - EPS"),
+    ("r = \"[1/4, 4]\"", "1/r^2 + log(r^2) >= 1 + EPS"),
+    (
+        "x = \"[-1, 1]\"\ny = \"[-1, 1]\"\nz = \"[-1, 1]\"",
+        "(x - y)^2 + (y - z)^2 >= (1 + EPS)*(x^2 + y^2 + z^2 - (x + y + z)^2/3)",
+    ),
+    ("x = \"[-1, 1]\"\ny = \"[-1, 1]\"\nz = \"[-1, 1]\"", "abs(x - z) <= (abs(x - y) + abs(y - z))*(1 - EPS)"),
+    ("x = \"[0, 2]\"\ny = \"[0, 2]\"", "min(x, 1) + min(y, 1) <= min(x + y, 2) - EPS*x*y"),
+    (
+        "x = \"[-1, 1]\"\ny = \"[-1, 1]\"\nu = \"[-1, 1]\"\nv = \"[-1, 1]\"",
+        "x*u + y*v <= sqrt(x^2 + y^2)*sqrt(u^2 + v^2) - EPS*x^2",
+    ),
+];
+
+/// The estimates hold, and none of them does with a constant changed.
+#[test]
+fn estimates_of_the_papers_are_decided_for_all_numbers() {
+    let mut wrong = Vec::new();
+    for (family, property) in PAPERS {
+        let found = answer(&asked(family, &property.replace("EPS", "0"), "1 < 0"));
+        if found.verdict != Verdict::Holds {
+            wrong.push(format!("{property}: {:?} {}", found.verdict, found.why));
+        }
+        for small in ["1/1000", "1/1000000"] {
+            let altered = verdict(family, &property.replace("EPS", small));
+            if altered != Verdict::False {
+                wrong.push(format!("{property} with {small}: {altered:?}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
 #[test]
 fn inequalities_that_are_attained_are_decided() {
     for (family, property) in ATTAINED {
