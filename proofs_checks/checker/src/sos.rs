@@ -92,6 +92,9 @@ fn squares(reader: &mut Reader, name: &str, n: usize) -> Result<(Polynomial, boo
         let weight = reader.integer(weight)?;
         reader.require(weight.sign() != Sign::Minus, "a weight is negative")?;
         let root = polynomial(reader, words, n)?;
+        // A root and its negative have the same square: one of them is written.
+        let first = root.first_key_value().is_none_or(|(_, c)| c.sign() == Sign::Plus);
+        reader.require(first, "the first coefficient of a root is negative")?;
         positive |= weight.sign() == Sign::Plus && root.len() == 1 && root.keys().all(|e| e.iter().all(|e| *e == 0));
         let weighted = times(reader, &root, &Polynomial::from([(vec![0; n], weight)]))?;
         let square = times(reader, &weighted, &root)?;

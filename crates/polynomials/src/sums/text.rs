@@ -91,7 +91,10 @@ impl Certificate {
             let kept: Vec<&Square> = list.iter().filter(|(d, l)| !d.is_zero() && !l.is_zero()).collect();
             let _ = writeln!(text, "{name} {}", kept.len());
             for (d, l) in kept {
-                let _ = writeln!(text, "square {} {}", d * &whole, words(l, n));
+                // Of a root and its negative the one whose first coefficient is positive.
+                let turned = l.terms().next().is_some_and(|(_, c)| c.is_negative());
+                let root = if turned { -l.clone() } else { l.clone() };
+                let _ = writeln!(text, "square {} {}", d * &whole, words(&root, n));
             }
         };
         squares(&mut text, "multiplier", &multiplier);
