@@ -7,7 +7,7 @@
 
 use super::operators::operators;
 use super::{
-    ArithmeticError, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, decimals, rational,
+    ArithmeticError, Dyadic, Field, Interval, Number, Rational, Real, Ring, Sign, Signed, decimals, rational,
     significant_digits,
 };
 use num_bigint::BigInt;
@@ -610,6 +610,12 @@ impl Signed for PreciseNumber {
 impl Real for PreciseNumber {
     fn pi(&self) -> Self {
         self.with(RealNumber::Turns(rational(1, 1)))
+    }
+}
+
+impl Number for PreciseNumber {
+    fn circle(&self) -> Result<Self, ArithmeticError> {
+        Ok(self.pi())
     }
 
     fn sqrt(&self) -> Result<Self, ArithmeticError> {

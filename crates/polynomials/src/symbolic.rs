@@ -1,11 +1,19 @@
 //! Functions themselves as a scalar: quotients of polynomials in the arguments and in new variables for roots, absolute values, sines and exponentials.
 
 use crate::multivariate::Multivariate;
-use arithmetic::{ArithmeticError, Elementary, Field, Number, Rational, Ring, Sign, Signed, operators, rational};
+use arithmetic::{ArithmeticError, Field, Number, Rational, Ring, Sign, Signed, operators, rational};
 use num_traits::{Signed as _, Zero};
 use std::sync::{Arc, Mutex, PoisonError};
 
 type Polynomial = Multivariate<Rational>;
+
+/// A function whose values have variables of their own; the sine stands after the cosine of the same argument.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Function {
+    Cosine,
+    Exponential,
+    Other(&'static str),
+}
 
 /// What a new variable stands for.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +39,7 @@ struct Inner {
     divisors: Vec<Polynomial>,
     meanings: Vec<Meaning>,
     /// Functions of arguments that have a variable already.
-    calls: Vec<(Elementary, Fraction, usize)>,
+    calls: Vec<(Function, Fraction, usize)>,
 }
 
 /// Where the new variables of one computation are kept.
@@ -203,31 +211,37 @@ impl Symbolic {
         self.extension.product(&self.fraction.1)
     }
 
-    fn call(&self, function: Elementary) -> usize {
+    /// The variable of a function of this argument.
+    fn call(&self, function: Function) -> usize {
         let known = self.extension.with(|inner| {
-            let same =
-                |(own, argument, _): &&(Elementary, Fraction, usize)| *own == function && *argument == self.fraction;
+            let same = |own: &&(Function, Fraction, usize)| own.0 == function && own.1 == self.fraction;
             inner.calls.iter().find(same).map(|(_, _, variable)| *variable)
         });
         known.unwrap_or_else(|| {
             let variable = match function {
-                Elementary::Sine | Elementary::Cosine => {
+                Function::Cosine => {
                     let cosine = self.extension.variable(Meaning::Cosine);
                     self.extension.variable(Meaning::Sine);
                     cosine
                 }
-                Elementary::Exponential => self.extension.variable(Meaning::Positive),
-                _ => self.extension.variable(Meaning::Any),
+                Function::Exponential => self.extension.variable(Meaning::Positive),
+                Function::Other(_) => self.extension.variable(Meaning::Any),
             };
-            let of = |function| (function, self.fraction.clone(), variable);
-            self.extension.with(|inner| match function {
-                Elementary::Sine | Elementary::Cosine => {
-                    inner.calls.extend([of(Elementary::Cosine), of(Elementary::Sine)]);
-                }
-                _ => inner.calls.push(of(function)),
-            });
+            self.extension.with(|inner| inner.calls.push((function, self.fraction.clone(), variable)));
             variable
         })
+    }
+
+    /// The value where it is rational, otherwise the variable of the function.
+    fn called(
+        &self,
+        function: Function,
+        exact: impl Fn(&Rational) -> Result<Rational, ArithmeticError>,
+    ) -> Result<Self, ArithmeticError> {
+        if let Some(value) = self.as_constant().and_then(|c| exact(&c).ok()) {
+            return Ok(self.rational(&value));
+        }
+        Ok(self.extension.of(Multivariate::x(self.call(function))))
     }
 }
 
@@ -298,23 +312,6 @@ impl Signed for Symbolic {
 }
 
 impl Number for Symbolic {
-    fn function(&self, function: Elementary) -> Result<Self, ArithmeticError> {
-        if let Some(value) = self.as_constant().and_then(|c| c.function(function).ok()) {
-            return Ok(self.rational(&value));
-        }
-        let variable = match function {
-            Elementary::Root => {
-                if self.as_constant().is_some_and(|c| c.is_negative()) {
-                    return Err(ArithmeticError::Argument("sqrt"));
-                }
-                self.extension.known(Meaning::Root(self.fraction.0.clone(), self.denominator()))
-            }
-            Elementary::Sine => self.call(function) + 1,
-            _ => self.call(function),
-        };
-        Ok(self.extension.of(Multivariate::x(variable)))
-    }
-
     fn circle(&self) -> Result<Self, ArithmeticError> {
         let scale = num_bigint::BigInt::from(1) << 60u32;
         let pi = arithmetic::Real::pi(&arithmetic::Interval::from_rational(&rational(1, 1), 100));
@@ -322,6 +319,47 @@ impl Number for Symbolic {
         let end = |q: Rational| q / Rational::from_integer(scale.clone());
         let meaning = Meaning::Between(end(lo.clone()), end(lo + rational(1, 1)));
         Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
+    }
+
+    fn sqrt(&self) -> Result<Self, ArithmeticError> {
+        if let Some(c) = self.as_constant() {
+            if c.is_negative() {
+                return Err(ArithmeticError::Argument("sqrt"));
+            }
+            if let Ok(root) = c.sqrt() {
+                return Ok(self.rational(&root));
+            }
+        }
+        let meaning = Meaning::Root(self.fraction.0.clone(), self.denominator());
+        Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
+    }
+
+    fn exp(&self) -> Result<Self, ArithmeticError> {
+        self.called(Function::Exponential, Number::exp)
+    }
+
+    fn ln(&self) -> Result<Self, ArithmeticError> {
+        self.called(Function::Other("ln"), Number::ln)
+    }
+
+    fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
+        if self.as_constant().is_some_and(|c| c.is_zero()) {
+            return Ok((self.zero(), self.one()));
+        }
+        let cosine = self.call(Function::Cosine);
+        let of = |variable: usize| self.extension.of(Multivariate::x(variable));
+        Ok((of(cosine + 1), of(cosine)))
+    }
+
+    fn atan(&self) -> Result<Self, ArithmeticError> {
+        self.called(Function::Other("atan"), Number::atan)
+    }
+
+    fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
+        let up = self.exp()?;
+        let down = up.recip()?;
+        let half = self.ratio(1, 2);
+        Ok(((up.clone() - &down) * &half, (up + down) * half))
     }
 
     fn angle(_: &Self, _: &Self) -> Result<Self, ArithmeticError> {

@@ -3,10 +3,32 @@
 
 use crate::bindings::{Bindings, Value};
 use crate::syntax::{Kind, Node, Relation};
-use arithmetic::{ArithmeticError, Elementary, Number, Rational, rational};
+use arithmetic::{ArithmeticError, Number, Rational, rational};
 use num_traits::{Signed, ToPrimitive, Zero};
 use polynomials::{Compared, Function, Literal};
 use std::sync::Arc;
+
+/// A function of one number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Elementary {
+    Root,
+    Exponential,
+    Logarithm,
+    Sine,
+    Cosine,
+}
+
+impl Elementary {
+    fn of<T: Number>(self, x: &T) -> Result<T, ArithmeticError> {
+        match self {
+            Elementary::Root => x.sqrt(),
+            Elementary::Exponential => x.exp(),
+            Elementary::Logarithm => x.ln(),
+            Elementary::Sine => x.sin(),
+            Elementary::Cosine => x.cos(),
+        }
+    }
+}
 
 /// An expression of bound numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,7 +93,7 @@ impl Term {
             }
             Term::Reciprocal(body) => body.value(at, like)?.recip()?,
             Term::Power(body, exponent) => body.value(at, like)?.power(*exponent),
-            Term::Call(function, body) => body.value(at, like)?.function(*function)?,
+            Term::Call(function, body) => function.of(&body.value(at, like)?)?,
             Term::Absolute(body) => body.value(at, like)?.absolute()?,
             Term::Extreme(larger, terms) => {
                 let mut values = all(terms)?.into_iter();

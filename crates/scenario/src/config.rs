@@ -144,7 +144,7 @@ fn on_grid(entry: &Entry, time: &Rational, step: Option<&Rational>) -> Result<()
 /// The seeds that a configuration has, of its start and of its law.
 fn seed(source: &Source) -> Result<Option<String>, ConfigError> {
     let drawn = source.needed("state")?.get("random").map(|entry| entry.table("state.random")).transpose()?;
-    let noisy = source.section("law")?.filter(|law| law.get("noise").is_some());
+    let noisy = source.section("law")?.filter(|law| law.get("noise").is_some() || law.get("seed").is_some());
     let seeds: Result<Vec<String>, ConfigError> = drawn
         .into_iter()
         .chain(noisy)
@@ -176,6 +176,7 @@ enum Motion {
     Phases(oscillator::PhaseRun),
     Particles(oscillator::ParticleRun),
     Platoon(platoon::PlatoonRun),
+    Own(Box<own::Described>),
     Floats(&'static str),
 }
 
@@ -209,7 +210,8 @@ impl Description {
             Model::Velocities => Motion::Aligned(alignment::Aligned::read(source, false)?),
             Model::Platoon => Motion::Platoon(platoon::PlatoonRun::read(source)?),
             Model::Fish | Model::Vicsek => Motion::Floats("its time is discrete and its numbers are drawn or rounded"),
-            Model::Noisy | Model::Own | Model::Flock => Motion::Floats("its law is not among those that are enclosed"),
+            Model::Own => Motion::Own(Box::new(own::describe(source)?)),
+            Model::Noisy | Model::Flock => Motion::Floats("its law is not among those that are enclosed"),
         };
         Ok(Description { model, motion })
     }
@@ -221,6 +223,9 @@ impl Description {
             Motion::Phases(run) => run.exact(),
             Motion::Particles(run) => run.exact(),
             Motion::Platoon(run) => run.exact(),
+            Motion::Own(own) => {
+                own::OwnMotion::of(*own).map_or_else(ExactMotion::Other, |own| ExactMotion::Own(Box::new(own)))
+            }
             Motion::Floats(why) => ExactMotion::Other(why),
         }
     }
@@ -238,8 +243,8 @@ impl Description {
                 (Box::new(school), Some(step))
             }
             (Motion::Floats(_), Model::Vicsek) => (vicsek::read(source)?, Some(rational(1, 1))),
-            (Motion::Floats(_), Model::Noisy) => (noisy::read(source)?, Some(rational(1, 1))),
-            (Motion::Floats(_), _) => own::read(source, tolerance)?,
+            (Motion::Own(own), _) => own::simulation(*own, source, tolerance)?,
+            (Motion::Floats(_), _) => (noisy::read(source)?, Some(rational(1, 1))),
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::config::{Description, Scenario};
 use super::error::ConfigError;
+use super::own::OwnMotion;
 use super::source::Source;
 use arithmetic::Rational;
 use models::double_integrator::{HeadingDifference, Pair, Potential};
@@ -72,6 +73,8 @@ pub enum ExactMotion {
         /// Amplitude and angular frequency of the leader's swing.
         swing: (Rational, Rational),
     },
+    /// A law of one's own.
+    Own(Box<OwnMotion>),
     /// A motion that cannot be enclosed, and why.
     Other(&'static str),
 }

@@ -46,6 +46,9 @@ impl Model {
 
     /// Whether its motions can be enclosed.
     pub fn is_enclosed(self) -> bool {
-        matches!(self, Model::Phase | Model::Particles | Model::Headings | Model::Velocities | Model::Platoon)
+        matches!(
+            self,
+            Model::Phase | Model::Particles | Model::Headings | Model::Velocities | Model::Platoon | Model::Own
+        )
     }
 }

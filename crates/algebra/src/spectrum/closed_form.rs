@@ -24,7 +24,7 @@ use super::float_bounds::{nearest, nearest_root};
 use super::{CyclotomicSum, Eigenvalue, RootTable};
 use crate::graph::{LaplacianKind, NamedGraph};
 use arithmetic::threads::map;
-use arithmetic::{ArithmeticError, Interval, Rational, Real, Ring, rational};
+use arithmetic::{ArithmeticError, Interval, Number, Rational, Ring, rational};
 use num_bigint::BigInt;
 use rayon::prelude::*;
 use std::collections::hash_map::Entry;

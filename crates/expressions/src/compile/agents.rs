@@ -2,10 +2,10 @@
 
 use super::names::parts;
 use super::{Compiler, FUNCTIONS, LOOPS, Made, Scope, Value};
+use crate::function::Function;
 use crate::problem::Problem;
 use crate::program::{Gather, Id, Of, Op, Slot};
 use crate::syntax::{Node, NodeKind, Relation};
-use arithmetic::Elementary;
 
 impl Compiler<'_> {
     /// Whether `max(j, e)` runs over agents: its first argument is a name that means nothing else, or has a condition.
@@ -86,7 +86,7 @@ impl Compiler<'_> {
                     let part = things.add(Op::Function(function, id));
                     things.gather(slot, condition, Gather::Sum, part)
                 };
-                let (sine, cosine) = (total(Elementary::Sine), total(Elementary::Cosine));
+                let (sine, cosine) = (total(Function::Sine), total(Function::Cosine));
                 let (zero, one) = (things.integer(0), things.integer(1));
                 let count = things.gather(slot, condition, Gather::Count, one);
                 let (angle, none) =

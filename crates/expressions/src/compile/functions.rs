@@ -1,10 +1,10 @@
 //! Functions of numbers and vectors.
 
 use super::{Compiler, Made, Scope, Value};
+use crate::function::Function;
 use crate::problem::Problem;
 use crate::program::{Id, Op};
 use crate::syntax::Node;
-use arithmetic::Elementary;
 
 impl Compiler<'_> {
     pub(super) fn function(&mut self, name: &str, arguments: &[Node], scope: &Scope) -> Made<Value> {
@@ -26,11 +26,11 @@ impl Compiler<'_> {
             return self.refuse(arguments[0].at, Problem::expected("a number", first.words()));
         };
         let function = match name {
-            "sqrt" => Elementary::Root,
-            "exp" => Elementary::Exponential,
-            "log" => Elementary::Logarithm,
-            "sin" => Elementary::Sine,
-            "cos" => Elementary::Cosine,
+            "sqrt" => Function::Root,
+            "exp" => Function::Exponential,
+            "log" => Function::Logarithm,
+            "sin" => Function::Sine,
+            "cos" => Function::Cosine,
             "abs" => return Ok(Value::Number(self.things.add(Op::Absolute(first)))),
             _ => {
                 let mut best = first;
@@ -49,7 +49,7 @@ impl Compiler<'_> {
     pub(super) fn turned_least(&mut self, angle: Id) -> Id {
         let things = &mut self.things;
         let (sine, cosine) =
-            (things.add(Op::Function(Elementary::Sine, angle)), things.add(Op::Function(Elementary::Cosine, angle)));
+            (things.add(Op::Function(Function::Sine, angle)), things.add(Op::Function(Function::Cosine, angle)));
         let turned = things.add(Op::Angle(sine, cosine));
         things.add(Op::Absolute(turned))
     }
@@ -114,8 +114,8 @@ impl Compiler<'_> {
             "turn" => {
                 flat(self)?;
                 let angle = self.number(&arguments[1], scope)?;
-                let sine = self.things.add(Op::Function(Elementary::Sine, angle));
-                let cosine = self.things.add(Op::Function(Elementary::Cosine, angle));
+                let sine = self.things.add(Op::Function(Function::Sine, angle));
+                let cosine = self.things.add(Op::Function(Function::Cosine, angle));
                 let back = self.things.add(Op::Negated(sine));
                 Value::Vector(vec![self.dot(&[cosine, back], &first), self.dot(&[sine, cosine], &first)])
             }
@@ -132,7 +132,7 @@ impl Compiler<'_> {
             return self.things.add(Op::Absolute(*one));
         }
         let square = self.dot(vector, vector);
-        self.things.add(Op::Function(Elementary::Root, square))
+        self.things.add(Op::Function(Function::Root, square))
     }
 }
 

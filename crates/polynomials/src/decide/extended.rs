@@ -1,6 +1,8 @@
 //! Intervals with infinite ends that remember whether every operation was defined on all of its arguments: enclosures of values where there are any.
 
-use arithmetic::{ArithmeticError, Field, FloatInterval, Interval, Rational, Real, Ring, Sign, Signed, operators};
+use arithmetic::{
+    ArithmeticError, Field, FloatInterval, Interval, Number, Rational, Real, Ring, Sign, Signed, operators,
+};
 
 /// Encloses the values at all points of a box at which the function is defined. Empty where it is defined nowhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -198,6 +200,12 @@ fn general(x: f64, f: impl Fn(&Interval) -> Result<Interval, ArithmeticError>) -
 impl Real for Extended {
     fn pi(&self) -> Self {
         Extended::from_floats(&FloatInterval::point(0.0).pi())
+    }
+}
+
+impl Number for Extended {
+    fn circle(&self) -> Result<Self, ArithmeticError> {
+        Ok(self.pi())
     }
 
     fn sqrt(&self) -> Result<Self, ArithmeticError> {

@@ -1,4 +1,4 @@
-use arithmetic::{ArithmeticError, Elementary, Number, Rational, Unwatched, rational};
+use arithmetic::{ArithmeticError, Number, Rational, Unwatched, rational};
 use polynomials::decide::{Decision, Effort, decide};
 use polynomials::{Compared, Function, Literal, Side};
 
@@ -26,19 +26,17 @@ impl Function for Known {
     fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
         let x = &at[0];
         Ok(match self {
-            Known::SineBelow => x.clone() - x.function(Elementary::Sine)?,
-            Known::Cosine => x.function(Elementary::Cosine)? - x.one() + x.square() * x.ratio(1, 2),
-            Known::Exponential => x.function(Elementary::Exponential)? - x.one() - x,
-            Known::Logarithm => x.clone() - x.one() - x.function(Elementary::Logarithm)?,
+            Known::SineBelow => x.clone() - x.sin()?,
+            Known::Cosine => x.cos()? - x.one() + x.square() * x.ratio(1, 2),
+            Known::Exponential => x.exp()? - x.one() - x,
+            Known::Logarithm => x.clone() - x.one() - x.ln()?,
             Known::Quartic => (x.square() - x.ratio(1, 4)).square(),
             // Convex around (1/3, 2/3), where it is the constant.
             Known::Valley(parts) => {
                 let y = &at[1];
                 let a = x.clone() - x.ratio(1, 3);
                 let b = y.clone() - y.ratio(2, 3);
-                a.function(Elementary::Exponential)? - x.one() - &a
-                    + b.square() * (x.integer(2) + a.function(Elementary::Sine)?)
-                    + x.ratio(*parts, 1_000_000)
+                a.exp()? - x.one() - &a + b.square() * (x.integer(2) + a.sin()?) + x.ratio(*parts, 1_000_000)
             }
             Known::Sum => at[0].clone() - x.ratio(1, 2),
         })

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::number::Number;
 use crate::timeline::Measured;
-use arithmetic::{Dyadic, Interval, Rational, Real};
+use arithmetic::{Dyadic, Interval, Number as _, Rational};
 use num_traits::ToPrimitive;
 use scenario::Amount;
 

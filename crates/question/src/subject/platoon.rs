@@ -12,7 +12,7 @@ use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{Polynomial, matrix_spectrum};
 use arithmetic::RealNumber as Number;
 use arithmetic::{
-    ArithmeticError, Complex, Dyadic, Enclosure, Field, Interval, Rational, Real, Ring, Series, Sign, Signed,
+    ArithmeticError, Complex, Dyadic, Enclosure, Field, Interval, Number as _, Rational, Ring, Series, Sign, Signed,
     Unwatched, rational, shown,
 };
 use models::platoon::vector_form::motion_matrix;

@@ -1,6 +1,6 @@
 //! Each row of the observables over floats, rationals and enclosures, beside formulas that are written out.
 
-use arithmetic::{Complex, Field, Interval, Rational, Real, Ring, rational};
+use arithmetic::{Complex, Field, Interval, Number, Rational, Ring, rational};
 use models::double_integrator::Potential;
 use models::oscillator::{Orientation, Spacing, Steering};
 use proptest::prelude::*;

@@ -10,7 +10,8 @@ use crate::names::Quantity;
 use crate::number::Number;
 use crate::subject::measured::{index_of, measured};
 use crate::timeline::{Measured, Moment};
-use arithmetic::{Complex, Field, FloatInterval, Interval, Rational, Ring, rational};
+use arithmetic::{Complex, Field, FloatInterval, Interval, Number as _, Rational, Ring, rational};
+use expressions::Variable;
 use models::double_integrator::Pair;
 use models::oscillator::{Neighbours, Orientation, Steering};
 use motion::validated::{IntervalVector, Step};
@@ -130,6 +131,21 @@ impl At<'_, '_> {
                         .apart(move |i, j| (speeds[i].clone() - &speeds[j]).square()),
                     law: Law::Cars { deviations, leader: 0, spacing },
                     ..View::new(Model::Platoon, Links::These(cars, tracked.collect()))
+                }
+            }
+            ExactMotion::Own(own) => {
+                let agents = own.agents();
+                let rows = |part: Option<&Variable>| {
+                    part.map_or_else(Rows::none, |part| self.rows(agents, part.stride, part.start))
+                };
+                let angles = own.angle().map_or_else(Vec::new, |part| self.numbers(part.start, agents));
+                let turned = |angle: &Interval| angle.sin_cos().map(|(sin, cos)| Complex::new(cos, sin));
+                View {
+                    positions: rows(own.position()),
+                    velocities: rows(own.velocity()),
+                    phasors: angles.iter().flat_map(turned).collect(),
+                    orders,
+                    ..View::new(Model::Own, own.links())
                 }
             }
             ExactMotion::Other(_) => return None,

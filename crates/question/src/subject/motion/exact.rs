@@ -6,6 +6,7 @@ use crate::number::Number;
 use crate::subject::measured::measured;
 use crate::timeline::Measured;
 use arithmetic::{Complex, Interval, Rational, rational};
+use expressions::Variable;
 use models::double_integrator::{Coordinates, Pair, Potential, linked_within, potential_gradients};
 use models::oscillator::{Neighbours, Orientation, Spacing, Steering};
 use models::platoon::Gains;
@@ -96,6 +97,14 @@ impl MotionSubject<'_> {
                 let law = Law::Cars { deviations, leader: 0, spacing: spacing.clone() };
                 vec![View { velocities, law, ..places }]
             }
+            ExactMotion::Own(own) => {
+                let rows = |part: Option<&Variable>| {
+                    let rows = part.map_or_else(Vec::new, |part| own.rows(part));
+                    Rows::of(rows.len(), || rows)
+                };
+                let (positions, velocities) = (rows(own.position()), rows(own.velocity()));
+                vec![View { positions, velocities, ..View::new(Model::Own, own.links()) }]
+            }
             ExactMotion::Other(_) => Vec::new(),
         }
     }
@@ -109,7 +118,7 @@ impl MotionSubject<'_> {
         }
         let (mut lo, mut hi) = (rational(0, 1), rational(0, 1));
         for (agent, row) in velocities.iter().enumerate() {
-            let own = self.wide.iter().find(|(list, a, c, ..)| (*list, *a, *c) == (Start::Velocities, agent, axis));
+            let own = self.wide.iter().find(|(list, a, c, ..)| (list, *a, *c) == (&Start::Velocities, agent, axis));
             let (least, most) = own.map_or((&row[axis], &row[axis]), |(.., lo, hi)| (lo, hi));
             lo += least;
             hi += most;

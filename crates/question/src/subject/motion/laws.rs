@@ -1,12 +1,12 @@
 //! The laws that are enclosed, over any scalar.
 
-use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring};
+use arithmetic::{ArithmeticError, Complex, Number, Rational, Ring};
 use models::double_integrator::{
     Coordinates, Pair, Potential, State as Flock, gyroscopic, heading_rate, potential_gradients,
 };
 use models::oscillator::{Neighbours, State, Steering, laplacian_control};
 use models::platoon::{CommunicationGraph, Gains};
-use motion::validated::SmoothLaw;
+use motion::System;
 
 /// The phase model as phasors: `z' = i (omega_0 + u) z`, real parts and imaginary parts by turns.
 pub(super) struct PhaseLaw<'a> {
@@ -15,8 +15,8 @@ pub(super) struct PhaseLaw<'a> {
     pub network: &'a Neighbours,
 }
 
-impl SmoothLaw for PhaseLaw<'_> {
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for PhaseLaw<'_> {
+    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let Some(like) = state.first() else { return Ok(Vec::new()) };
         let phasors = phasors_of(state);
         let (frequency, gain) = (like.rational(self.frequency), like.rational(self.gain));
@@ -35,8 +35,8 @@ pub(super) struct HeadingLaw<'a> {
     pub edges: &'a [Pair],
 }
 
-impl SmoothLaw for HeadingLaw<'_> {
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for HeadingLaw<'_> {
+    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let agents = state.len() / 5;
         let (list, headings) = state.split_at(4 * agents);
         let (Some(like), Some(moving)) = (list.first(), Flock::from_list(agents, list)) else { return Ok(Vec::new()) };
@@ -62,8 +62,8 @@ pub(super) struct ParticleLaw<'a> {
     pub network: &'a Neighbours,
 }
 
-impl SmoothLaw for ParticleLaw<'_> {
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for ParticleLaw<'_> {
+    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let Some(like) = state.first() else { return Ok(Vec::new()) };
         let mut positions = phasors_of(state);
         let phasors = positions.split_off(positions.len() / 2);
@@ -83,8 +83,8 @@ pub(super) struct PlatoonLaw<'a> {
     pub frequency: &'a Rational,
 }
 
-impl SmoothLaw for PlatoonLaw<'_> {
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for PlatoonLaw<'_> {
+    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let cars = self.graph.followers() + 1;
         let (Some(swing), Some(like)) = (state.get(2 * cars..), state.first()) else { return Ok(Vec::new()) };
         let w = like.rational(self.frequency);
