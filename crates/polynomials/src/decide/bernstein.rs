@@ -2,7 +2,7 @@
 
 use crate::function::Side;
 use crate::multivariate::Multivariate;
-use arithmetic::{Cancelled, Progress, Rational, Ring, rational};
+use arithmetic::{Cancelled, Progress, Rational, rational};
 use num_traits::Signed;
 
 /// Coefficients of a box, the last variable running fastest.
@@ -89,7 +89,7 @@ fn binomials(n: usize) -> Vec<Rational> {
         *c = &own * rational((n - k) as i64, k as i64 + 1);
         Some(own)
     };
-    (0..=n).scan(rational(1, 1), |c, k| next(c, k)).map(|c| c.one() * &c).collect()
+    (0..=n).scan(rational(1, 1), |c, k| next(c, k)).collect()
 }
 
 impl Patch {

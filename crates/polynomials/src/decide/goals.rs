@@ -88,6 +88,12 @@ pub(super) fn prove<F: Function>(
             }))
         })
         .collect();
+    // Where functions need not be defined, that would have to be proved, too.
+    let partial = |meaning: &Meaning| matches!(meaning, Meaning::Root(..) | Meaning::Any);
+    let total = extension.divisors().is_empty() && !prover.meanings.iter().any(partial);
+    if !total && !clause.iter().all(|literal| literal.guarded) {
+        return Ok(Outcome::Open(Vec::new()));
+    }
     let known: Vec<(&Polynomial, Compared)> =
         cleared.iter().zip(clause).filter_map(|(p, literal)| Some((p.as_ref()?, literal.compared))).collect();
     if is_tautology(&known) {
@@ -96,14 +102,6 @@ pub(super) fn prove<F: Function>(
     }
     for (place, literal) in clause.iter().enumerate() {
         let Some(target) = &cleared[place] else { continue };
-        // Where its function need not be defined, that would have to be proved, too.
-        if !literal.guarded && !extension.divisors().is_empty() {
-            continue;
-        }
-        if !literal.guarded && prover.meanings.iter().any(|meaning| matches!(meaning, Meaning::Root(..) | Meaning::Any))
-        {
-            continue;
-        }
         let others = cleared.iter().zip(clause).enumerate().filter(|(k, _)| *k != place);
         let constraints: Vec<(Polynomial, bool)> = others
             .filter_map(|(_, (p, other))| match other.compared {
