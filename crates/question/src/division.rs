@@ -127,6 +127,21 @@ impl Division<'_> {
         self.where_attained(whole, &clauses, found)
     }
 
+    /// Whether the property, one of numbers alone, holds on all of a box, with little effort.
+    pub fn holds_where_attained(&self, whole: &Bindings) -> Result<bool, QuestionError> {
+        const EFFORT: Effort = Effort { boxes: 64, squares: false };
+        let restriction = self.question.restriction.as_ref().map(|own| &own.node);
+        let Some(clauses) = clauses(whole, restriction, &self.expression.node) else { return Ok(false) };
+        let domain: Vec<Side> = whole.boxes().into_iter().map(|(_, lo, hi)| Side::between(lo, hi)).collect();
+        for clause in &clauses {
+            let decision = polynomials::decide::decide(clause, &domain, EFFORT, self.progress)?;
+            if !matches!(decision, Decision::Holds(_)) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
     /// Every clause by itself.
     fn where_attained(
         &self,
