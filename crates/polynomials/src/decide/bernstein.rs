@@ -98,7 +98,7 @@ impl Patch {
         let stride: usize = self.degrees[k + 1..].iter().map(|d| d + 1).product();
         let length = self.degrees[k] + 1;
         for start in 0..self.coefficients.len() {
-            if start / stride % length != 0 {
+            if !(start / stride).is_multiple_of(length) {
                 continue;
             }
             let mut line: Vec<Rational> =

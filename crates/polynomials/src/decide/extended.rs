@@ -260,7 +260,7 @@ impl Number for Extended {
     }
 
     fn atan(&self) -> Result<Self, ArithmeticError> {
-        let quarter = (self.pi() * &Extended::of(&arithmetic::rational(1, 2))).hi;
+        let quarter = (self.pi() * Extended::of(&arithmetic::rational(1, 2))).hi;
         Ok(self.monotone(|x| {
             if x.is_infinite() {
                 Some((x.signum() * quarter, x.signum() * quarter))

@@ -292,10 +292,9 @@ impl Prover<'_> {
 
     /// A goal of polynomials.
     fn polynomial(&mut self, goal: &Goal) -> Result<bool, Cancelled> {
-        if let Some(c) = goal.target.as_constant() {
-            if if goal.strict { c.is_positive() } else { !c.is_negative() } {
-                return Ok(true);
-            }
+        let fits = |c: &Rational| if goal.strict { c.is_positive() } else { !c.is_negative() };
+        if goal.target.as_constant().is_some_and(|c| fits(&c)) {
+            return Ok(true);
         }
         // Literally a constraint, or the negation of one.
         for (p, strict) in &goal.constraints {

@@ -317,13 +317,13 @@ impl<F: Function> Sided<'_, F> {
                 return Some(Local::True { method: Method::Expansion, zero });
             }
             let sign = exact.sign()?;
-            let speaks = match (sign, at_lo, at_hi, m % 2) {
-                (Sign::Zero, ..) => true,
-                (Sign::Positive, _, _, 0) => true,
-                (Sign::Positive, true, _, _) => true,
-                (Sign::Negative, _, true, 1) => true,
-                _ => false,
-            };
+            let speaks = matches!(
+                (sign, at_lo, at_hi, m % 2),
+                (Sign::Zero, ..)
+                    | (Sign::Positive, _, _, 0)
+                    | (Sign::Positive, true, _, _)
+                    | (Sign::Negative, _, true, 1)
+            );
             if m == 0 {
                 if !self.is_true(sign) {
                     return Some(Local::FailsAt(point));

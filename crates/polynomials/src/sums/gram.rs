@@ -263,10 +263,8 @@ pub(super) fn complement(vectors: &[Vec<Rational>], n: usize) -> Vec<Vec<Rationa
                 continue;
             }
             let factor = rows[k][column].clone();
-            for j in column..n {
-                let less = &factor * &rows[rank][j];
-                rows[k][j] -= less;
-            }
+            let pivot = rows[rank].clone();
+            rows[k].iter_mut().zip(&pivot).for_each(|(x, p)| *x -= &factor * p);
         }
         pivots.push(column);
         rank += 1;
