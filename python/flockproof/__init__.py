@@ -12,14 +12,17 @@ from ._numbers import Enclosure, ExactMatrix, Undecided, exact
 from ._queries import (
     Eigenvalue,
     Ergodicity,
+    Peak,
     Prefix,
     Resonance,
     Spectrum,
     Stabiliser,
     Theorem1,
     ergodicity,
+    peak,
     resonance,
     spectrum,
+    system_peak,
 )
 from ._questions import Answer, Campaign, Failure, Invariant, Table, check, fuzz, invariants, sweep
 from ._runs import Event, Simulation, Tracks, simulate, tracks
@@ -41,6 +44,7 @@ __all__ = [
     "Flock",
     "Invariant",
     "Ledger",
+    "Peak",
     "Prefix",
     "Resonance",
     "Run",
@@ -62,10 +66,12 @@ __all__ = [
     "fuzz",
     "invariants",
     "ledger",
+    "peak",
     "resonance",
     "simulate",
     "spectrum",
     "sweep",
+    "system_peak",
     "tracks",
     "verify",
 ]

@@ -25,6 +25,7 @@ __all__ = [
     "graph_name_problem",
     "invariants",
     "judge",
+    "peak",
     "question_needs",
     "ratio",
     "read_sequence",
@@ -32,6 +33,7 @@ __all__ = [
     "simulate",
     "spectrum",
     "sweep_table",
+    "system_peak",
     "theorem_1",
     "tracks",
     "verify",
@@ -41,6 +43,13 @@ __version__: str
 
 def ratio(name: str, value: Any) -> _Ratio: ...
 def resonance(followers: Any, f: Any, g: Any, digits: Any) -> tuple[_Ends, _Ends]: ...
+def peak(
+    graph: Any,
+    gains: tuple[Sequence[Any], Sequence[Any]],
+    vertices: tuple[Any | None, Any | None],
+    digits: Any,
+) -> tuple[_Ends | None, _Ends]: ...
+def system_peak(matrices: tuple[Any, Any, Any, Any | None], digits: Any) -> tuple[_Ends | None, _Ends]: ...
 def theorem_1(followers: int, f: Any, g: Any, digits: int) -> tuple[str, str]: ...
 def graph_name_problem(name: str) -> str | None: ...
 def spectrum(

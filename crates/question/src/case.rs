@@ -65,7 +65,7 @@ impl<'q> Case<'q> {
         match quantity.subject {
             Subject::Graph => self.graph(quantity, owner)?.measure(quantity.name, arguments, precision),
             Subject::Platoon => {
-                let platoon = PlatoonSubject::new(&self.bindings, self.question.communication())?;
+                let platoon = PlatoonSubject::new(&self.bindings, self.question.communication(), self.progress)?;
                 if platoon.is_of_points_only(quantity.name) {
                     self.points_only.set(true);
                 }
