@@ -26,6 +26,7 @@ from ._queries import (
 )
 from ._questions import Answer, Campaign, Failure, Invariant, Table, check, fuzz, invariants, sweep
 from ._runs import Event, Simulation, Tracks, simulate, tracks
+from .law import Law
 
 __all__ = [
     "Answer",
@@ -43,6 +44,7 @@ __all__ = [
     "Failure",
     "Flock",
     "Invariant",
+    "Law",
     "Ledger",
     "Peak",
     "Prefix",

@@ -34,7 +34,7 @@ mod _native {
         campaign_merge, campaign_shard, campaign_size, check, fuzz_summary, invariants, question_needs, sweep_table,
     };
     #[pymodule_export]
-    use super::runs::{simulate, tracks};
+    use super::runs::{law_file, simulate, tracks};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

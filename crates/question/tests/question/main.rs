@@ -11,6 +11,7 @@ mod missing;
 mod motions;
 mod own;
 mod sharp;
+mod states;
 mod traces;
 
 use arithmetic::Unwatched;
