@@ -17,7 +17,7 @@ CASES = range(12)
 
 
 def response(arcs: list[tuple[int, int, int]], gains: list[tuple[Fraction, Fraction]], car: int, w: float) -> float:
-    """|y_car| for a leader e^{iwt}, agent 0; every other agent tracks the weighted mean of those that its arcs lead to."""
+    """|y_car| for a leader e^{iwt}, agent 0; all others track the weighted mean of those that their arcs lead to."""
     n = len(gains)
     matrix, right = np.zeros((n, n), complex), np.zeros(n, complex)
     for k, (f, g) in enumerate(gains):
@@ -39,7 +39,8 @@ def test_no_frequency_is_worse_than_the_peak(case: int) -> None:
     n = 2 + case % 5
     # A path from the leader to every car, and more arcs.
     arcs = [(k, choose.randrange(k), choose.choice([1, 1, 10, 100])) for k in range(1, n + 1)]
-    others = [(i, j) for i in range(1, n + 1) for j in range(n + 1) if i != j and (i, j) not in {(a, b) for a, b, _ in arcs}]
+    used = {(i, j) for i, j, _ in arcs}
+    others = [(i, j) for i in range(1, n + 1) for j in range(n + 1) if i != j and (i, j) not in used]
     arcs += [(i, j, choose.choice([1, 10, 100])) for i, j in choose.sample(others, min(len(others), case % 4))]
     gains = [(Fraction(-choose.randint(1, 8), 2), Fraction(-choose.randint(1, 30), 10)) for _ in range(n)]
     graph = nx.DiGraph()
@@ -76,7 +77,10 @@ def stochastic(choose: random.Random, n: int) -> list[list[Fraction]]:
 
 
 def times(a: Any, b: Any) -> Any:
-    return [[sum((x * y for x, y in zip(row, column, strict=True)), Fraction(0)) for column in zip(*b, strict=True)] for row in a]
+    def entry(row: Any, column: Any) -> Fraction:
+        return sum((x * y for x, y in zip(row, column, strict=True)), Fraction(0))
+
+    return [[entry(row, column) for column in zip(*b, strict=True)] for row in a]
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -100,7 +104,10 @@ def test_products_are_multiplied_out(case: int) -> None:
 def test_flocks_are_stepped_by_the_rule(case: int, weights: str) -> None:
     choose = random.Random(case)
     n, dimension, until = 1 + case % 5, 1 + case % 2, 14
-    draw = lambda size: [[Fraction(choose.randint(-size, size), 8) for _ in range(dimension)] for _ in range(n)]  # noqa: E731
+
+    def draw(size: int) -> Any:
+        return [[Fraction(choose.randint(-size, size), 8) for _ in range(dimension)] for _ in range(n)]
+
     x, v = draw(12), draw(6)
     threshold = None if case % 3 == 0 else Fraction(1, 40)
     flock = flockproof.Flock(x, v, weights=weights, hysteresis="none" if threshold is None else str(threshold))
