@@ -296,6 +296,22 @@ impl Signed for FloatInterval {
             _ => None,
         }
     }
+
+    fn absolute(&self) -> Result<Self, ArithmeticError> {
+        Ok(match self.sign() {
+            Some(Sign::Negative) => FloatInterval::negated(self),
+            Some(_) => *self,
+            None => FloatInterval { lo: if self.contains(0.0) { 0.0 } else { self.lo }, hi: self.magnitude() },
+        })
+    }
+
+    fn larger(&self, other: &Self) -> Result<Self, ArithmeticError> {
+        Ok(FloatInterval { lo: self.lo.max(other.lo), hi: self.hi.max(other.hi) })
+    }
+
+    fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
+        Ok(FloatInterval { lo: self.lo.min(other.lo), hi: self.hi.min(other.hi) })
+    }
 }
 
 impl std::fmt::Display for FloatInterval {

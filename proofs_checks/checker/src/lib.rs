@@ -14,6 +14,7 @@ mod motion;
 mod peak;
 mod product;
 mod read;
+mod sos;
 
 use read::Reader;
 
@@ -45,12 +46,13 @@ pub const EXAMPLE: (&str, &str) = (
 
 type Check = fn(&mut Reader) -> Result<String, Refusal>;
 
-const KINDS: [(&str, Check); 6] = [
+const KINDS: [(&str, Check); 7] = [
     ("product", product::check),
     ("limit", limit::check),
     ("switches", flock::check),
     ("inertia", inertia::check),
     ("peak", peak::check),
+    ("sos", sos::check),
     ("motion", motion::check),
 ];
 

@@ -1,6 +1,15 @@
 //! Integer polynomials in one variable: exact signs, common divisors, real roots isolated by Sturm's theorem.
 
-use crate::matrix::{MatrixError, RationalMatrix};
+mod abscissa;
+mod bernstein;
+mod largest;
+mod nearest;
+mod stability;
+
+pub use abscissa::{complex_abscissa, roots_are_left_of};
+pub use largest::{Largest, LargestError, Place, largest_quotient};
+pub use nearest::Nearest;
+
 use arithmetic::{Cancelled, Interval, Progress, Rational, Ring, Unwatched, common_denominator, content, rational};
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
@@ -39,14 +48,6 @@ impl Polynomial {
         Polynomial::new(coefficients.iter().map(|c| c.numer() * (&denominator / c.denom())).collect())
     }
 
-    /// The primitive multiple of the characteristic polynomial `det(xI - A)`.
-    ///
-    /// # Errors
-    /// [`MatrixError::NotSquare`].
-    pub fn characteristic(matrix: &RationalMatrix) -> Result<Self, MatrixError> {
-        Ok(Polynomial::from_rationals(&matrix.characteristic_polynomial()?.coefficients()))
-    }
-
     /// The coefficients, the constant one first.
     pub fn coefficients(&self) -> &[BigInt] {
         &self.coefficients
@@ -79,7 +80,7 @@ impl Polynomial {
     }
 
     /// -1, 0 or 1: the sign at a rational.
-    fn sign_at(&self, x: &Rational) -> i8 {
+    pub(crate) fn sign_at(&self, x: &Rational) -> i8 {
         let (p, q) = (&x.numer(), &x.denom());
         // q^degree f(p/q) by Horner's rule.
         let mut power = BigInt::from(1);
@@ -351,7 +352,7 @@ fn isolate(
 
 impl RealRoot {
     /// The root of a polynomial that has exactly one between two numbers, neither of which is one, and changes its sign there.
-    pub(super) fn between(lo: Rational, hi: Rational) -> Self {
+    pub(crate) fn between(lo: Rational, hi: Rational) -> Self {
         RealRoot { lo, hi }
     }
 
@@ -363,6 +364,11 @@ impl RealRoot {
     /// The root itself where it was met exactly.
     pub fn exact(&self) -> Option<&Rational> {
         (self.lo == self.hi).then_some(&self.lo)
+    }
+
+    /// The float in the middle, for display.
+    pub fn to_f64(&self) -> f64 {
+        self.enclosure(64).to_f64()
     }
 
     /// A lower bound.
