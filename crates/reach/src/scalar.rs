@@ -25,7 +25,7 @@ pub(crate) trait Scalar: Enclosure + Field + Signed {
     }
 
     /// All absolute values.
-    fn absolute(&self) -> Self {
+    fn moduli(&self) -> Self {
         match self.sign() {
             None => self.zero().joined(&self.magnitude()),
             Some(Sign::Negative) => -self.clone(),

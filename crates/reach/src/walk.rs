@@ -371,7 +371,7 @@ impl<'a, T: Scalar> Walk<'a, T> {
         }
         let moved = part.slope.as_ref().zip(rates.first()).and_then(|(slope, rate)| {
             let speed = rate.over(&part.from, &part.to).square();
-            Some(speed.over(&slope.absolute()).ok()? * scale * scale.integer(2))
+            Some(speed.over(&slope.moduli()).ok()? * scale * scale.integer(2))
         });
         match moved {
             None => self.sums.curvature = None,
@@ -447,7 +447,7 @@ impl<'a, T: Scalar> Walk<'a, T> {
         for (i, range) in start.iter().enumerate() {
             let (centre, radius) = (like.rational(&range.centre()), like.rational(&range.radius()));
             let p = &self.value[i];
-            self.total = self.total.clone() + centre.clone() * p + radius.clone() * p.absolute();
+            self.total = self.total.clone() + centre.clone() * p + radius.clone() * p.moduli();
             // The start that is worst: at one end where the sign is known.
             let worst = match p.sign() {
                 Some(Sign::Positive) => like.rational(&range.hi),
