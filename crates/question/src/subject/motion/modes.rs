@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use arithmetic::{ArithmeticError, FloatInterval, Interval, Number, Rational, rational};
 use models::platoon::time_domain::{Followers, Modes, SwingingStart};
 use models::platoon::{Communication, CommunicationGraph, Gains};
-use motion::validated::IntervalVector;
+use motion::enclose::IntervalVector;
 
 /// Most followers.
 const MOST_FOLLOWERS: usize = 128;
