@@ -17,6 +17,7 @@
 //! ```
 
 mod alike;
+mod blocks;
 mod compile;
 mod evaluate;
 mod function;
@@ -26,8 +27,10 @@ mod program;
 mod syntax;
 
 pub use alike::{nearest_ids, nearest_name};
+pub use blocks::Blocks;
+pub use compile::{Clauses, Comparison};
 pub use evaluate::{Evaluator, Everyone, Fault, Hearing};
-pub use law::{Kind, Law, LawError, LawText, Parameter, Time, Variable};
+pub use law::{Drawn, Kind, Law, LawError, LawText, Parameter, Time, Variable};
 pub use problem::Problem;
 pub use program::Program;
 pub use syntax::{KEYWORDS, Located, Node, NodeKind, Relation, parse_domain, parse_property};

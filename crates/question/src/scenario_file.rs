@@ -1,18 +1,19 @@
 //! The scenario of a question: a flock in JSON or a motion in TOML, with the bound numbers put in.
 
 use crate::bindings::{Bindings, Value};
+use crate::question::Files;
 use crate::subject::motion::Start as List;
 use arithmetic::{Rational, rational};
 use models::averaging::Start;
 use models::averaging::read::{Model, flock_of};
-use scenario::{ExactMotion, Path, Scenario, Source, Step};
+use scenario::{ConfigError, ExactMotion, Path, Scenario, Source, Step, WithLaw, with_law};
 use serde_json::Value as Json;
 
 /// A scenario as its file has it.
 #[derive(Debug, Clone)]
 pub(crate) struct ScenarioFile {
     pub name: String,
-    text: String,
+    whole: WithLaw,
     file: File,
 }
 
@@ -31,19 +32,26 @@ pub(crate) fn is_place(name: &str) -> bool {
 }
 
 impl ScenarioFile {
-    /// Reads it once as it is, so that its own errors come first.
-    pub fn read(name: &str, text: &str) -> Result<Self, String> {
+    /// Reads it once as it is, so that its own errors come first; the file of its law lies beside it.
+    pub fn read(name: &str, text: &str, files: Files) -> Result<Self, String> {
         let problem = |error: &dyn std::fmt::Display| format!("{name}: {error}");
-        let file = if text.trim_start().starts_with('{') {
+        let (whole, file);
+        if text.trim_start().starts_with('{') {
             // No key may stand twice.
             let json = algebra::json::parse(text);
-            File::Flock(json.map_err(|error| problem(&format!("not valid JSON: {error}")))?)
+            file = File::Flock(json.map_err(|error| problem(&format!("not valid JSON: {error}")))?);
+            whole = WithLaw::alone(text);
         } else {
-            let source = Box::new(Source::parse(text).map_err(|error| problem(&error))?);
-            let is_drawn = source.is_drawn().map_err(|error| problem(&error))?;
-            File::Motion { source, is_drawn }
-        };
-        let file = ScenarioFile { name: name.to_string(), text: text.to_string(), file };
+            let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
+            let beside =
+                |law: &str| files(&if folder.is_empty() { law.to_string() } else { format!("{folder}/{law}") });
+            whole = with_law(text, &beside).map_err(|error| problem(&error))?;
+            let told = |error: ConfigError| problem(&whole.told(&error));
+            let source = Box::new(Source::parse(whole.text()).map_err(told)?);
+            let is_drawn = source.is_drawn().map_err(told)?;
+            file = File::Motion { source, is_drawn };
+        }
+        let file = ScenarioFile { name: name.to_string(), whole, file };
         match file.is_flock() {
             true => file.flock(&Bindings::default()).map(drop)?,
             false => file.motion(&Bindings::default()).map(drop)?,
@@ -55,9 +63,13 @@ impl ScenarioFile {
         format!("{}: {error}", self.name)
     }
 
+    fn refused(&self, error: &ConfigError) -> String {
+        self.problem(&self.whole.told(error))
+    }
+
     /// The text as one line, for the canonical form of a question.
     pub fn digest(&self) -> String {
-        format!("{:?}", self.text)
+        format!("{:?}", self.whole.text())
     }
 
     /// Whether it is an averaging flock.
@@ -114,13 +126,13 @@ impl ScenarioFile {
 
     /// A run of it until a time.
     pub fn run(&self, bindings: &Bindings, until: &Rational) -> Result<Scenario, String> {
-        Scenario::of(&self.source(bindings, until)?).map_err(|error| self.problem(&error))
+        Scenario::of(&self.source(bindings, until)?).map_err(|error| self.refused(&error))
     }
 
     /// The motion with the numbers that are bound, and those that are intervals.
     pub fn motion(&self, bindings: &Bindings) -> Result<(ExactMotion, Wide), String> {
         let (source, wide) = self.bound(bindings, None)?;
-        Ok((ExactMotion::of(&source).map_err(|error| self.problem(&error))?, wide))
+        Ok((ExactMotion::of(&source).map_err(|error| self.refused(&error))?, wide))
     }
 
     /// The scenario with the numbers that are bound and one more, and the intervals among them, which have their middles in it.

@@ -144,7 +144,7 @@ fn on_grid(entry: &Entry, time: &Rational, step: Option<&Rational>) -> Result<()
 /// The seeds that a configuration has, of its start and of its law.
 fn seed(source: &Source) -> Result<Option<String>, ConfigError> {
     let drawn = source.needed("state")?.get("random").map(|entry| entry.table("state.random")).transpose()?;
-    let noisy = source.section("law")?.filter(|law| law.get("noise").is_some());
+    let noisy = source.section("law")?.filter(|law| law.get("noise").is_some() || law.get("seed").is_some());
     let seeds: Result<Vec<String>, ConfigError> = drawn
         .into_iter()
         .chain(noisy)

@@ -172,6 +172,12 @@ impl<'a> Section<'a> {
         Some(Entry { key: name, text: self.text, node })
     }
 
+    /// Where a key with its value stands.
+    pub fn key_and_value(&self, key: &str) -> Option<std::ops::Range<usize>> {
+        let (_, start, node) = self.table.iter().find(|(known, ..)| known == key)?;
+        Some(*start..node.span.end)
+    }
+
     /// The values with their paths: keys with dots, or tables in tables, `a.b = ..`; in the order of the file.
     pub fn leaves(&self) -> Vec<(String, Entry<'a>)> {
         let mut all = Vec::new();

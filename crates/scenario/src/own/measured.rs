@@ -6,7 +6,7 @@ use crate::observables::{Observable, Value, observe as general};
 use crate::simulation::{Frame, Part};
 use crate::view::{Rows, View};
 use arithmetic::Complex;
-use expressions::{Evaluator, Fault, Hearing, Kind, Law};
+use expressions::{Blocks, Fault, Hearing, Kind, Law};
 
 /// Orders that are measured of an angle.
 const ORDERS: u32 = 4;
@@ -71,7 +71,7 @@ pub(super) fn frame(law: &Law, state: &[f64]) -> Frame {
 pub(super) fn observe(
     law: &Law,
     network: &Network,
-    (evaluator, time): (&mut Evaluator<f64>, f64),
+    (blocks, time): (&mut Blocks, f64),
     state: &[f64],
 ) -> Result<Vec<Observable>, Fault> {
     let of = |name: &str| rows(law, name, state);
@@ -94,7 +94,7 @@ pub(super) fn observe(
     };
     let mut all = general(&view, &["min_distance", "components", "disagreement", "order"]).unwrap_or_default();
     all.retain(|observable| law.observables().iter().all(|(own, _)| *own != observable.name));
-    let mut numbers = evaluator.flock(&time, state, &Heard(network))?.into_iter();
+    let mut numbers = blocks.observe(time, state, &Heard(network))?.into_iter();
     for (name, count) in law.observables() {
         let values: Vec<f64> = numbers.by_ref().take(*count).collect();
         all.push(match values[..] {

@@ -4,6 +4,7 @@ mod continuous;
 mod discrete;
 mod enclosed;
 mod measured;
+mod noisy;
 mod read;
 mod start;
 

@@ -2,21 +2,36 @@
 
 use super::continuous::Moving;
 use super::discrete::Stepping;
+use super::noisy::Noisy;
 use super::start::{Ranges, start};
 use crate::error::{ConfigError, Problem};
 use crate::network::{Abilities, Kind as NetworkKind, Network};
 use crate::simulation::{Continuous, Simulation};
 use crate::source::{Entry, Section, Source};
-use crate::stepped::Stepped;
+use arithmetic::random::generator;
 use arithmetic::{Rational, rational};
 use expressions::{Kind, Law, LawError, LawText, Parameter, Time};
 use num_traits::ToPrimitive;
+use rand_chacha::ChaCha8Rng;
 use std::sync::Arc;
 
 const KINDS: [(&str, Kind); 3] = [("vector", Kind::Vector), ("number", Kind::Number), ("angle", Kind::Angle)];
 const TIMES: [(&str, Time); 2] = [("continuous", Time::Continuous), ("discrete", Time::Discrete)];
-const KEYS: [&str; 11] =
-    ["name", "time", "step", "dimension", "state", "position", "parameters", "define", "rates", "next", "observables"];
+const KEYS: [&str; 13] = [
+    "name",
+    "time",
+    "step",
+    "dimension",
+    "state",
+    "position",
+    "parameters",
+    "define",
+    "rates",
+    "next",
+    "noise",
+    "seed",
+    "observables",
+];
 
 /// A law of one's own with everything that a run needs.
 #[derive(Clone)]
@@ -31,6 +46,8 @@ pub(crate) struct Described {
     /// The length of a step in discrete time.
     pub step: Rational,
     pub declaration: Vec<String>,
+    /// What noise is drawn from.
+    pub random: ChaCha8Rng,
 }
 
 /// The run in floats, or of discrete time exactly; with it the step of discrete time.
@@ -46,6 +63,9 @@ pub(crate) fn simulation(
             return Err(entry.range("left out: in discrete time `step` stands in [law]"));
         }
         let exact = run.get("exact").map_or(Ok(false), |entry| entry.flag())?;
+        if exact && !own.law.drawn().is_empty() {
+            return Err(run.need("exact", "true or false")?.range("false: the law has noise"));
+        }
         if exact && !own.law.is_rational() {
             let why = "false: the law has functions whose values are not rational";
             return Err(run.need("exact", "true or false")?.range(why));
@@ -65,10 +85,17 @@ pub(crate) fn simulation(
         return Err(entry.range("left out: only laws in discrete time run exactly; `check` encloses continuous ones"));
     }
     let state: Vec<f64> = own.state.iter().map(rounded).collect();
+    if own.law.is_noisy() {
+        let Some(step) = fixed else {
+            let why = "given: a law with noise is followed in fixed steps, by the method of Euler and Maruyama";
+            return Err(run.problem(Problem::Needs("step", why)));
+        };
+        return Ok((Box::new(Noisy::new(own, state, step)), None));
+    }
     let mut moving = Moving::new(own);
     moving.start(&state).map_err(|problem| source.top().problem(problem))?;
     let simulation: Box<dyn Simulation> = match fixed {
-        Some(step) => Box::new(Stepped::settled(moving, state, step)),
+        Some(step) => Box::new(moving.stepped(state, step)),
         None => Box::new(Continuous::new(moving, &state, tolerance)),
     };
     Ok((simulation, None))
@@ -121,6 +148,11 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
     text.define = texts(&section, "define")?;
     text.rates = texts(&section, rates)?;
     text.observables = texts(&section, "observables")?;
+    if let Some(entry) = section.get("noise").filter(|_| discrete) {
+        return Err(entry.range("left out: in discrete time `normal(sigma)` and `uniform(a, b)` stand in [law.next]"));
+    }
+    text.noise = texts(&section, "noise")?;
+    let seed = section.get("seed").map_or(Ok(1), |entry| entry.count(0, usize::MAX))?;
     let ranges = Ranges::of(&text);
     let (parts, agents, drawn) = start(source, &ranges)?;
     let planar = text.dimension <= 2 && text.position.is_some();
@@ -144,7 +176,13 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
         Some(radius) => format!("links i-j where the distance is at most {radius}; they come and go with the distance"),
     });
     declaration.extend(drawn);
-    Ok(Described { law: Arc::new(law), state, network, radius, time: text.time, step, declaration })
+    if law.is_noisy() || !law.drawn().is_empty() {
+        declaration.push(format!("noise: ChaCha8, seed {seed}, anew for every agent and step; the same place of a text draws once for an agent"));
+    } else if let Some(entry) = section.get("seed") {
+        return Err(entry.range("left out: the law has no noise"));
+    }
+    let random = generator(&seed.to_string(), "own", source.replica);
+    Ok(Described { law: Arc::new(law), state, network, radius, time: text.time, step, declaration, random })
 }
 
 /// The first vector; in one dimension the first part that is no angle.
@@ -187,7 +225,8 @@ fn laid_out(law: &Law, parts: &[(String, Vec<Vec<Rational>>)]) -> Vec<Rational> 
 
 /// How a table of the law is called.
 fn titled(table: &str) -> &'static str {
-    const TITLES: [&str; 6] = ["law.state", "law.parameters", "law.define", "law.rates", "law.next", "law.observables"];
+    const TITLES: [&str; 7] =
+        ["law.state", "law.parameters", "law.define", "law.rates", "law.next", "law.noise", "law.observables"];
     TITLES.into_iter().find(|title| title.strip_prefix("law.") == Some(table)).unwrap_or("law")
 }
 
@@ -227,6 +266,9 @@ fn declaration(text: &LawText, name: Option<&str>, step: &Rational) -> Vec<Strin
             false => format!("d{name}/dt = {rate} ({word})"),
         });
     }
+    lines.extend(text.noise.iter().map(|(name, strength)| {
+        format!("noise of {name}: {strength} dW, an independent Wiener process for each number")
+    }));
     lines.extend(text.define.iter().map(|(name, body)| format!("{name} = {body}")));
     let value = |parameter: &Parameter| match parameter {
         Parameter::One(q) => q.to_string(),
