@@ -10,6 +10,8 @@ mod language;
 mod missing;
 mod motions;
 mod own;
+mod sharp;
+mod states;
 mod traces;
 
 use arithmetic::Unwatched;

@@ -1,6 +1,6 @@
 //! paley.eig.sym, paley.fig2.caption: which eigenvectors with entries of modulus one a circulant Laplacian has.
 
-use super::common::{all_zero, laplacian};
+use super::common::{all_zero, laplacian, turns};
 use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::{SparseMatrix, inertia};
@@ -44,11 +44,15 @@ pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
 }
 
 fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const ASYMMETRIC: &str = "an eigenvector that is not symmetric";
     let asymmetric = asymmetric_eigenvector(run)?;
     if !variant.columns_only {
-        let evidence = exact("eigenvectors", "exact products");
+        let evidence = exact(ASYMMETRIC, "exact products");
         return Ok(match asymmetric {
-            Some(place) => Outcome::fails(format!("{place}: an eigenvector, but no symmetric pattern"), evidence),
+            Some((place, seen)) => {
+                let text = format!("{place}: an eigenvector, but no symmetric pattern");
+                Outcome::fails(Counterexample::new(text, [seen]), evidence)
+            }
             None => Outcome::Undecided("no eigenvector among few phases decides".to_string()),
         });
     }
@@ -65,16 +69,16 @@ fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome,
         let place = || format!("N = {}, offsets {offsets:?}, column {}", graph.order(), m + 1);
         Ok(wrong.then(|| format!("{}: clusters {found:?}, claimed {expected:?}", place())))
     });
-    let Some(place) = asymmetric else {
+    let Some((place, _)) = asymmetric else {
         return Ok(Outcome::Undecided("no asymmetric eigenvector was found".to_string()));
     };
-    let asymmetric = exact("an eigenvector that is not symmetric", place).on([2]).for_all();
+    let asymmetric = exact(ASYMMETRIC, place).on([2]).for_all();
     Run::all([columns, holds(asymmetric)])
 }
 
 /// An eigenvector of a connected circulant Laplacian with entries of modulus one that is no symmetric pattern, among phases at multiples of 1/12
 /// turn on up to four nodes.
-fn asymmetric_eigenvector(run: &Run) -> Result<Option<String>, CheckError> {
+fn asymmetric_eigenvector(run: &Run) -> Result<Option<(String, Witness)>, CheckError> {
     const PARTS: usize = 12;
     let field = CosineField::new(PARTS as u32);
     for order in 2..=4 {
@@ -85,7 +89,8 @@ fn asymmetric_eigenvector(run: &Run) -> Result<Option<String>, CheckError> {
                 let z = exact_phasors(&field, &exponents);
                 if is_eigenvector(&laplacian, &z) && clusters_of_pattern(&z).is_none() {
                     let place = in_turns(&exponents, PARTS);
-                    return Ok(Some(format!("circulant with N = {order} and offsets {offsets:?}, {place}")));
+                    let place = format!("circulant with N = {order} and offsets {offsets:?}, {place}");
+                    return Ok(Some((place, turns(&exponents, PARTS))));
                 }
             }
         }
@@ -208,13 +213,12 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
         CyclicVariant { rhombi: |_, _| false, ..right },
         |variant, run| {
             run.checkpoint()?;
+            let part = "all eigenvectors of C_12 with entries of modulus one";
             if let Some(what) = variant.fails_on(12)? {
-                let evidence = exact("eigenvectors", "exact products").on([2]);
-                return Ok(Outcome::fails(format!("C_12: {what}"), evidence));
+                return Ok(Outcome::fails(format!("C_12: {what}"), exact(part, "exact products").on([2])));
             }
             let detail = "exact rank of the conditions of equal modulus in each of the five double eigenspaces; all twelve columns; two rhombi that \
                           span all of them";
-            let part = "all eigenvectors of C_12 with entries of modulus one";
             let found = exact(part, detail).on([1, 2, 3, 4]).cases(12);
             Run::all([
                 holds(found).checks("steps E1 and E3 to E5"),

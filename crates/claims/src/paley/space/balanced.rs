@@ -91,18 +91,24 @@ pub fn balanced_stable() -> Record<BalancedVariant> {
 }
 
 fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const PART: &str = "balanced, in equilibrium, no direction of growth";
     let mut cases = 0;
     for (order, offsets) in circulants(run.cases(6, 12)) {
         run.checkpoint()?;
         let network = Neighbours::circulant(order, &offsets);
-        let fails = |phases: String, why: &str| {
+        let graph = Graph::from_fn(order, |i, j| offsets.iter().any(|a| (i + a) % order == j || (j + a) % order == i));
+        let fails = |phases: String, why: &str, seen: Option<Witness>| {
             let what = format!("N = {order}, circulant graph with offsets {offsets:?}, phases {phases}: {why}");
-            Ok(Outcome::fails(what, exact("the set", "exact phasors")))
+            let seen = std::iter::once(Witness::networks(order, vec![graph.edges()])).chain(seen);
+            Ok(Outcome::fails(Counterexample::new(what, seen), exact(PART, "exact phasors")))
         };
         if variant.set == BalancedSet::Balanced && order % 2 == 0 {
             // Two antipodal pairs next to each other, the other particles paired with their opposites.
-            if let Some(why) = refutation(&network, &antipodal_pairs(order)?, variant.gain)? {
-                return fails("(0, a, a + pi, pi), cos a = 3/5, and further antipodal pairs".to_string(), why);
+            let pairs = antipodal_pairs(order)?;
+            if let Some(why) = refutation(&network, &pairs, variant.gain)? {
+                let points = pairs.iter().map(|z| [(&z.re).into(), (&z.im).into()]).collect();
+                let phases = "(0, a, a + pi, pi), cos a = 3/5, and further antipodal pairs".to_string();
+                return fails(phases, why, Some(Witness::Directions { points }));
             }
         }
         let field = CosineField::new(order as u32);
@@ -115,16 +121,15 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
             }
             cases += 1;
             if let Some(why) = refutation(&network, phasors, variant.gain)? {
-                return fails(format!("2 pi {m} k/{order}"), why);
+                return fails(format!("2 pi {m} k/{order}"), why, None);
             }
         }
     }
     let section = "notes/paley_particles.md, Balanced formations on circulant graphs, steps 1-5";
-    let (part, detail) =
-        ("balanced, in equilibrium, no direction of growth", "exact Fourier columns on circulant graphs");
+    let detail = "exact Fourier columns on circulant graphs";
     Run::all([
         argued(&[1, 2, 3], "all circulant graphs", section),
-        holds(exhaustive(part, detail).cases(cases).on([1, 2])).checks("step 2 and the conclusion"),
+        holds(exhaustive(PART, detail).cases(cases).on([1, 2])).checks("step 2 and the conclusion"),
         balanced_are_largest(variant, run).checks("step 3").on([3]),
     ])
 }
@@ -264,8 +269,12 @@ pub fn unique_maximum() -> Record<MaximumVariant> {
 
 fn examine_unique_maximum(variant: &MaximumVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
     let order = variant.order;
-    let fails =
-        |what: &str| Ok(Outcome::fails(format!("N = {order}: {what}"), exact("the maximum", "exact kernel of L - 4")));
+    let fails = |what: &str| {
+        Ok(Outcome::fails(
+            format!("N = {order}: {what}"),
+            exact("unique maximiser up to rotation", "exact kernel of L - 4"),
+        ))
+    };
     let graph = Graph::ring(order);
     let laplacian = graph.laplacian()?;
     let four = RationalMatrix::identity(order)?.scaled(&rational(4, 1));
