@@ -63,23 +63,26 @@ impl Drawn {
         )
     }
 
-    /// The greatest value at a time, by the middle rule along the costate.
+    /// The greatest value at a time, by the middle rule along the costate, with steps that end at the switches.
     fn naive(&self, time: f64) -> f64 {
         let n = self.row.len();
-        let steps = (time * 2000.0).ceil() as usize;
-        let h = time / steps.max(1) as f64;
+        let period = self.period as f64 / 2.0;
         let mut p: Vec<f64> = self.row.iter().map(|x| *x as f64).collect();
         let mut sum = 0.0;
-        for k in 0..steps {
-            let at = time - (k as f64 + 0.5) * h;
-            let mode = (at / (self.period as f64 / 2.0)).floor() as usize % 2;
+        for piece in (0..3).rev().filter(|piece| f64::from(*piece) * period < time) {
+            let mode = piece as usize % 2;
+            let length = time.min(f64::from(piece + 1) * period) - f64::from(piece) * period;
+            let steps = (length * 2000.0).ceil() as usize;
+            let h = length / steps.max(1) as f64;
             let rate = |p: &[f64]| -> Vec<f64> {
                 (0..n).map(|j| (0..n).map(|i| self.a[mode][i][j] as f64 / 4.0 * p[i]).sum()).collect()
             };
-            let half: Vec<f64> = p.iter().zip(rate(&p)).map(|(x, r)| x + h / 2.0 * r).collect();
-            let g: f64 = half.iter().zip(&self.b[mode]).map(|(p, b)| p * *b as f64).sum();
-            sum += h * (g * self.input.0 as f64).max(g * self.input.1 as f64);
-            p = p.iter().zip(rate(&half)).map(|(x, r)| x + h * r).collect();
+            for _ in 0..steps {
+                let half: Vec<f64> = p.iter().zip(rate(&p)).map(|(x, r)| x + h / 2.0 * r).collect();
+                let g: f64 = half.iter().zip(&self.b[mode]).map(|(p, b)| p * *b as f64).sum();
+                sum += h * (g * self.input.0 as f64).max(g * self.input.1 as f64);
+                p = p.iter().zip(rate(&half)).map(|(x, r)| x + h * r).collect();
+            }
         }
         sum + p.iter().zip(&self.start).map(|(p, (lo, hi))| (p * *lo as f64).max(p * *hi as f64)).sum::<f64>()
     }
