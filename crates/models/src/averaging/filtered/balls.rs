@@ -2,12 +2,13 @@
 //!
 //! `notes/exact_flocks.md` has the bounds, by the numbers of its steps.
 
-use super::links::{Change, Links};
+use super::links::{Change, weight};
 use super::wholes::{Velocities, Whole, wholes};
 use super::words::Words;
 use crate::averaging::flock::IntegerState;
 use crate::averaging::hysteresis::Threshold;
 use crate::averaging::{FlockError, Weights};
+use algebra::graph::Graph;
 use arithmetic::{Interval, Rational, Ring, Signed};
 use num_bigint::BigInt;
 use num_traits::Signed as _;
@@ -18,7 +19,7 @@ use std::collections::BTreeMap;
 pub(super) struct Balls<const L: usize> {
     dimension: usize,
     weights: Weights,
-    pub links: Links,
+    pub network: Graph,
     /// `c_i` in units of `2^-64L`.
     shares: Vec<Words<L>>,
     known_shares: BTreeMap<usize, Words<L>>,
@@ -60,7 +61,7 @@ impl<const L: usize> Balls<L> {
     /// A state at a time, on the network that it has then; `None` where the numbers are too large.
     pub fn new(
         state: &IntegerState,
-        links: Links,
+        network: Graph,
         weights: &Weights,
         (time, applied): (u64, usize),
     ) -> Result<Option<Self>, FlockError> {
@@ -79,7 +80,7 @@ impl<const L: usize> Balls<L> {
             weights: weights.clone(),
             shares: vec![Words::ZERO; birds],
             known_shares: BTreeMap::new(),
-            links,
+            network,
             fraction: fraction as u32,
             scales: scales(fraction as u32),
             scratch: velocities.clone(),
@@ -99,7 +100,7 @@ impl<const L: usize> Balls<L> {
 
     /// Notes the weight of a bird for its number of neighbours.
     fn weigh(&mut self, i: usize, time: u64) -> Result<(), FlockError> {
-        let degree = self.links.degree(i);
+        let degree = self.network.degree(i);
         if degree == 0 {
             return Ok(());
         }
@@ -108,7 +109,7 @@ impl<const L: usize> Balls<L> {
             self.shares[i] = *share;
             return Ok(());
         }
-        let c = self.links.weight(&self.weights, i, &BigInt::from(time))?;
+        let c = weight(&self.network, &self.weights, i, &BigInt::from(time))?;
         self.shares[i] = Words::fraction(&c.numer(), &c.denom());
         self.known_shares.insert(key, self.shares[i]);
         Ok(())
@@ -126,7 +127,7 @@ impl<const L: usize> Balls<L> {
         self.position_error = self.position_error.saturating_add(self.velocity_error);
         self.time += 1;
         for &pair in changed {
-            self.links.toggle(pair);
+            self.network.toggle(pair.0 as usize, pair.1 as usize);
         }
         let mut touched: Vec<u32> = changed.iter().flat_map(|&(i, j)| [i, j]).collect();
         touched.sort_unstable();
@@ -153,7 +154,7 @@ impl<const L: usize> Balls<L> {
         let (velocities, _) = self.velocities.as_chunks::<D>();
         let (next, _) = self.scratch.as_chunks_mut::<D>();
         for (i, (next, own)) in next.iter_mut().zip(velocities).enumerate() {
-            let near = self.links.near(i);
+            let near = self.network.neighbours(i);
             *next = *own;
             if near.is_empty() {
                 continue;
@@ -173,8 +174,8 @@ impl<const L: usize> Balls<L> {
     }
 
     fn average_in_any(&mut self) {
-        for i in 0..self.links.order() {
-            let near = self.links.near(i);
+        for i in 0..self.network.order() {
+            let near = self.network.neighbours(i);
             for k in 0..self.dimension {
                 let at = |j: usize| self.velocities[j * self.dimension + k];
                 let own = at(i);
@@ -275,7 +276,7 @@ impl<const L: usize> Balls<L> {
     pub fn wholes(&self) -> Vec<Whole> {
         let (_, error) = self.errors();
         let difference = |i, j, k| self.velocity_difference(i, j, k);
-        wholes(&self.links, &self.weights, &Velocities { dimension: self.dimension, error, difference })
+        wholes(&self.network, &self.weights, &Velocities { dimension: self.dimension, error, difference })
     }
 
     /// Many steps at once on a network that stays, where velocities have settled so far that this costs little precision; whether
@@ -314,7 +315,7 @@ impl<const L: usize> Balls<L> {
 
     /// The stationary mean of the velocities of a connected part, less than a unit too small.
     fn mean(&self, members: &[usize]) -> Option<Vec<Words<L>>> {
-        let share = |&i: &usize| self.weights.of(self.links.degree(i), i).map(|c| c.recip());
+        let share = |&i: &usize| self.weights.of(self.network.degree(i), i).map(|c| c.recip());
         let shares = if members.len() == 1 {
             vec![Rational::from_integer(BigInt::from(1))]
         } else {

@@ -101,11 +101,12 @@ impl<'a> Trajectory<'a> {
         let start = balls.time();
         let most = patience_for_bounds(balls.birds());
         let mut walked = PATIENCE;
+        let mut next = PATIENCE;
         loop {
             let Some(balls) = &mut self.balls else { return Ok(None) };
             let Some(outlook) = balls.outlook(self.progress)? else { break };
             if outlook.is_steady() {
-                let why = self.why_steady(outlook.drifting);
+                let why = self.why_steady(outlook.drifting, outlook.looked);
                 return Ok(Some(Next::End(Ending::Steady, why)));
             }
             let far = self.may_jump && outlook.quiet > 2 * walked;
@@ -122,7 +123,11 @@ impl<'a> Trajectory<'a> {
             if walked >= most.min(limits.steps) {
                 break;
             }
-            let steps = walked.min(limits.steps);
+            // What is certain needs no look at the pairs.
+            let certain = outlook.quiet.min(limits.steps);
+            balls.coast(certain, self.progress)?;
+            next = if certain > 4 * next { PATIENCE } else { walked };
+            let steps = next.min(limits.steps);
             if let Some(switch) = self.walk(steps)? {
                 return Ok(Some(Next::Switch(switch)));
             }
