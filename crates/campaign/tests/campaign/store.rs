@@ -152,12 +152,51 @@ fn broken_lines_are_named() {
         merge(&store).unwrap_err().to_string()
     };
     assert!(with(good.replace("{\"case\":2", "{case")).contains("line 4: it is not JSON"));
-    assert!(with(good.replace("\"case\":2", "\"case\":77")).contains("line 4: case 77 is not one of this shard"));
-    assert!(with(good.replace("\"case\":2", "\"case\":1")).contains("line 4: case 1 comes twice"));
-    assert!(with(good.replace("flockproof.shard/1", "other")).contains("line 1"));
+    assert!(with(good.replace("flockproof.shard/2", "other")).contains("line 1: it does not begin"));
     assert!(with(String::new()).contains("it is empty"));
-    let lost = good.replace("{\"case\":2,\"result\":{\"square\":4}}\n", "");
+    let lines: Vec<&str> = good.lines().collect();
+    let of = |lines: &[&str]| lines.iter().map(|line| format!("{line}\n")).collect::<String>();
+    assert!(with(of(&[lines[0], lines[1], lines[2], lines[2]])).contains("line 4: case 1 comes twice"));
+    let lost = of(&[lines[0], lines[1], lines[2], lines[4], lines[5]]);
     assert!(with(lost).contains("1 of 5 cases are in no finished shard, the first is case 2"));
+    // A line of another campaign, and one of another shard of the same.
+    run_shard(&squares(6), &folder("other"), Shard::WHOLE, false, &Unwatched).unwrap();
+    let other = std::fs::read_to_string(Shard::WHOLE.path(&folder_of("other"))).unwrap();
+    let strange = of(&[lines[0], lines[1], other.lines().nth(2).unwrap()]);
+    assert!(with(strange).contains("line 3: it was altered"));
+    let half = Shard { index: 1, of: 2 };
+    let folder = folder("half");
+    run_shard(&squares(5), &folder, half, false, &Unwatched).unwrap();
+    let text = std::fs::read_to_string(half.path(&folder)).unwrap();
+    std::fs::write(half.path(&folder), text + lines[2] + "\n").unwrap();
+    assert!(merge(&folder).unwrap_err().to_string().contains("line 5: case 1 is not one of this shard"));
+}
+
+/// Whatever digit of a finished file is changed, it is noticed, by `merge` and by who goes on with the shard, and the line is named.
+#[test]
+fn altered_digits_are_noticed() {
+    let store = folder("altered");
+    run_shard(&squares(12), &store, Shard::WHOLE, false, &Unwatched).unwrap();
+    let path = Shard::WHOLE.path(&store);
+    let good = std::fs::read(&path).unwrap();
+    let (mut line, mut altered) = (1, 0);
+    for (place, byte) in good.iter().enumerate() {
+        line += usize::from(*byte == b'\n');
+        if byte.is_ascii_digit() {
+            let mut bad = good.clone();
+            bad[place] = b'0' + (byte - b'0' + 1) % 10;
+            std::fs::write(&path, bad).unwrap();
+            for error in [
+                merge(&store).unwrap_err(),
+                run_shard(&squares(12), &store, Shard::WHOLE, true, &Unwatched).unwrap_err(),
+            ] {
+                let said = error.to_string();
+                assert!(said.contains(&format!("shard-1-of-1.jsonl, line {line}: ")), "{place}: {said}");
+            }
+            altered += 1;
+        }
+    }
+    assert!(altered > 200, "{altered}");
 }
 
 #[test]

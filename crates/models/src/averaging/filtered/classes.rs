@@ -28,6 +28,11 @@ impl Classes {
         }
     }
 
+    /// Whether anything is known.
+    pub fn are_known(&self) -> bool {
+        !self.ties.is_empty()
+    }
+
     /// Whether a pair is known to be at distance exactly 1.
     pub fn is_tie(&self, pair: (u32, u32)) -> bool {
         self.ties.contains(&pair)

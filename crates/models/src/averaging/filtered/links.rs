@@ -24,6 +24,45 @@ pub(super) fn multiplier(network: &Graph, weights: &Weights) -> BigInt {
     denominators.fold(BigInt::from(1), |m, d| lcm(&m, &d))
 }
 
+/// [`multiplier`] of a network that changes a pair at a time.
+pub(super) struct Multiplier<'a> {
+    network: Graph,
+    weights: &'a Weights,
+    /// How many birds have each number of neighbours.
+    degrees: Vec<usize>,
+}
+
+impl<'a> Multiplier<'a> {
+    pub fn new(network: Graph, weights: &'a Weights) -> Self {
+        let mut degrees = Vec::new();
+        (0..network.order()).for_each(|i| count(&mut degrees, network.degree(i), true));
+        Multiplier { network, weights, degrees }
+    }
+
+    pub fn toggle(&mut self, (i, j): (u32, u32)) {
+        let ends = [i as usize, j as usize];
+        ends.iter().for_each(|&end| count(&mut self.degrees, self.network.degree(end), false));
+        self.network.toggle(ends[0], ends[1]);
+        ends.iter().for_each(|&end| count(&mut self.degrees, self.network.degree(end), true));
+    }
+
+    pub fn value(&self) -> BigInt {
+        if matches!(self.weights, Weights::Given(_)) {
+            return multiplier(&self.network, self.weights);
+        }
+        let there = self.degrees.iter().enumerate().skip(1).filter(|(_, count)| **count > 0);
+        let denominators = there.filter_map(|(degree, _)| self.weights.of(degree, 0)).map(|c| c.denom());
+        denominators.fold(BigInt::from(1), |m, d| lcm(&m, &d))
+    }
+}
+
+fn count(degrees: &mut Vec<usize>, degree: usize, more: bool) {
+    if degrees.len() <= degree {
+        degrees.resize(degree + 1, 0);
+    }
+    degrees[degree] = if more { degrees[degree] + 1 } else { degrees[degree].saturating_sub(1) };
+}
+
 /// `c_i`, where it suits the number of neighbours.
 pub(super) fn weight(network: &Graph, weights: &Weights, i: usize, time: &BigInt) -> Result<Rational, FlockError> {
     let degree = network.degree(i);
@@ -53,6 +92,16 @@ mod tests {
         let given = [(1, 5), (1, 7), (1, 4), (1, 11), (1, 6), (1, 7)].map(|(p, q)| rational(p, q)).to_vec();
         assert_eq!(multiplier(&network(), &Weights::Given(given)), BigInt::from(5 * 7 * 12));
         assert_eq!(multiplier(&Graph::empty(3), &Weights::Lazy), BigInt::from(1));
+        // Changed a pair at a time, to all and to none.
+        for weights in [Weights::Lazy, Weights::Vicsek, Weights::Given(vec![rational(1, 7); 6])] {
+            let mut changing = Multiplier::new(network(), &weights);
+            let mut network = network();
+            for (i, j) in (0..6).flat_map(|j| (0..j).map(move |i| (i, j))).cycle().take(30) {
+                network.toggle(i as usize, j as usize);
+                changing.toggle((i, j));
+                assert_eq!(changing.value(), multiplier(&network, &weights));
+            }
+        }
     }
 
     #[test]

@@ -4,6 +4,7 @@
 mod ahead;
 mod balls;
 mod classes;
+mod leap;
 mod links;
 mod outlook;
 mod watch;
@@ -17,7 +18,8 @@ use algebra::graph::Graph;
 use arithmetic::Progress;
 use balls::{Balls, PairBall};
 use classes::Classes;
-use links::{Change, multiplier};
+use leap::{LONGEST_LEAP, SHORTEST_LEAP};
+use links::{Change, Multiplier};
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Zero};
 pub(super) use outlook::Outlook;
@@ -126,15 +128,15 @@ impl FilteredFlock {
     /// Bits of the common denominator that the exact state has, not reduced.
     pub fn denominator_bits(&self) -> u64 {
         let mut powers: BTreeMap<BigInt, u64> = BTreeMap::new();
-        let mut network = self.network.clone();
+        let mut now = Multiplier::new(self.network.clone(), &self.weights);
         // Backwards, from the network of now.
         let mut until = self.time;
         for change in self.changes.iter().rev() {
-            *powers.entry(multiplier(&network, &self.weights)).or_default() += until + 1 - change.time;
+            *powers.entry(now.value()).or_default() += until + 1 - change.time;
             until = change.time - 1;
-            change.pairs.iter().for_each(|&(i, j)| network.toggle(i as usize, j as usize));
+            change.pairs.iter().for_each(|&pair| now.toggle(pair));
         }
-        *powers.entry(multiplier(&network, &self.weights)).or_default() += until;
+        *powers.entry(now.value()).or_default() += until;
         let power = |(m, count): (BigInt, u64)| if m.is_one() { m } else { Pow::pow(m, count) };
         powers.into_iter().map(power).fold(self.first_unit.clone(), |product, p| product * p).bits()
     }
@@ -160,9 +162,15 @@ impl FilteredFlock {
     /// Steps in which nothing changes, without a look at any pair.
     pub(super) fn coast(&mut self, steps: u64, progress: &dyn Progress) -> Result<(), FlockError> {
         self.watch.renew();
-        for _ in 0..steps {
+        let end = self.time + steps;
+        while self.time < end {
             progress.checkpoint()?;
             let State::Balls(balls) = &mut self.state else { return Ok(()) };
+            let left = end - self.time;
+            if left >= SHORTEST_LEAP && !self.classes.are_known() && balls.leap(left.min(LONGEST_LEAP)) {
+                self.time += left.min(LONGEST_LEAP);
+                continue;
+            }
             balls.step(&[])?;
             self.time += 1;
             self.classes.average(&balls.network, &self.weights);

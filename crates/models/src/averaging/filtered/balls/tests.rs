@@ -228,6 +228,32 @@ fn jumps_keep_the_exact_state() {
     }
 }
 
+/// The exact state lies in what leaps lead to, from small and from large velocities, and little precision is lost.
+#[test]
+fn leaps_keep_the_exact_state() {
+    for (dimension, weights, quiet) in [(1, Weights::Lazy, 0), (2, Weights::Vicsek, 40), (4, Weights::Lazy, 3)] {
+        let mut flock = Flock::new(&start(dimension, weights)).unwrap();
+        let mut balls = balls(&flock);
+        let network = flock.network().clone();
+        for _ in 0..quiet {
+            flock.step_on(&network).unwrap();
+            balls.step(&[]).unwrap();
+        }
+        for steps in [250, 301] {
+            let before = (balls.position_error, balls.velocity_error, balls.room, balls.time);
+            assert!(balls.leap(steps), "{steps}");
+            for _ in 0..steps {
+                flock.step_on(&network).unwrap();
+            }
+            assert!(hold(&balls, &flock));
+            assert_eq!((balls.room, balls.time), (before.2 - steps, before.3 + steps));
+            assert!(balls.velocity_error < before.1 + (1 << 40) && balls.position_error < before.0 + (1 << 50));
+        }
+        balls.room = 299;
+        assert!(!balls.leap(300));
+    }
+}
+
 /// A distance of at most 1 is certain exactly where the farthest corner of the box is that near; a larger one is claimed only where all corners are farther away.
 #[test]
 fn near_is_decided_by_the_corners() {
