@@ -1,7 +1,7 @@
 //! Interval operations at the precision that most enclosures use.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use flockproof::arithmetic::{Field, Interval, Real, Ring, rational};
+use flockproof::arithmetic::{Field, Interval, Number, Ring, rational};
 use std::hint::black_box;
 
 fn intervals(c: &mut Criterion) {

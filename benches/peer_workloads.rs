@@ -2,16 +2,18 @@
 //!
 //! usage: cargo bench --bench peer_workloads -- [FILTER]   (FILTER keeps the configurations whose name contains it)
 
+use flockproof::arithmetic::threads::on_a_thread;
 use flockproof::arithmetic::{Interval, Rational, Unwatched, decimal, rational};
 use flockproof::averaging::{FilteredFlock, Flock, Hysteresis, Start, Weights};
 use flockproof::double_integrator::{Potential, State, SwitchingFlock};
 use flockproof::graph::{LaplacianKind, NamedGraph};
 use flockproof::matrix::{SparseMatrix, StochasticMatrix, prefix_products, product_sequential, product_tree};
-use flockproof::motion::{Rk4, on_a_thread};
+use flockproof::motion::Rk4;
 use flockproof::oscillator::AllToAll;
 use flockproof::platoon::time_domain::Modes;
 use flockproof::platoon::{Gains, resonance, theorem1};
 use flockproof::question::{Question, Verdict, decide};
+use flockproof::scenario::Scenario;
 use flockproof::spectrum::{Eigenvalue, closed_form, matrix_spectrum, symmetric_enclosures, tridiagonal_eigenvalues};
 use flockproof_benches::{
     circulant, crowd, full_of_rationals, geometric, lattice_flock, phases, ring, stochastic_matrices, weighted_path,
@@ -315,6 +317,53 @@ fn small_graphs(wanted: &dyn Fn(&str) -> bool) {
     }
 }
 
+/// Cucker and Smale as a law of one's own, from its text: gathered over all others, or over those within distance 2.
+fn cucker_smale(gather: &str, graph: &str, state: &str, run: &str) -> String {
+    format!(
+        "model = \"own\"\n[law]\ndimension = 2\nstate = {{ x = \"vector\", v = \"vector\" }}\nparameters = {{ K = 1, beta = \"1/4\" }}\n\
+         [law.define]\n\"weight(i, j)\" = \"K / (1 + norm2(x[j] - x[i]))^beta\"\n\
+         [law.rates]\nx = \"v\"\nv = \"{gather}(j, weight(i, j) * (v[j] - v))\"\n[graph]\n{graph}\n[state]\n{state}\n[run]\nrows = 1\n\
+         observables = [\"min_distance\"]\n{run}\n"
+    )
+}
+
+/// Laws of one's own, as a user runs them. Reading the file is not timed.
+fn laws(wanted: &dyn Fn(&str) -> bool) {
+    let timed = |text: &str, trials: usize| {
+        let run = || {
+            let scenario = Scenario::read(text).expect("a scenario");
+            let start = Instant::now();
+            let outcome = scenario.run(&Unwatched);
+            (start.elapsed().as_secs_f64(), outcome)
+        };
+        (0..trials).map(|_| run()).min_by(|a, b| a.0.total_cmp(&b.0)).expect("a trial")
+    };
+    let listed = |list: &[[f64; 2]]| list.iter().map(|[x, y]| format!("[{x:?}, {y:?}]")).collect::<Vec<_>>().join(", ");
+    let cases = [
+        ("all", 50, 40, 100, "mean", "kind = \"complete\""),
+        ("near", 200, 100, 20, "sum", "kind = \"within\"\nradius = 2"),
+    ];
+    for (name, columns, rows, steps, gather, graph) in cases {
+        let (n, size) = (columns * rows, format!("{name} N={},steps={steps}", columns * rows));
+        if wanted(&format!("W12 flockproof {size}")) {
+            let start = lattice_flock(columns, rows);
+            let state = format!("x = [{}]\nv = [{}]", listed(&start.positions), listed(&start.velocities));
+            let run = format!("until = \"{steps}/100\"\nstep = \"1/100\"");
+            let (seconds, outcome) = timed(&cucker_smale(gather, graph, &state, &run), 3);
+            let frame = &outcome.rows.last().expect("an end").frame;
+            let kinetic = frame.velocities.iter().flatten().map(|v| v * v).sum::<f64>() / (2 * n) as f64;
+            emit("W12", "flockproof", &size, seconds, &format!("kinetic={kinetic:.9} x0={:.8}", frame.positions[0][0]));
+        }
+    }
+    if wanted("W12 flockproof three t=40") {
+        let state = "x = [[0, 0], [1, 0], [0, 2]]\nv = [[1, 0], [0, 1], [0, 0]]";
+        let text = cucker_smale("mean", "kind = \"complete\"", state, "until = 40\ntolerance = 1e-10");
+        let (seconds, outcome) = timed(&text, 200);
+        let x0 = outcome.rows.last().expect("an end").frame.positions[0][0];
+        emit("W12", "flockproof", "three t=40", seconds, &format!("x0={x0:.7}"));
+    }
+}
+
 fn main() {
     // Cargo passes `--bench`; everything else is the filter.
     let filter: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
@@ -329,4 +378,5 @@ fn main() {
     network_log(&wanted);
     platoon(&wanted);
     small_graphs(&wanted);
+    laws(&wanted);
 }

@@ -43,6 +43,10 @@ PAIRS = [
     ("W9", "n=1000,steps=10000", "flockproof", ["w9_flock_log.py", "numba", "1000", "10000"], 3.0),
     ("W8", "M=128,t=2000", "flockproof", ["w8_platoon.py", "scipy"], 0.1),
     ("W8", "M=128,t=2000", "flockproof", ["w8_platoon.py", "expm"], 1.0),
+    ("W12", "all N=2000,steps=100", "flockproof", ["w12_laws.py", "numba", "all"], 1.5),
+    ("W12", "near N=20000,steps=20", "flockproof", ["w12_laws.py", "numba", "near"], 1.5),
+    ("W12", "three t=40", "flockproof", ["w12_laws.py", "dop853", "three"], 1.0),
+    ("W12", "three t=40", "flockproof", ["w12_laws.py", "heyoka", "three"], 10.0),
     # All graphs on 8 vertices against those on up to 7: a tenth as many.
     ("W10", "n=8,graphs=12346", "flockproof", ["w10_graphs.py", "atlas"], 3.0),
 ]
@@ -63,7 +67,7 @@ def theirs(arguments):
 
 def same_result(workload, ours, theirs):
     """Exact text, or numbers of double precision: relative 1e-8, or one unit of the last printed digit."""
-    if workload not in ("W4", "W5", "W6"):
+    if workload not in ("W4", "W5", "W6", "W12"):
         return ours.replace("-0", "-") == theirs.replace("-0", "-")
     a, b = (dict(part.split("=") for part in text.split()) for text in (ours, theirs))
     # LAPACK gives lambda2 of a path to no more digits.

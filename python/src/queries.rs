@@ -3,7 +3,7 @@
 use super::convert::{Ends, Matrix, Ratio, count, digits as digits_of, ends, exact, matrix, optional_count, pair};
 use super::refuse;
 use super::watch::{briefly, watched};
-use flockproof::arithmetic::{ArithmeticError, Interval, Rational, Real, decimal};
+use flockproof::arithmetic::{ArithmeticError, Interval, Number, Rational, decimal};
 use flockproof::graph::read::read_graph_file;
 use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
 use flockproof::matrix::read::read_normalised;

@@ -121,10 +121,7 @@ pub fn decided(question: &Question, name: &str, progress: &dyn Progress) -> Resu
 /// Reads a question; the files that it names lie beside it.
 pub fn read(path: &Path) -> Result<Question, CliError> {
     let text = output::read_input(path)?.text;
-    let folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
-    let files =
-        |name: &str| output::read_input(&folder.join(name)).map(|input| input.text).map_err(|error| error.to_string());
-    Question::read(&text, &files).map_err(|error| CliError::file(path, error))
+    Question::read(&text, &output::beside(path)).map_err(|error| CliError::file(path, error))
 }
 
 /// Writes the question of the counterexample; a question that is its own is not written again.

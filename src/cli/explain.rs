@@ -1,8 +1,11 @@
 //! `explain`: one claim in words.
 
 use super::{CliError, output, progress, report, texts, verify};
-use flockproof::ledger::{Document, Ledger, Options, Report};
-use flockproof::report::{Figure, Provenance, Site, explain, explanation, version};
+use flockproof::ledger::{Document, Ledger, LedgerError, Options, Report};
+use flockproof::report::{
+    Figure, Provenance, Site, catalogue, explain, explain_proofs, explanation, legend, of_place, version,
+    written_proofs,
+};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -10,12 +13,18 @@ use std::process::ExitCode;
 #[derive(clap::Args)]
 #[command(
     after_help = "The claim is checked anew, which may take seconds. For an unknown id, similar ids are suggested; `flockproof list` searches.\n\n\
-Examples:\n  flockproof explain veerman.gain_max\n  flockproof explain chazelle.tau1 --json"
+Examples:\n  flockproof explain veerman.gain_max\n  flockproof explain \"Corollary 1\" --paper veerman\n  flockproof explain tanner2.thm1a --proof\n  flockproof explain chazelle.tau1 --json"
 )]
 pub struct Arguments {
-    /// Id of the claim, such as veerman.lem2
+    /// Id of the claim, such as veerman.lem2, or its place in the paper, such as "Theorem 1"
     #[arg(value_name = "ID", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     id: String,
+    /// The paper in which the place is: chazelle, veerman, paley, tanner (tanner1 and tanner2) (may be repeated) [default: all]
+    #[arg(long, value_name = "P", value_parser = clap::builder::NonEmptyStringValueParser::new())]
+    paper: Vec<String>,
+    /// Print the proofs on paper too, step by step
+    #[arg(long, conflicts_with_all = ["json", "html"])]
+    proof: bool,
     /// Print one JSON document, flockproof.explain/1
     #[arg(long)]
     json: bool,
@@ -27,14 +36,14 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     arguments.html.as_deref().map_or(Ok(()), output::check_writable)?;
     let ledger = verify::ledger()?;
-    let ids =
-        ledger.select(&[], std::slice::from_ref(&arguments.id)).map_err(|error| verify::use_error(&ledger, error))?;
-    let bar = progress::spinner(&format!("checking {} anew", arguments.id));
+    let id = found(arguments, &ledger)?;
+    let ids = [id.clone()];
+    let bar = progress::spinner(&format!("checking {id} anew"));
     let options = Options::default();
     let report = ledger.verify(&ids, &options, |_| {});
     bar.finish_and_clear();
     if let Some(path) = &arguments.html {
-        write_page(path, &arguments.id, &report, &options, &ledger)?;
+        write_page(path, &id, &report, &options, &ledger)?;
         return Ok(ExitCode::SUCCESS);
     }
     for entry in &report.entries {
@@ -43,12 +52,45 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             let provenance = Provenance::new("flockproof.explain/1", Some(&options.seed), configuration);
             output::print_json(&provenance.stamp(explanation(entry, &ledger)))?;
         } else {
-            let text = explain(entry, &ledger, output::width())
-                + &textwrap::fill(&checked(&report, &options), output::width());
-            output::print(&(text + "\n"))?;
+            let width = output::width();
+            let proofs = written_proofs(entry, texts::text);
+            let mut text = explain(entry, &ledger, width) + &legend(entry, width);
+            text += &(textwrap::fill(&checked(&report, &options), width) + "\n");
+            match (arguments.proof, proofs.is_empty()) {
+                (true, true) => text += "No clause of it rests on a proof on paper.\n",
+                (true, false) => text += &explain_proofs(&proofs, width),
+                (false, _) => {}
+            }
+            output::print(&text)?;
         }
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The id that is meant: itself, or that of the one claim at a place.
+fn found(arguments: &Arguments, ledger: &Ledger) -> Result<String, CliError> {
+    let unknown = match ledger.select(&arguments.paper, std::slice::from_ref(&arguments.id)) {
+        Ok(ids) => match ids.into_iter().next() {
+            Some(id) => return Ok(id),
+            None => {
+                return Err(CliError::Use(format!(
+                    "--paper: {} is not a claim of {}",
+                    arguments.id,
+                    arguments.paper.join(", ")
+                )));
+            }
+        },
+        Err(error @ LedgerError::NoPaper(..)) => return Err(verify::use_error(ledger, error)),
+        Err(error) => error,
+    };
+    let all = catalogue(ledger);
+    match of_place(&all, &arguments.paper, &arguments.id)[..] {
+        [] => Err(verify::use_error(ledger, unknown)),
+        [one] => Ok(one.to_string()),
+        ref several => {
+            Err(CliError::Use(format!("several claims stand at `{}`: {}", arguments.id, several.join(", "))))
+        }
+    }
 }
 
 /// That all of it was computed now, and by what.

@@ -1,7 +1,7 @@
 //! `list`: claims by words, paper, verdict, fault, grade and scope, from what is recorded.
 
 use super::{CliError, output, verify};
-use flockproof::ledger::{Grade, Verdict};
+use flockproof::ledger::{Grade, Verdict, is_of_paper};
 use flockproof::report::{Listing, Provenance, Query, SCOPES, catalogue, catalogue_text};
 use serde_json::json;
 use std::collections::BTreeSet;
@@ -17,7 +17,7 @@ pub struct Arguments {
     /// Words that all stand in the id, the place or the statement
     #[arg(value_name = "WORD")]
     words: Vec<String>,
-    /// Only claims of these papers: chazelle, veerman, paley, tanner1, tanner2, beyond [default: all]
+    /// Only claims of these papers: chazelle, veerman, paley, tanner (tanner1 and tanner2), beyond [default: all]
     #[arg(long, value_name = "P", value_delimiter = ',')]
     paper: Vec<String>,
     /// Only these verdicts: holds, needs_hypothesis, misprint, false, undecided, not_checkable [default: all]
@@ -50,7 +50,9 @@ fn known<'a>(option: &str, asked: &[String], known: impl IntoIterator<Item = &'a
 }
 
 fn query(arguments: &Arguments, all: &[Listing<'_>]) -> Result<Query, CliError> {
-    known("paper", &arguments.paper, all.iter().map(|claim| claim.paper()))?;
+    let papers: BTreeSet<&str> = all.iter().map(|claim| claim.paper()).collect();
+    let several = arguments.paper.iter().filter(|asked| papers.iter().any(|paper| is_of_paper(paper, asked)));
+    known("paper", &arguments.paper, papers.iter().copied().chain(several.map(String::as_str)))?;
     known("verdict", &arguments.verdict, Verdict::ALL.map(Verdict::word))?;
     known("fault", &arguments.fault, all.iter().filter_map(Listing::fault).chain(["none"]))?;
     known("grade", &arguments.grade, Grade::ALL.map(Grade::word))?;
@@ -63,6 +65,20 @@ fn query(arguments: &Arguments, all: &[Listing<'_>]) -> Result<Query, CliError> 
         grades: arguments.grade.clone(),
         scopes: arguments.scope.clone(),
     })
+}
+
+/// How many there are, and what stands in a line.
+fn legend(found: &[&Listing<'_>], all: &[Listing<'_>]) -> String {
+    let own = all.iter().filter(|claim| claim.is_own()).count();
+    let text = format!(
+        "{} of {} claims: {} statements of the papers, and {own} corrections and results of our own (beyond). A line has the id, the verdict, how many of \
+         the claim's clauses are covered for all parameters (1/2: one of two), and the grades of its evidence, strongest first. `flockproof explain ID` \
+         tells all about one.",
+        found.len(),
+        all.len(),
+        all.len() - own
+    );
+    textwrap::fill(&text, output::width()) + "\n"
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
@@ -79,8 +95,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let provenance = Provenance::new("flockproof.list/1", None, configuration);
         output::print_json(&provenance.stamp(json!({"claims": claims})))?;
     } else {
-        let count = format!("{} of {} claims; `flockproof explain ID` tells all about one\n", found.len(), all.len());
-        output::print(&(catalogue_text(&found, output::width()) + &count))?;
+        output::print(&(catalogue_text(&found, output::width()) + &legend(&found, &all)))?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -182,6 +182,12 @@ pub fn read_input(path: &Path) -> Result<Input, CliError> {
     Ok(Input { text, origin })
 }
 
+/// The texts of files that lie beside a file.
+pub fn beside(path: &Path) -> impl Fn(&str) -> Result<String, String> {
+    let folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
+    move |name| read_input(&folder.join(name)).map(|input| input.text).map_err(|error| error.to_string())
+}
+
 const LARGEST: u64 = 64 << 20;
 
 /// At most one byte more than the limit. Not the size that the file system tells: a device has none and no end.

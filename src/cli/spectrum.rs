@@ -1,10 +1,10 @@
 //! `spectrum`: the eigenvalues of a matrix of a graph, enclosed.
 
 use super::{CliError, output, progress};
+use flockproof::arithmetic::threads::side_by_side;
 use flockproof::arithmetic::{Interval, decimals, shown};
 use flockproof::graph::read::{GraphFile, read_graph_file};
 use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
-use flockproof::motion::side_by_side;
 use flockproof::report::Provenance;
 use flockproof::spectrum::{Eigenvalue, Method, Spectrum, SpectrumError, graph_spectrum, named_spectrum};
 use serde_json::{Value, json};

@@ -16,7 +16,7 @@ which needs coqc and takes minutes. All else is computed now.\n\n\
 Examples:\n  flockproof verify\n  flockproof verify --paper tanner1 --paper tanner2\n  flockproof verify --claim veerman.lem2 --json -"
 )]
 pub struct Arguments {
-    /// Only the claims of this paper: chazelle, veerman, paley, tanner1, tanner2, beyond (may be repeated; with --claim, the named ones
+    /// Only the claims of this paper: chazelle, veerman, paley, tanner1, tanner2, tanner (both), beyond (may be repeated; with --claim, the named ones
     /// of these papers) [default: all]
     #[arg(long, value_name = "P", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     paper: Vec<String>,

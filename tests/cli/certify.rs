@@ -86,3 +86,29 @@ fn inertia_needs_a_diagonal() {
     let zero_first = RationalMatrix::from_integers(&[[0, 1, 0], [1, 2, 0], [0, 0, 0]], 3).unwrap();
     assert_eq!(Inertia::new(&zero_first).unwrap().counts(), (1, 1, 1));
 }
+
+#[test]
+fn a_claim_is_taken_home_with_what_its_theorems_rest_on() {
+    let out = folder("certify_claim");
+    let output = flockproof(&["certify", "--claim", "chazelle.tau1", "--coq", &out.to_string_lossy()]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let files: Vec<&str> = flockproof::kernel::proofs_of("chazelle.tau1").map(|(theorem, _)| theorem.file).collect();
+    let sources = flockproof::kernel::needed(&files);
+    assert!(files.contains(&"chazelle_ergodicity") && sources.len() < flockproof::kernel::files().len() / 4);
+    let mut expected: BTreeSet<String> = sources.iter().map(|source| format!("{}.v", source.name)).collect();
+    expected.extend(["README.md", "statements.v", "check.sh"].map(String::from));
+    assert_eq!(names(&out), expected);
+    for source in sources {
+        assert_eq!(text(&out.join(format!("{}.v", source.name))), source.text);
+    }
+    // The statement stands before the definitions, these before the way to check.
+    let readme = text(&out.join("README.md"));
+    let place = |words: &str| readme.find(words).unwrap_or_else(|| panic!("{words}: {readme}"));
+    assert!(
+        place("## What Coq proves") < place("## What the words mean")
+            && place("## What the words mean") < place("## How to check")
+    );
+    assert!(readme.contains("Definition tau1 "), "{readme}");
+    assert!(text(&out.join("statements.v")).contains("Print Assumptions chazelle_ergodicity."));
+    assert_refused(&["certify", "--claim", "paley.figS1_S3", "--coq", &out.to_string_lossy()], "paley.figS1_S3");
+}

@@ -16,7 +16,12 @@ fn ids(arguments: &[&str]) -> Vec<String> {
 #[test]
 fn claims_are_searched_and_filtered() {
     let all = ids(&[]);
-    assert!(all.len() > 300 && all.is_sorted());
+    assert!(all.len() > 300);
+    // The statements of the papers come first, then our own.
+    let own = all.iter().position(|id| id.starts_with("beyond.")).expect("results of our own");
+    assert!(all[..own].is_sorted() && all[own..].is_sorted() && all[own..].iter().all(|id| id.starts_with("beyond.")));
+    let both = ids(&["--paper", "tanner"]);
+    assert_eq!(both.len(), ids(&["--paper", "tanner1,tanner2"]).len());
     let lemmas = ids(&["lemma", "2.3"]);
     assert!(lemmas.contains(&"chazelle.lem2.3".to_string()) && lemmas.len() < all.len());
     let wrong = json(&["list", "--paper", "veerman", "--verdict", "false,misprint", "--json"]);
@@ -40,6 +45,34 @@ fn claims_are_searched_and_filtered() {
     assert_refused(&["list", "--scope", "most"], "--scope");
     assert_refused(&["list", "--grade", "proved"], "--grade");
     assert_refused(&["list", "--fault", "bad"], "--fault");
+}
+
+#[test]
+fn a_claim_is_found_by_its_place() {
+    let text = stdout(&flockproof(&["explain", "lemma 2", "--paper", "veerman"]));
+    assert!(text.starts_with("veerman.lem2  (Lemma 2"), "{text}");
+    assert_refused(
+        &["explain", "Theorem 2", "--paper", "tanner"],
+        "tanner2.thm2_coll, tanner2.thm2_pot, tanner2.thm2_vel",
+    );
+    assert_refused(&["explain", "Theorem 99"], "Theorem 99");
+    assert_refused(&["explain", "veerman.lem2", "--paper", "paley"], "is not a claim of paley");
+    assert_refused(&["explain", "Lemma 2", "--paper", "reynolds"], "there is no paper reynolds");
+}
+
+/// Theorems keep their lines; what is argued is printed where it is asked for, and only the sections that are named.
+#[test]
+fn explanations_have_the_statements_and_the_proofs() {
+    let text = stdout(&flockproof(&["explain", "beyond.tanner2.thm2_pot", "--proof"]));
+    let (before, proof) = text.split_once("\n  notes/tanner2.md\n").expect("a proof on paper");
+    assert!(before.contains("argued: proof on paper") && before.contains("[instances]: for named"), "{before}");
+    assert!(proof.contains("## Section 5") && !proof.contains("## Bounds"), "{proof}");
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    let text = stdout(&flockproof(&["explain", "chazelle.tau1", "--proof"]));
+    assert!(
+        text.contains("Coq             tau1_") && text.contains("No clause of it rests on a proof on paper."),
+        "{text}"
+    );
 }
 
 #[test]

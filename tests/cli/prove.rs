@@ -166,3 +166,13 @@ fn axioms_are_allowed_by_their_full_names() {
     std::fs::write(library.join("chazelle_angle.vo"), "").expect("a file");
     refused(&with(classic, &own), "chazelle_angle.v has the name of a file of Coq's libraries");
 }
+
+#[test]
+fn one_claim_needs_only_its_own_files() {
+    let bench = Bench::new("prove_claim");
+    let theorems = flockproof::kernel::proofs_of("chazelle.tau1");
+    let own: Vec<&str> = theorems.map(|(theorem, _)| theorem.file).collect();
+    let wanted: BTreeSet<String> = flockproof::kernel::needed(&own).iter().map(|file| file.name.to_string()).collect();
+    assert_eq!(bench.compiled(&["--claim", "chazelle.tau1"]), wanted);
+    super::assert_refused(&["prove", "--claim", "chazelle.nothing"], "chazelle.nothing");
+}

@@ -47,3 +47,9 @@ fn the_page_has_the_table_of_names() {
     let missing = missing.lines().find(|line| !line.is_empty() && !page.contains(*line));
     assert_eq!(missing, None);
 }
+
+#[test]
+fn the_page_has_the_table_of_observables() {
+    let page = include_str!("../../notes/simulate.md");
+    assert!(page.contains(&flockproof::scenario::observables_as_markdown()));
+}

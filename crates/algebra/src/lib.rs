@@ -8,5 +8,3 @@ pub mod graph;
 pub mod json;
 pub mod matrix;
 pub mod spectrum;
-
-mod threads;

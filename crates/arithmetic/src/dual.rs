@@ -1,7 +1,7 @@
 //! Dual numbers over any scalar: a value with its first derivative along one direction.
 
 use super::operators::operators;
-use super::{ArithmeticError, Field, Rational, Real, Ring, Sign, Signed};
+use super::{ArithmeticError, Field, Number, Rational, Real, Ring, Sign, Signed};
 
 /// `value + e derivative` with `e² = 0`.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,10 +65,10 @@ impl<T: Field> Field for Dual<T> {
     }
 }
 
-impl<T: Real> Real for Dual<T> {
+impl<T: Number> Number for Dual<T> {
     #[inline]
-    fn pi(&self) -> Self {
-        Dual::constant(self.value.pi())
+    fn circle(&self) -> Result<Self, ArithmeticError> {
+        Ok(Dual::constant(self.value.circle()?))
     }
 
     /// The derivative at zero does not exist: there it is a division by zero.
@@ -106,6 +106,13 @@ impl<T: Real> Real for Dual<T> {
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
         let (sinh, cosh) = self.value.sinh_cosh()?;
         Ok((self.chain(sinh.clone(), cosh.clone()), self.chain(cosh, sinh)))
+    }
+}
+
+impl<T: Real> Real for Dual<T> {
+    #[inline]
+    fn pi(&self) -> Self {
+        Dual::constant(self.value.pi())
     }
 }
 

@@ -1,6 +1,6 @@
 //! `f64` as a scalar: rounded to nearest, no error bound.
 
-use super::{ArithmeticError, Field, Rational, Real, Ring, Sign, Signed, rational};
+use super::{ArithmeticError, Field, Number, Rational, Real, Ring, Sign, Signed, rational};
 use num_traits::ToPrimitive;
 
 impl Ring for f64 {
@@ -38,10 +38,10 @@ impl Field for f64 {
     }
 }
 
-impl Real for f64 {
+impl Number for f64 {
     #[inline]
-    fn pi(&self) -> Self {
-        std::f64::consts::PI
+    fn circle(&self) -> Result<Self, ArithmeticError> {
+        Ok(self.pi())
     }
 
     #[inline]
@@ -72,6 +72,19 @@ impl Real for f64 {
     #[inline]
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
         Ok((f64::sinh(*self), f64::cosh(*self)))
+    }
+
+    /// By the library, which knows all sides.
+    #[inline]
+    fn angle(y: &Self, x: &Self) -> Result<Self, ArithmeticError> {
+        if *x == 0.0 && *y == 0.0 { Err(ArithmeticError::Argument("heading")) } else { Ok(y.atan2(*x)) }
+    }
+}
+
+impl Real for f64 {
+    #[inline]
+    fn pi(&self) -> Self {
+        std::f64::consts::PI
     }
 }
 

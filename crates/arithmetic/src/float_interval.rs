@@ -5,7 +5,7 @@
 
 use super::number::{fixed, significant};
 use super::operators::operators;
-use super::{ArithmeticError, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed};
+use super::{ArithmeticError, Dyadic, Field, Interval, Number, Rational, Real, Ring, Sign, Signed};
 
 /// From `lo` to `hi`. A result that may not be finite becomes the whole line, and stays it; a square becomes `[0, ∞)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -237,11 +237,9 @@ impl FloatInterval {
 }
 
 /// Functions by those of [`Interval`], rounded outward.
-impl Real for FloatInterval {
-    fn pi(&self) -> Self {
-        // The float below pi; the next one is above.
-        let below = std::f64::consts::PI;
-        FloatInterval { lo: below, hi: below.next_up() }
+impl Number for FloatInterval {
+    fn circle(&self) -> Result<Self, ArithmeticError> {
+        Ok(self.pi())
     }
 
     /// The root of a float is rounded to nearest, as its sum and product.
@@ -277,6 +275,14 @@ impl Real for FloatInterval {
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
         let (sinh, cosh) = self.general("sinh")?.sinh_cosh()?;
         Ok((FloatInterval::from_interval(&sinh), FloatInterval::from_interval(&cosh)))
+    }
+}
+
+impl Real for FloatInterval {
+    fn pi(&self) -> Self {
+        // The float below pi; the next one is above.
+        let below = std::f64::consts::PI;
+        FloatInterval { lo: below, hi: below.next_up() }
     }
 }
 

@@ -4,7 +4,7 @@ use super::dyadic::Round;
 use super::elementary;
 use super::number::{decimal, fixed, significant};
 use super::operators::operators;
-use super::{ArithmeticError, Dyadic, Field, Rational, Real, Ring, Sign, Signed};
+use super::{ArithmeticError, Dyadic, Field, Number, Rational, Real, Ring, Sign, Signed};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
@@ -223,10 +223,9 @@ impl Field for Interval {
     }
 }
 
-impl Real for Interval {
-    fn pi(&self) -> Self {
-        let (lo, hi) = elementary::pi(self.precision);
-        Interval::between(lo, hi, self.precision)
+impl Number for Interval {
+    fn circle(&self) -> Result<Self, ArithmeticError> {
+        Ok(self.pi())
     }
 
     fn sqrt(&self) -> Result<Self, ArithmeticError> {
@@ -275,6 +274,13 @@ impl Real for Interval {
         // cosh² = 1 + sinh², increasing in |sinh|: no cancellation.
         let cosh = (sinh.square() + self.one()).sqrt()?;
         Ok((sinh, cosh))
+    }
+}
+
+impl Real for Interval {
+    fn pi(&self) -> Self {
+        let (lo, hi) = elementary::pi(self.precision);
+        Interval::between(lo, hi, self.precision)
     }
 }
 

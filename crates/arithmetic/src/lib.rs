@@ -15,6 +15,9 @@
 //! | [`Residue`] | exact modulo a prime |
 //! | [`DegreeBound`] | degrees and coefficient sizes of numerator and denominator, for the error bound of an identity test |
 //! | [`Probe`] | one of the three that an identity test needs |
+//!
+//! Generic code asks for the weakest trait that will do: [`Ring`], [`Field`], [`Signed`], [`Number`] (also functions, which may have no value in the
+//! scalar), [`Real`] (functions that have one); [`Enclosure`] is what intervals and balls have in common.
 
 /// Crates that stand in signatures.
 pub use {num_bigint, num_rational, num_traits, rand_chacha};
@@ -25,6 +28,7 @@ mod degree;
 mod dual;
 mod dyadic;
 mod elementary;
+mod enclosure;
 mod fixed;
 mod float;
 mod float_interval;
@@ -44,6 +48,7 @@ mod regression;
 mod residue;
 mod series;
 mod surd;
+pub mod threads;
 mod words;
 
 pub use ball::Ball;
@@ -51,6 +56,7 @@ pub use complex::Complex;
 pub use degree::DegreeBound;
 pub use dual::Dual;
 pub use dyadic::Dyadic;
+pub use enclosure::Enclosure;
 pub use float_interval::FloatInterval;
 pub use flow::{along_flow, gradient};
 pub use interval::{Interval, decimals, significant_digits};
@@ -185,12 +191,14 @@ pub trait Field: Ring {
     }
 }
 
-/// The real functions the laws of the five papers need.
+/// A scalar that laws, quantities and properties are evaluated over: a field with signs, and the real functions that they need. A function that has no
+/// value in the scalar (a root of 2 among the rationals) is an error of that value, not of the scalar.
 ///
-/// Every method returns [`ArithmeticError::Argument`] where the argument is not certainly inside the domain.
-pub trait Real: Field {
-    /// The circle constant, at the precision of `self`.
-    fn pi(&self) -> Self;
+/// Every function returns [`ArithmeticError::Argument`] where the argument is not certainly inside the domain, and [`ArithmeticError::Domain`] where the
+/// scalar cannot hold the value.
+pub trait Number: Field + Signed {
+    /// The circle constant, as precise as `self`.
+    fn circle(&self) -> Result<Self, ArithmeticError>;
     /// Square root of a non-negative number.
     fn sqrt(&self) -> Result<Self, ArithmeticError>;
     /// Exponential.
@@ -219,6 +227,25 @@ pub trait Real: Field {
     fn cosh(&self) -> Result<Self, ArithmeticError> {
         Ok(self.sinh_cosh()?.1)
     }
+
+    /// The angle of the vector `(x, y)`, in (-pi, pi], by the side of the axes on which it is; no value for the zero vector and where an enclosure
+    /// meets the negative half of the first axis.
+    fn angle(y: &Self, x: &Self) -> Result<Self, ArithmeticError> {
+        let quarter = |sign: i64| Ok(y.circle()? * &y.ratio(sign, 2));
+        match (x.sign(), y.sign()) {
+            (Some(Sign::Positive), _) => y.over(x)?.atan(),
+            (_, Some(Sign::Positive)) => Ok(quarter(1)? - x.over(y)?.atan()?),
+            (_, Some(Sign::Negative)) => Ok(quarter(-1)? - x.over(y)?.atan()?),
+            (Some(Sign::Negative), Some(Sign::Zero)) => y.circle(),
+            _ => Err(ArithmeticError::Argument("heading")),
+        }
+    }
+}
+
+/// Numbers among which all real ones are, or their enclosures: where the functions of [`Number`] have values on their whole domains.
+pub trait Real: Number {
+    /// The circle constant, as precise as `self`.
+    fn pi(&self) -> Self;
 }
 
 /// Scalars whose sign can be asked for.

@@ -2,7 +2,7 @@
 //! inverses and signs.
 
 use super::operators::operators;
-use super::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, Sign, Signed, rational};
+use super::{ArithmeticError, Complex, Field, Interval, Number, Rational, Real, Ring, Sign, Signed, rational};
 use num_integer::Integer;
 use num_traits::Zero;
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
 //! Truncated power series over any scalar: expansions to a stated order, exact wherever the coefficients are.
 
 use super::operators::operators;
-use super::{ArithmeticError, Field, Rational, Real, Ring, Sign, Signed};
+use super::{ArithmeticError, Field, Number, Rational, Real, Ring, Sign, Signed};
 
 /// `c_0 + c_1 h + ... + c_{n-1} h^{n-1} + O(h^n)`.
 ///
@@ -155,9 +155,9 @@ impl<T: Field> Series<T> {
 }
 
 /// Functions of a series by the recurrences of their differential equations.
-impl<T: Real> Real for Series<T> {
-    fn pi(&self) -> Self {
-        Series::constant(self.coefficients[0].pi(), self.coefficients.len())
+impl<T: Number> Number for Series<T> {
+    fn circle(&self) -> Result<Self, ArithmeticError> {
+        Ok(Series::constant(self.coefficients[0].circle()?, self.coefficients.len()))
     }
 
     /// Needs a constant term that is not zero, unless there is no other: `2 r_0 r_n = c_n - sum_{0<k<n} r_k r_{n-k}`.
@@ -202,6 +202,12 @@ impl<T: Real> Real for Series<T> {
 
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
         Ok(self.pair(self.coefficients[0].sinh_cosh()?, 1))
+    }
+}
+
+impl<T: Real> Real for Series<T> {
+    fn pi(&self) -> Self {
+        Series::constant(self.coefficients[0].pi(), self.coefficients.len())
     }
 }
 

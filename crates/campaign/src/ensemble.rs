@@ -211,7 +211,7 @@ pub fn statistics_json(ensemble: &Ensemble, moments: &[Moment]) -> Value {
     let spread = |s: &Spread| (s.name.clone(), json!({"replicas": s.count, "mean": s.mean, "deviation": s.deviation}));
     let moment = |moment: &Moment| {
         let values = ensemble.point(moment.point);
-        let names = ensemble.axes().iter().map(|(name, _)| name.clone());
+        let names = ensemble.axes().iter().map(|(name, _)| name.to_string());
         let point: Map<String, Value> = names.zip(values.iter().map(|value| value.to_string().into())).collect();
         let observables: Map<String, Value> = moment.spreads.iter().map(spread).collect();
         json!({"point": point, "t": moment.time, "observables": observables})

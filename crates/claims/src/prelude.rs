@@ -5,5 +5,7 @@ pub(crate) use crate::evidence::{
     unless,
 };
 pub(crate) use arithmetic::identity::Identity;
-pub(crate) use arithmetic::{ArithmeticError, Complex, Dual, Field, Interval, Probe, Rational, Real, Ring, rational};
+pub(crate) use arithmetic::{
+    ArithmeticError, Complex, Dual, Field, Interval, Number, Probe, Rational, Real, Ring, rational,
+};
 pub(crate) use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};

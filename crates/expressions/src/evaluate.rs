@@ -1,13 +1,12 @@
 //! Programs over any scalar.
 
-use super::number::Number;
 use super::program::{Gather, OWN, Of, Op, Program, Round, Step};
 use super::syntax::Relation;
-use arithmetic::{ArithmeticError, Rational, Sign};
+use arithmetic::{ArithmeticError, Number, Rational, Sign};
 use std::sync::Arc;
 
 /// Whom each agent hears.
-pub trait Hearing {
+pub trait Hearing: Sync {
     /// The number of agents.
     fn agents(&self) -> usize;
 
@@ -77,6 +76,12 @@ impl<T: Number> Evaluator<T> {
         Evaluator { bound: vec![0; program.slots.len()], program, lists, like: like.clone(), known }
     }
 
+    /// Sets the numbers that were drawn for this step: of each list one for each agent.
+    pub fn set_drawn(&mut self, drawn: &[Vec<T>]) {
+        let first = self.lists.len() - drawn.len().min(self.lists.len());
+        self.lists[first..].iter_mut().zip(drawn).for_each(|(list, drawn)| list.clone_from(drawn));
+    }
+
     /// The numbers of the flock, in their order.
     ///
     /// # Errors
@@ -87,20 +92,20 @@ impl<T: Number> Evaluator<T> {
         self.results(None, |_, value| Ok(value))
     }
 
-    /// The numbers of each agent, those of agent 0 first.
+    /// The numbers of some agents, from 0, in turn.
     ///
     /// # Errors
     /// [`Fault`] where one has no value.
     pub fn agents(
         &mut self,
-        time: &T,
-        state: &[T],
+        agents: impl Iterator<Item = usize>,
+        (time, state): (&T, &[T]),
         hearing: &dyn Hearing,
         mut write: impl FnMut(usize, usize, T),
     ) -> Result<(), Fault> {
         let (program, moment) = (self.program.clone(), Moment { time, state, hearing });
         self.steps(&program.once, &moment);
-        for agent in 0..hearing.agents() {
+        for agent in agents {
             self.bound[OWN] = agent;
             self.steps(&program.each, &moment);
             self.results(Some(agent), |output, value| {
@@ -187,7 +192,7 @@ impl<T: Number> Evaluator<T> {
             Op::Product(a, b) => of(a)?.clone() * of(b)?,
             Op::Quotient(a, b) => of(a)?.over(of(b)?)?,
             Op::Power(a, k) => of(a)?.power(u64::from(*k)),
-            Op::Function(function, a) => of(a)?.function(*function)?,
+            Op::Function(function, a) => function.at(of(a)?)?,
             Op::Angle(y, x) => T::angle(of(y)?, of(x)?)?,
             Op::Absolute(a) => match of(a)?.sign().ok_or(OPEN)? {
                 Sign::Negative => -of(a)?.clone(),
@@ -232,7 +237,7 @@ impl<T: Number> Evaluator<T> {
     fn round(&mut self, round: &Round, moment: &Moment<T>) {
         let program = self.program.clone();
         let this = &program.loops[round.number];
-        let mut gathered: Vec<Gathered<T>> = this.bodies.iter().map(|_| Gathered::Empty).collect();
+        let mut gathered: Vec<Gathered<T>> = round.results.iter().map(|_| Gathered::Empty).collect();
         let hears = program.slots[this.slot].hears.map(|of| self.agent(of));
         let mut count = 0;
         let mut visit = |machine: &mut Self, agent: usize| {
@@ -245,8 +250,9 @@ impl<T: Number> Evaluator<T> {
             }
             machine.steps(&round.after, moment);
             count += 1;
-            for (all, (gather, body)) in gathered.iter_mut().zip(&this.bodies) {
-                all.take(*gather, machine.number(*body));
+            for (all, (place, _)) in gathered.iter_mut().zip(&round.results) {
+                let (gather, body) = this.bodies[*place];
+                all.take(gather, machine.number(body));
             }
         };
         let heard = hears.and_then(|agent| moment.hearing.heard(agent));
@@ -256,8 +262,7 @@ impl<T: Number> Evaluator<T> {
                 (0..moment.hearing.agents()).filter(|agent| Some(*agent) != hears).for_each(|agent| visit(self, agent))
             }
         }
-        for &(place, id) in &round.results {
-            let all = std::mem::replace(&mut gathered[place], Gathered::Empty);
+        for (all, &(place, id)) in gathered.into_iter().zip(&round.results) {
             self.known[id] = all.ended(this.bodies[place].0, count, &self.like);
         }
     }

@@ -2,10 +2,9 @@
 
 use super::compile::Compiler;
 use super::evaluate::{Evaluator, Fault, Hearing};
-use super::number::Number;
 use super::problem::Problem;
 use super::program::Program;
-use arithmetic::Rational;
+use arithmetic::{Number, Rational};
 use std::sync::Arc;
 
 /// What an agent has.
@@ -48,8 +47,19 @@ pub struct LawText {
     pub define: Vec<(String, String)>,
     /// The rate of change, or the next value, of each part of the state.
     pub rates: Vec<(String, String)>,
+    /// Of parts of the state in continuous time the strength of the noise: the standard deviation of each of its numbers after one unit of time.
+    pub noise: Vec<(String, String)>,
     /// What is measured on the flock.
     pub observables: Vec<(String, String)>,
+}
+
+/// How a number is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drawn {
+    /// Standard normal.
+    Normal,
+    /// Uniform between 0 and 1.
+    Uniform,
 }
 
 /// The value of a parameter.
@@ -102,6 +112,10 @@ pub struct Law {
     pub(crate) rates: Arc<Program>,
     /// Where each number of an agent that the program computes goes: variable and component.
     pub(crate) targets: Vec<(usize, usize)>,
+    /// The lists, behind those of the parameters, that are drawn anew for every step, one number for each agent.
+    pub(crate) drawn: Vec<Drawn>,
+    /// The strength of the noise of each number that the rates have; zero where there is none.
+    pub(crate) noise: Option<Arc<Program>>,
     pub(crate) observed: Arc<Program>,
     /// Names of the observables with how many numbers each has.
     pub(crate) observables: Vec<(String, usize)>,
@@ -143,6 +157,43 @@ impl Law {
         &self.observables
     }
 
+    /// What is drawn for every step, each once for every agent, in the order of [`Evaluator::set_drawn`] and [`crate::Blocks::set_drawn`].
+    pub fn drawn(&self) -> &[Drawn] {
+        &self.drawn
+    }
+
+    /// Whether there is noise in continuous time.
+    pub fn is_noisy(&self) -> bool {
+        self.noise.is_some()
+    }
+
+    /// Writes the strength of the noise of each number of a state.
+    ///
+    /// # Errors
+    /// [`Fault`] where a number has no value.
+    pub fn write_noise(
+        &self,
+        evaluator: &mut Evaluator<f64>,
+        (time, state): (f64, &[f64]),
+        hearing: &dyn Hearing,
+        strength: &mut [f64],
+    ) -> Result<(), Fault> {
+        evaluator.agents(0..hearing.agents(), (&time, state), hearing, |agent, output, value| {
+            self.put(agent, output, value, strength);
+        })
+    }
+
+    /// What computes [`Self::write_noise`].
+    pub fn noise_evaluator(&self) -> Option<Evaluator<f64>> {
+        self.noise.as_ref().map(|program| Evaluator::new(program, &self.lists, &0.0))
+    }
+
+    fn put<T>(&self, agent: usize, output: usize, value: T, to: &mut [T]) {
+        let (variable, component) = self.targets[output];
+        let variable = &self.variables[variable];
+        to[variable.start + agent * variable.stride + component] = value;
+    }
+
     /// Whether rational states stay rational.
     pub fn is_rational(&self) -> bool {
         self.rates.is_rational()
@@ -160,15 +211,23 @@ impl Law {
     pub fn write_rates<T: Number>(
         &self,
         evaluator: &mut Evaluator<T>,
-        (time, state): (&T, &[T]),
+        moment: (&T, &[T]),
         hearing: &dyn Hearing,
         rates: &mut [T],
     ) -> Result<(), Fault> {
-        evaluator.agents(time, state, hearing, |agent, output, value| {
-            let (variable, component) = self.targets[output];
-            let variable = &self.variables[variable];
-            rates[variable.start + agent * variable.stride + component] = value;
-        })
+        self.write_rates_of(0..hearing.agents(), evaluator, moment, hearing, rates)
+    }
+
+    /// Those of some agents only, from 0.
+    pub(crate) fn write_rates_of<T: Number>(
+        &self,
+        agents: impl Iterator<Item = usize>,
+        evaluator: &mut Evaluator<T>,
+        moment: (&T, &[T]),
+        hearing: &dyn Hearing,
+        rates: &mut [T],
+    ) -> Result<(), Fault> {
+        evaluator.agents(agents, moment, hearing, |agent, output, value| self.put(agent, output, value, rates))
     }
 
     /// The rates, or the next state, of a state.

@@ -17,18 +17,20 @@
 //! ```
 
 mod alike;
+mod blocks;
 mod compile;
 mod evaluate;
+mod function;
 mod law;
-mod number;
 mod problem;
 mod program;
 mod syntax;
 
 pub use alike::{nearest_ids, nearest_name};
+pub use blocks::Blocks;
+pub use compile::{Clauses, Comparison};
 pub use evaluate::{Evaluator, Everyone, Fault, Hearing};
-pub use law::{Kind, Law, LawError, LawText, Parameter, Time, Variable};
-pub use number::{Function, Number};
+pub use law::{Drawn, Kind, Law, LawError, LawText, Parameter, Time, Variable};
 pub use problem::Problem;
 pub use program::Program;
 pub use syntax::{KEYWORDS, Located, Node, NodeKind, Relation, parse_domain, parse_property};

@@ -3,7 +3,7 @@
 //! Things are numbered in the order in which they were made, so that what a thing needs has a smaller number. An *agent variable* (a slot) is bound by
 //! a loop; slot 0 stands for the flock, slot 1 for the agent whose rates are asked for. A thing belongs to the innermost slot that it depends on.
 
-use super::number::Function;
+use super::function::Function;
 use super::syntax::Relation;
 use arithmetic::{Rational, Ring, rational};
 use num_traits::Zero;
@@ -277,7 +277,12 @@ impl Things {
     }
 
     /// The things of a slot that these need, in turn, and what they need from outside.
-    fn plan(&self, slot: Slot, roots: &[Id], done: &BTreeSet<Id>) -> (Vec<Step>, BTreeSet<Id>, BTreeSet<Id>) {
+    fn plan(
+        &self,
+        slot: Slot,
+        roots: &[Id],
+        (done, wanted): (&BTreeSet<Id>, &BTreeSet<Id>),
+    ) -> (Vec<Step>, BTreeSet<Id>, BTreeSet<Id>) {
         let (mut here, mut outside) = (BTreeSet::new(), BTreeSet::new());
         let mut rounds: HashMap<usize, Round> = HashMap::new();
         let mut open = roots.to_vec();
@@ -295,7 +300,7 @@ impl Things {
             open.extend(self.needs(&self.ops[id]));
             if let Op::Gathered(number, place) = self.ops[id] {
                 let round = rounds.entry(number).or_insert_with(|| {
-                    let (round, needed) = self.round(number);
+                    let (round, needed) = self.round(number, wanted);
                     open.extend(needed);
                     round
                 });
@@ -314,21 +319,41 @@ impl Things {
     }
 
     /// A loop, and what it needs from outside.
-    fn round(&self, number: usize) -> (Round, BTreeSet<Id>) {
+    fn round(&self, number: usize, wanted: &BTreeSet<Id>) -> (Round, BTreeSet<Id>) {
         let this = &self.loops[number];
         let first: Vec<Id> = this.condition.into_iter().collect();
-        let (before, done, mut outside) = self.plan(this.slot, &first, &BTreeSet::new());
-        let bodies: Vec<Id> = this.bodies.iter().map(|(_, body)| *body).collect();
-        let (after, _, further) = self.plan(this.slot, &bodies, &done);
+        let (before, done, mut outside) = self.plan(this.slot, &first, (&BTreeSet::new(), wanted));
+        let is_wanted =
+            |place: usize| self.known.get(&Op::Gathered(number, place)).is_some_and(|id| wanted.contains(id));
+        let bodies = this.bodies.iter().enumerate().filter(|(place, _)| is_wanted(*place)).map(|(_, (_, body))| *body);
+        let bodies: Vec<Id> = bodies.collect();
+        let (after, _, further) = self.plan(this.slot, &bodies, (&done, wanted));
         outside.extend(further);
         (Round { number, before, after, results: Vec::new() }, outside)
     }
 
+    /// All that some things need: of what a loop gathers for several programs, each takes its own.
+    pub fn wanted(&self, outputs: &[Id]) -> BTreeSet<Id> {
+        let (mut wanted, mut open) = (BTreeSet::new(), outputs.to_vec());
+        while let Some(id) = open.pop() {
+            if !wanted.insert(id) {
+                continue;
+            }
+            open.extend(self.needs(&self.ops[id]));
+            if let Op::Gathered(number, place) = self.ops[id] {
+                open.extend(self.loops[number].condition);
+                open.push(self.loops[number].bodies[place].1);
+            }
+        }
+        wanted
+    }
+
     /// The program that computes these things: of each agent where they may depend on it, of the flock otherwise.
     pub fn program(&self, outputs: Vec<Id>) -> Program {
-        let (each, _, outside) = self.plan(OWN, &outputs, &BTreeSet::new());
+        let (none, wanted) = (BTreeSet::new(), self.wanted(&outputs));
+        let (each, _, outside) = self.plan(OWN, &outputs, (&none, &wanted));
         let outside: Vec<Id> = outside.into_iter().collect();
-        let (once, ..) = self.plan(FLOCK, &outside, &BTreeSet::new());
+        let (once, ..) = self.plan(FLOCK, &outside, (&none, &wanted));
         Program { ops: self.ops.clone(), loops: self.loops.clone(), once, each, outputs, slots: self.slots.clone() }
     }
 }

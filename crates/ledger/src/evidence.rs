@@ -45,6 +45,21 @@ impl Grade {
         matches!(self, Grade::Identity | Grade::Exhaustive | Grade::Fuzzed)
     }
 
+    /// What it means, in a few words; `notes/guarantees.md` has the whole.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Grade::Kernel => "proved in Coq",
+            Grade::Identity => "identity tested at random points, with a bound on the error",
+            Grade::Exhaustive => "every case of a finite family",
+            Grade::Certified => "implied by enclosures",
+            Grade::Argued => "proof on paper, with computed checks",
+            Grade::Exact => "exact arithmetic on named instances",
+            Grade::Simulated => "floating-point runs",
+            Grade::Fuzzed => "random cases",
+            Grade::Text => "the text against itself",
+        }
+    }
+
     /// The word used in the ledger.
     pub fn word(self) -> &'static str {
         match self {

@@ -27,7 +27,7 @@ pub use outcome::{CheckError, Outcome};
 pub use proofs::Proofs;
 pub use record::Record;
 pub use run::Run;
-pub use runner::{Ledger, LedgerError, Options, Report, recorded_row};
+pub use runner::{Ledger, LedgerError, Options, Report, is_of_paper, recorded_row};
 pub use tables::{Listed, Recorded, listed, recorded};
 pub use verdict::{Fault, Verdict};
 

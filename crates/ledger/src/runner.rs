@@ -251,7 +251,7 @@ impl Ledger {
         let paper_of = |id: &str| id.split('.').next().unwrap_or_default().to_string();
         let known: BTreeSet<String> = self.listed_ids().chain(self.ids()).map(paper_of).collect();
         for paper in papers {
-            if !known.contains(paper) {
+            if !known.iter().any(|known| is_of_paper(known, paper)) {
                 let known: Vec<String> = known.into_iter().collect();
                 return Err(LedgerError::NoPaper(paper.clone(), known.join(", ")));
             }
@@ -262,7 +262,7 @@ impl Ledger {
                 return Err(if is_listed { LedgerError::NotBuilt } else { LedgerError::Unknown }(id.clone()));
             }
         }
-        let of_papers = |id: &str| papers.is_empty() || papers.contains(&paper_of(id));
+        let of_papers = |id: &str| papers.is_empty() || papers.iter().any(|paper| is_of_paper(&paper_of(id), paper));
         let wanted = |id: &&str| of_papers(id) && (claims.is_empty() || claims.iter().any(|c| c == id));
         Ok(self.ids().filter(wanted).map(String::from).collect())
     }
@@ -424,6 +424,12 @@ fn abandoned(registered: &Registered, why: String, after: Duration) -> Entry {
 }
 fn words(grades: &[Grade]) -> String {
     grades.iter().map(|grade| grade.word()).collect::<Vec<_>>().join(",")
+}
+
+/// Whether a paper is the one that is asked for, or one of several by the same authors: `tanner1` and `tanner2` are `tanner`.
+pub fn is_of_paper(paper: &str, asked: &str) -> bool {
+    let rest = paper.strip_prefix(asked);
+    rest.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit())) && !asked.is_empty()
 }
 
 /// The row of an entry in the table of recorded verdicts.

@@ -14,10 +14,11 @@ mod golden;
 mod individual;
 mod jet;
 mod lanes;
+mod near;
 mod rk4;
-mod side_by_side;
 mod sine;
 mod statistics;
+mod system;
 mod turn_count;
 pub mod validated;
 
@@ -30,10 +31,11 @@ pub use golden::golden;
 pub use individual::{IndividualFlock, IndividualLaw, Moving, Pace, Rates, Sensing, Switch, Turns};
 pub use jet::Jet;
 pub use lanes::Lanes;
+pub use near::NearLists;
 pub use rk4::Rk4;
-pub use side_by_side::{on_a_thread, side_by_side, while_one_waits};
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
 pub use statistics::{Sample, Share};
+pub use system::System;
 pub use turn_count::whole_turns;
 
 /// The right-hand side of `dy/dt = f(t, y)`. A field may keep scratch space, so it is asked by a mutable reference; the

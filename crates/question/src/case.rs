@@ -107,7 +107,7 @@ impl<'q> Case<'q> {
                 .scenario()
                 .ok_or_else(|| Failure::Refused(0, Problem::Other("the question has no `scenario`".to_string())))?;
             let refused = |message: String| Failure::Refused(0, Problem::Other(message));
-            if scenario.is_flock {
+            if scenario.is_flock() {
                 let start = scenario.flock(&self.bindings).map_err(refused)?;
                 return Ok(Moving::Flock(Box::new(FlockSubject::new(start, self.progress))));
             }

@@ -16,7 +16,7 @@ use crate::shrink::Shrunk;
 use crate::timeline::Measured;
 use crate::truth::{Margin, Truth};
 use arithmetic::Progress;
-use motion::side_by_side;
+use arithmetic::threads::side_by_side;
 
 /// Boxes that a continuum is divided into at most, for all members of the family together.
 const MOST_BOXES: u64 = 200_000;

@@ -6,25 +6,26 @@ use crate::evaluate::{Evaluator, horizon};
 use crate::question::Question;
 use arithmetic::{Progress, Rational, rational};
 use models::averaging::Start;
+use scenario::Source;
 
 /// What moves.
 #[derive(Debug, Clone)]
 pub enum Instance {
     /// An averaging flock.
     Flock(Start),
-    /// A scenario as the text that `simulate` reads, up to the last time that the property looks at.
-    Motion(String),
+    /// A scenario up to the last time that the property looks at.
+    Motion(Box<Source>),
 }
 
 impl Question {
     /// The scenario of the question with these numbers; nothing where it has none.
     pub fn moving(&self, bindings: &Bindings, progress: &dyn Progress) -> Option<Instance> {
         let (scenario, point) = (self.scenario()?, bindings.middle());
-        if scenario.is_flock {
+        if scenario.is_flock() {
             return scenario.flock(&point).ok().map(Instance::Flock);
         }
         let until = self.last_time(&point, progress).filter(|t| *t > rational(0, 1)).unwrap_or(rational(1, 1));
-        scenario.run_text(&point, &until).ok().map(Instance::Motion)
+        scenario.source(&point, &until).ok().map(|source| Instance::Motion(Box::new(source)))
     }
 
     /// The last time that the property looks at.

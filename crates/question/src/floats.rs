@@ -7,7 +7,6 @@ use crate::question::Question;
 use crate::subject::run::FloatRun;
 use crate::truth::Truth;
 use arithmetic::Progress;
-use scenario::Scenario;
 
 impl Question {
     /// A sentence on the property at the times of a run, where there is a motion to run.
@@ -15,8 +14,7 @@ impl Question {
         let property = self.property.as_ref()?;
         let point = bindings.middle();
         let until = self.last_time(&point, progress)?;
-        let text = self.scenario()?.run_text(&point, &until).ok()?;
-        let rows = Scenario::read(&text).ok()?.run(progress).rows;
+        let rows = self.scenario()?.run(&point, &until).ok()?.run(progress).rows;
         let count = rows.len();
         let run = FloatRun { rows };
         let floats = Case::of_floats(self, point, run, progress);

@@ -1,7 +1,9 @@
 //! All names that an expression may use, with what they mean: the source of `check --names` and of the page in the notes.
 
 use crate::error::Problem;
+use scenario::Model;
 use std::fmt::Write;
+use std::sync::LazyLock;
 
 /// What a quantity is measured on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -43,7 +45,7 @@ impl Subject {
 }
 
 /// A quantity of a subject.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Quantity {
     /// Its name.
     pub name: &'static str,
@@ -72,17 +74,8 @@ const fn truth(subject: Subject, name: &'static str, meaning: &'static str) -> Q
     Quantity { name, subject, arguments: &[], is_truth: true, moves: false, meaning }
 }
 
-const fn moving(
-    subject: Subject,
-    name: &'static str,
-    arguments: &'static [&'static str],
-    meaning: &'static str,
-) -> Quantity {
-    Quantity { name, subject, arguments, is_truth: false, moves: true, meaning }
-}
-
-/// All quantities.
-pub const QUANTITIES: &[Quantity] = &[
+/// Those that do not move.
+const FIXED: &[Quantity] = &[
     fixed(Subject::Graph, "n", &[], "number of vertices"),
     fixed(Subject::Graph, "edges", &[], "number of edges; of a directed graph, of arcs"),
     fixed(
@@ -136,62 +129,37 @@ pub const QUANTITIES: &[Quantity] = &[
     fixed(Subject::Flock, "switches", &[], "number of times at which the network changes"),
     fixed(Subject::Flock, "flocks", &[], "number of connected parts of the network at the end"),
     truth(Subject::Flock, "steady", "the network changes finitely often and then never again"),
-    moving(Subject::Flock, "components", &[], "number of connected parts of the network at the time"),
-    moving(Subject::Flock, "links", &[], "number of edges of the network at the time"),
-    moving(Subject::Flock, "disagreement", &[], "sqrt of the sum of the squares of v_i - mean at the time"),
-    moving(Subject::Flock, "min_distance", &[], "smallest distance of two birds at the time"),
-    moving(Subject::Motion, "potential", &[], "sum of the potentials over the links"),
-    moving(Subject::Motion, "kinetic", &[], "half the sum of the squared speeds"),
-    moving(Subject::Motion, "energy", &[], "potential + kinetic"),
-    moving(
-        Subject::Motion,
-        "saturated_energy",
-        &[],
-        "kinetic and, of velocity alignment, the potential at the smaller of distance and radius over all pairs; on fixed graphs the energy",
-    ),
-    moving(Subject::Motion, "momentum", &["k"], "k-th number, 1 or 2, of the sum of the velocities"),
-    moving(
-        Subject::Motion,
-        "components",
-        &[],
-        "number of connected parts of the network in force, arcs taken as edges",
-    ),
-    moving(Subject::Motion, "disagreement", &[], "sqrt of the sum of the squares of v_i - mean"),
-    moving(Subject::Motion, "heading_spread", &[], "largest angle between two headings, of heading alignment"),
-    moving(Subject::Motion, "min_distance", &[], "smallest distance of two agents"),
-    moving(
-        Subject::Motion,
-        "order",
-        &["m"],
-        "modulus of p_m, the mean of e^(i m theta)/m over the agents; `order` is `order(1)`",
-    ),
-    moving(Subject::Motion, "phase_potential", &[], "W_1 of the phases"),
-    moving(Subject::Motion, "orientation_potential", &[], "-K1 W_1, of the orientation control with the gain K1"),
-    moving(Subject::Motion, "spacing_potential", &[], "S of the centres of the circles of steered particles"),
-    moving(
-        Subject::Motion,
-        "composite_potential",
-        &[],
-        "K0 S, or (K0/2) sum |c_k - c_0|² with a beacon, plus orientation_potential/omega0²",
-    ),
-    moving(Subject::Motion, "centre_spread", &[], "largest distance of a centre of these circles from their mean"),
-    moving(
-        Subject::Motion,
-        "largest_deviation",
-        &[],
-        "largest size of the deviation y_k - y_1 of a follower from the leader",
-    ),
-    moving(Subject::Motion, "last_deviation", &[], "deviation y_N - y_1 of the last car from the leader, car 1"),
-    moving(Subject::Motion, "min_gap", &[], "smallest gap of two successive cars"),
-    moving(Subject::Motion, "max_gap", &[], "largest gap of two successive cars"),
 ];
 
+/// All quantities: those that do not move, then the observables of flocks and of motions.
+pub fn quantities() -> &'static [Quantity] {
+    static ALL: LazyLock<Vec<Quantity>> = LazyLock::new(|| {
+        let of = |subject: Subject| {
+            let decided = scenario::QUANTITIES.iter().filter(move |row| {
+                let has = |model: &Model| match subject {
+                    Subject::Flock => *model == Model::Flock,
+                    _ => model.is_enclosed(),
+                };
+                row.undecided.is_none() && row.models.iter().any(has)
+            });
+            decided.map(move |row| Quantity {
+                name: row.name,
+                subject,
+                arguments: row.arguments,
+                is_truth: false,
+                moves: true,
+                meaning: row.meaning,
+            })
+        };
+        FIXED.iter().cloned().chain(of(Subject::Flock)).chain(of(Subject::Motion)).collect()
+    });
+    &ALL
+}
+
 /// Observables of `simulate` that no question decides, with the reason.
-pub const NOT_DECIDED: &[(&str, &str)] = &[
-    ("clusters", "an integer with a tolerance in degrees, which jumps where two phases come near each other"),
-    ("pattern_order", "an integer with a tolerance in degrees, which jumps, and which not every state has"),
-    ("mean_neighbours", "only the model with noise has it, whose motion is drawn at random and not enclosed"),
-];
+pub fn not_decided() -> impl Iterator<Item = (&'static str, &'static str)> {
+    scenario::QUANTITIES.iter().filter_map(|row| Some((row.name, row.undecided?)))
+}
 
 /// A function of numbers, or a constant.
 #[derive(Debug)]
@@ -350,30 +318,30 @@ fn sections() -> Vec<(String, Vec<(String, &'static str)>)> {
         ),
     ];
     for subject in [Subject::Graph, Subject::Platoon, Subject::Matrices, Subject::Flock, Subject::Motion] {
-        let own = QUANTITIES.iter().filter(|quantity| quantity.subject == subject);
+        let own = quantities().iter().filter(|quantity| quantity.subject == subject);
         let rows = own.map(|quantity| (with_arguments(quantity.name, quantity.arguments), quantity.meaning));
         sections.push((format!("Quantities of {}", subject.words()), rows.collect()));
     }
-    let others = NOT_DECIDED.iter().map(|(name, why)| ((*name).to_string(), *why));
+    let others = not_decided().map(|(name, why)| (name.to_string(), why));
     sections.push(("Observables of `simulate` that no question decides".to_string(), others.collect()));
     sections
 }
 
 /// The quantity of that name, of one of these subjects.
 pub(crate) fn quantity_of(name: &str, subjects: &[Subject]) -> Option<&'static Quantity> {
-    QUANTITIES.iter().find(|quantity| quantity.name == name && subjects.contains(&quantity.subject))
+    quantities().iter().find(|quantity| quantity.name == name && subjects.contains(&quantity.subject))
 }
 
 /// What is wrong with a name that is no quantity of the subjects: another subject's, or none.
 pub(crate) fn unknown_quantity(owner: Option<&str>, name: &str, known: &[String]) -> Problem {
-    if let Some(quantity) = QUANTITIES.iter().find(|quantity| quantity.name == name) {
+    if let Some(quantity) = quantities().iter().find(|quantity| quantity.name == name) {
         return Problem::NoSubject {
             name: name.to_string(),
             subject: quantity.subject.words(),
             missing: quantity.subject.needs().to_string(),
         };
     }
-    if let Some((_, why)) = NOT_DECIDED.iter().find(|(other, _)| *other == name) {
+    if let Some((_, why)) = not_decided().find(|(other, _)| *other == name) {
         return Problem::Other(format!("`{name}` is an observable of `simulate` that no question decides: {why}"));
     }
     let full = owner.map_or(name.to_string(), |owner| format!("{owner}.{name}"));

@@ -5,7 +5,7 @@
 //! degree at most `D`. The norm of `a` is an integer, so `a = 0` or `|a| >= 2^(-(D-1) u)`, and the number is zero if it is smaller than
 //! `2^(-(D-1) u - l)` (Burnikel, Funke, Mehlhorn, Schirra and Schmitt 2001). So equality is decided, too.
 
-use arithmetic::{ArithmeticError, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, rational};
+use arithmetic::{ArithmeticError, Dyadic, Field, Interval, Number as _, Rational, Real, Ring, Sign, Signed, rational};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed as _, ToPrimitive, Zero};

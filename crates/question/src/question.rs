@@ -8,7 +8,7 @@ mod used;
 use crate::domain::{Bound, Classes, Domain, Members, Sort};
 use crate::error::{Place, Problem, QuestionError};
 use crate::failure::Failure;
-use crate::names::{FUNCTIONS, QUANTITIES, Subject};
+use crate::names::{FUNCTIONS, Subject, quantities};
 use crate::scenario_file::ScenarioFile;
 use crate::syntax::Node;
 use algebra::graph::LaplacianKind;
@@ -76,7 +76,7 @@ impl Question {
             subjects.push(Subject::Matrices);
         }
         match &self.scenario {
-            Some(scenario) if scenario.is_flock => subjects.push(Subject::Flock),
+            Some(scenario) if scenario.is_flock() => subjects.push(Subject::Flock),
             Some(_) => subjects.push(Subject::Motion),
             None => {}
         }
@@ -91,7 +91,7 @@ impl Question {
     pub(crate) fn known_names(&self) -> Vec<String> {
         let bound = self.bounds.iter().map(|bound| bound.name.to_string());
         let functions = FUNCTIONS.iter().map(|function| function.name.to_string());
-        let own = QUANTITIES.iter().filter(|quantity| self.subjects.contains(&quantity.subject));
+        let own = quantities().iter().filter(|quantity| self.subjects.contains(&quantity.subject));
         bound.chain(own.map(|quantity| quantity.name.to_string())).chain(functions).collect()
     }
 

@@ -1,19 +1,26 @@
 //! The scenario of a question: a flock in JSON or a motion in TOML, with the bound numbers put in.
 
 use crate::bindings::{Bindings, Value};
+use crate::question::Files;
 use crate::subject::motion::Start as List;
 use arithmetic::{Rational, rational};
 use models::averaging::Start;
-use models::averaging::read::{Model, read_flock};
-use scenario::{ExactMotion, is_drawn, with_numbers};
+use models::averaging::read::{Model, flock_of};
+use scenario::{ConfigError, ExactMotion, Path, Scenario, Source, Step, WithLaw, with_law};
+use serde_json::Value as Json;
 
 /// A scenario as its file has it.
 #[derive(Debug, Clone)]
 pub(crate) struct ScenarioFile {
     pub name: String,
-    text: String,
-    pub is_flock: bool,
-    is_drawn: bool,
+    whole: WithLaw,
+    file: File,
+}
+
+#[derive(Debug, Clone)]
+enum File {
+    Flock(Json),
+    Motion { source: Box<Source>, is_drawn: bool },
 }
 
 /// Numbers of the start that are intervals.
@@ -25,15 +32,29 @@ pub(crate) fn is_place(name: &str) -> bool {
 }
 
 impl ScenarioFile {
-    /// Reads it once as it is, so that its own errors come first.
-    pub fn read(name: &str, text: &str) -> Result<Self, String> {
-        let is_flock = text.trim_start().starts_with('{');
-        let mut file = ScenarioFile { name: name.to_string(), text: text.to_string(), is_flock, is_drawn: false };
-        if is_flock {
-            file.flock(&Bindings::default())?;
+    /// Reads it once as it is, so that its own errors come first; the file of its law lies beside it.
+    pub fn read(name: &str, text: &str, files: Files) -> Result<Self, String> {
+        let problem = |error: &dyn std::fmt::Display| format!("{name}: {error}");
+        let (whole, file);
+        if text.trim_start().starts_with('{') {
+            // No key may stand twice.
+            let json = algebra::json::parse(text);
+            file = File::Flock(json.map_err(|error| problem(&format!("not valid JSON: {error}")))?);
+            whole = WithLaw::alone(text);
         } else {
-            file.motion(&Bindings::default())?;
-            file.is_drawn = is_drawn(text).map_err(|error| file.problem(&error))?;
+            let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
+            let beside =
+                |law: &str| files(&if folder.is_empty() { law.to_string() } else { format!("{folder}/{law}") });
+            whole = with_law(text, &beside).map_err(|error| problem(&error))?;
+            let told = |error: ConfigError| problem(&whole.told(&error));
+            let source = Box::new(Source::parse(whole.text()).map_err(told)?);
+            let is_drawn = source.is_drawn().map_err(told)?;
+            file = File::Motion { source, is_drawn };
+        }
+        let file = ScenarioFile { name: name.to_string(), whole, file };
+        match file.is_flock() {
+            true => file.flock(&Bindings::default()).map(drop)?,
+            false => file.motion(&Bindings::default()).map(drop)?,
         }
         Ok(file)
     }
@@ -42,118 +63,134 @@ impl ScenarioFile {
         format!("{}: {error}", self.name)
     }
 
-    /// A flock as JSON, in which no key may stand twice.
-    fn json(&self) -> Result<serde_json::Value, String> {
-        algebra::json::parse(&self.text).map_err(|error| self.problem(&format!("not valid JSON: {error}")))
+    fn refused(&self, error: &ConfigError) -> String {
+        self.problem(&self.whole.told(error))
     }
 
     /// The text as one line, for the canonical form of a question.
     pub fn digest(&self) -> String {
-        format!("{:?}", self.text)
+        format!("{:?}", self.whole.text())
+    }
+
+    /// Whether it is an averaging flock.
+    pub fn is_flock(&self) -> bool {
+        matches!(self.file, File::Flock(_))
     }
 
     /// Whether a bound `seed` draws its start.
     pub fn is_drawn(&self) -> bool {
-        self.is_drawn
+        matches!(self.file, File::Motion { is_drawn: true, .. })
+    }
+
+    fn no_place(&self, name: &str) -> String {
+        self.problem(&format!("there is no number at `{name}`"))
+    }
+
+    fn place(&self, name: &str) -> Result<Path, String> {
+        Path::parse(name).ok_or_else(|| self.no_place(name))
     }
 
     /// Whether a place is there.
     pub fn check_place(&self, name: &str) -> Result<(), String> {
-        let numbers = [(name.to_string(), rational(1, 1))];
-        if self.is_flock {
-            let mut value = self.json()?;
-            return match json_place(&mut value, name) {
-                Some(_) => Ok(()),
-                None => Err(format!("{}: there is no number at `{name}`", self.name)),
-            };
-        }
-        with_numbers(&self.text, &numbers).map(|_| ()).map_err(|error| self.problem(&error))
+        let path = self.place(name)?;
+        let is_there = match &self.file {
+            File::Flock(json) => number_at(&mut json.clone(), &path).is_some(),
+            File::Motion { source, .. } => source.with([(&path, rational(1, 1))]).is_ok(),
+        };
+        if is_there { Ok(()) } else { Err(self.no_place(name)) }
     }
 
     /// The flock with the numbers that are bound.
     pub fn flock(&self, bindings: &Bindings) -> Result<Start, String> {
-        let mut value = self.json()?;
+        let File::Flock(json) = &self.file else { return Err(self.problem(&"it is a motion in TOML")) };
+        let mut json = json.clone();
         for (name, bound) in bindings.iter().filter(|(name, _)| is_place(name)) {
             let Value::Number(q) = bound else {
                 return Err(format!("`{name}`: the numbers of an averaging flock are single ones, not intervals"));
             };
-            if let Some(place) = json_place(&mut value, name) {
-                *place = serde_json::Value::from(q.to_string());
+            if let Some(place) = Path::parse(name).and_then(|path| number_at(&mut json, &path)) {
+                *place = Json::from(q.to_string());
             }
         }
-        match read_flock(&value.to_string()).map_err(|error| self.problem(&error))?.model {
+        match flock_of(json).map_err(|error| self.problem(&error))?.model {
             Model::D { start, control: None } => Ok(start),
-            _ => Err(format!("{}: questions are about flocks of model D without `control`", self.name)),
+            _ => Err(self.problem(&"questions are about flocks of model D without `control`")),
         }
     }
 
-    /// The scenario of a run until a time, with the numbers that are bound.
-    pub fn run_text(&self, bindings: &Bindings, until: &Rational) -> Result<String, String> {
-        if self.is_flock {
-            return Err("an averaging flock is exact".to_string());
-        }
-        let mut numbers = self.numbers(bindings)?.0;
-        numbers.push(("run.until".to_string(), until.clone()));
-        with_numbers(&self.text, &numbers).map_err(|error| self.problem(&error))
+    /// The scenario until a time, with the numbers that are bound.
+    pub fn source(&self, bindings: &Bindings, until: &Rational) -> Result<Source, String> {
+        let until = (self.place("run.until")?, until.clone());
+        Ok(self.bound(bindings, Some(until))?.0)
+    }
+
+    /// A run of it until a time.
+    pub fn run(&self, bindings: &Bindings, until: &Rational) -> Result<Scenario, String> {
+        Scenario::of(&self.source(bindings, until)?).map_err(|error| self.refused(&error))
     }
 
     /// The motion with the numbers that are bound, and those that are intervals.
     pub fn motion(&self, bindings: &Bindings) -> Result<(ExactMotion, Wide), String> {
-        let (numbers, wide) = self.numbers(bindings)?;
-        let text = with_numbers(&self.text, &numbers).map_err(|error| self.problem(&error))?;
-        let motion = ExactMotion::read(&text).map_err(|error| self.problem(&error))?;
-        Ok((motion, wide))
+        let (source, wide) = self.bound(bindings, None)?;
+        Ok((ExactMotion::of(&source).map_err(|error| self.refused(&error))?, wide))
     }
 
-    /// Places with their numbers, and the intervals among them.
-    fn numbers(&self, bindings: &Bindings) -> Result<(Vec<(String, Rational)>, Wide), String> {
+    /// The scenario with the numbers that are bound and one more, and the intervals among them, which have their middles in it.
+    fn bound(&self, bindings: &Bindings, further: Option<(Path, Rational)>) -> Result<(Source, Wide), String> {
+        let File::Motion { source, is_drawn } = &self.file else {
+            return Err("an averaging flock is exact".to_string());
+        };
         let (mut numbers, mut wide) = (Vec::new(), Vec::new());
         for (name, bound) in bindings.iter() {
             match bound {
-                Value::Number(q) if is_place(name) => numbers.push((name.to_string(), q.clone())),
-                Value::Number(q) if name == "seed" && self.is_drawn => {
-                    numbers.push(("state.random.seed".to_string(), q.clone()));
+                Value::Number(q) if is_place(name) => numbers.push((self.place(name)?, q.clone())),
+                Value::Number(q) if name == "seed" && *is_drawn => {
+                    numbers.push((self.place("state.random.seed")?, q.clone()));
                 }
-                Value::Integers(..) if name == "seed" && self.is_drawn => {
+                Value::Integers(..) if name == "seed" && *is_drawn => {
                     return Err("`seed` takes single integers, as in seed = \"1..1000\"".to_string());
                 }
                 value if is_place(name) => {
                     let Some((lo, hi)) = value.ends() else { continue };
-                    let (list, agent, coordinate) = start_place(name).ok_or_else(|| {
+                    let path = self.place(name)?;
+                    let (list, agent, coordinate) = start_place(&path).ok_or_else(|| {
                         format!("`{name}`: only positions, velocities and phases of [state] may range over an interval")
                     })?;
-                    numbers.push((name.to_string(), (&lo + &hi) * rational(1, 2)));
+                    numbers.push((path, (&lo + &hi) * rational(1, 2)));
                     wide.push((list, agent, coordinate, lo, hi));
                 }
                 _ => {}
             }
         }
-        Ok((numbers, wide))
+        numbers.extend(further);
+        let numbers = numbers.iter().map(|(path, number)| (path, number.clone()));
+        Ok((source.with(numbers).map_err(|error| self.problem(&error))?, wide))
     }
 }
 
 /// `state.velocities[2][1]` as list, agent and coordinate from 0.
-fn start_place(name: &str) -> Option<(List, usize, usize)> {
-    let (list, rest) = name.strip_prefix("state.")?.split_once('[')?;
-    let list = match list {
+fn start_place(path: &Path) -> Option<(List, usize, usize)> {
+    let (agent, coordinate, list) = match path.steps() {
+        [Step::Key(state), Step::Key(list), Step::Index(agent)] if state == "state" => (*agent, 0, list),
+        [Step::Key(state), Step::Key(list), Step::Index(agent), Step::Index(coordinate)] if state == "state" => {
+            (*agent, *coordinate, list)
+        }
+        _ => return None,
+    };
+    let list = match list.as_str() {
         "positions" => List::Positions,
         "velocities" => List::Velocities,
         "phases" => List::Phases,
-        _ => return None,
+        own => List::Own(own.to_string()),
     };
-    let mut indices = rest.strip_suffix(']')?.split("][").map(|index| index.parse::<usize>().ok()?.checked_sub(1));
-    let agent = indices.next()??;
-    let coordinate = indices.next().unwrap_or(Some(0))?;
     Some((list, agent, coordinate))
 }
 
-/// The number at `velocities[2][1]` of a JSON document, indices from 1.
-fn json_place<'v>(value: &'v mut serde_json::Value, name: &str) -> Option<&'v mut serde_json::Value> {
-    let (key, rest) = name.split_once('[').map_or((name, ""), |(key, _)| (key, &name[key.len()..]));
-    let mut place = value.get_mut(key)?;
-    for index in rest.split('[').skip(1) {
-        let index: usize = index.strip_suffix(']')?.parse().ok()?;
-        place = place.get_mut(index.checked_sub(1)?)?;
-    }
+/// The number at a place of a JSON document.
+fn number_at<'v>(value: &'v mut Json, path: &Path) -> Option<&'v mut Json> {
+    let place = path.steps().iter().try_fold(value, |place, step| match step {
+        Step::Key(name) => place.get_mut(name),
+        Step::Index(index) => place.get_mut(*index),
+    })?;
     (place.is_string() || place.is_number()).then_some(place)
 }

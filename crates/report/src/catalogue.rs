@@ -1,7 +1,7 @@
 //! All claims with their recorded verdicts: searched, filtered, and the ids nearest to a wrong one.
 
 use super::Figure;
-use ledger::{Ledger, LedgerError, Recorded};
+use ledger::{Ledger, LedgerError, Recorded, is_of_paper};
 use question::nearest_ids;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -26,6 +26,16 @@ impl<'a> Listing<'a> {
     /// The first part of the id.
     pub fn paper(&self) -> &str {
         self.id.split('.').next().unwrap_or_default()
+    }
+
+    /// Whether it is a result of our own, or a correction.
+    pub fn is_own(&self) -> bool {
+        self.paper() == "beyond"
+    }
+
+    /// Whether it belongs to one of these papers; every claim does where none is named.
+    fn is_of(&self, papers: &[String]) -> bool {
+        papers.is_empty() || papers.iter().any(|paper| is_of_paper(self.paper(), paper))
     }
 
     /// Clauses that are covered for all parameters, of how many.
@@ -72,13 +82,26 @@ impl<'a> Listing<'a> {
     }
 }
 
-/// All claims of the ledger, sorted by id.
+/// All claims of the ledger: the statements of the papers, then our own, each sorted by id.
 pub fn catalogue<'a>(ledger: &'a Ledger) -> Vec<Listing<'a>> {
     let listing = |recorded: Recorded<'a>| {
         let source = ledger.source(recorded.id)?;
         Some(Listing { id: recorded.id, place: &source.place, statement: &source.statement, recorded })
     };
-    ledger.recorded().filter_map(listing).collect()
+    let mut all: Vec<Listing<'a>> = ledger.recorded().filter_map(listing).collect();
+    all.sort_by_key(|claim| claim.is_own());
+    all
+}
+
+/// The claims of these papers (of all where none is named) that stand at a place, such as `Theorem 1`: where the place is that, or begins with it.
+pub fn of_place<'a>(all: &[Listing<'a>], papers: &[String], place: &str) -> Vec<&'a str> {
+    let wanted = place.trim().to_lowercase();
+    let begins = |claim: &&Listing<'a>| {
+        let rest = claim.place.to_lowercase();
+        let rest = rest.strip_prefix(&wanted).map(str::to_string);
+        rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric)) && claim.is_of(papers)
+    };
+    all.iter().filter(begins).map(|claim| claim.id).collect()
 }
 
 /// What is looked for; an empty list asks for nothing, and the others must all be met.
@@ -104,7 +127,7 @@ impl Query {
         let one_of = |asked: &[String], word: &str| asked.is_empty() || asked.iter().any(|a| a == word);
         let text = format!("{} {} {}", claim.id, claim.place, claim.statement).to_lowercase();
         self.words.iter().all(|word| text.contains(&word.to_lowercase()))
-            && one_of(&self.papers, claim.paper())
+            && claim.is_of(&self.papers)
             && one_of(&self.verdicts, claim.recorded.verdict)
             && one_of(&self.faults, claim.fault().unwrap_or("none"))
             && one_of(&self.scopes, claim.scope())

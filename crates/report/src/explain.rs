@@ -1,6 +1,6 @@
 //! One claim in words.
 
-use super::Figure;
+use super::{Figure, WrittenProof};
 use ledger::{Entry, Ledger, Scope, correction_id};
 use proofs::kernel::proofs_of;
 use serde_json::{Value, json};
@@ -68,13 +68,9 @@ pub fn explain(entry: &Entry, ledger: &Ledger, width: usize) -> String {
     }
     for (theorem, _) in proofs_of(&entry.id) {
         if let Some((audit, statement)) = theorem.audited() {
-            let statement = statement.split_whitespace().collect::<Vec<_>>().join(" ");
-            section(
-                &mut text,
-                width,
-                "Coq",
-                &format!("{} : {statement}  (stated again in {})", theorem.path(), audit.name),
-            );
+            let place = format!("{} in {}.v, stated again in {}.v:", theorem.name, theorem.file, audit.name);
+            section(&mut text, width, "Coq", &place);
+            verbatim(&mut text, width, statement);
         }
     }
     let controls =
@@ -104,6 +100,52 @@ fn section(text: &mut String, width: usize, name: &str, body: &str) {
         text.push_str(&line);
         text.push('\n');
     }
+}
+
+/// Lines with their own indentation below a section.
+fn verbatim(text: &mut String, width: usize, lines: &str) {
+    let margin = |line: &&str| line.len() - line.trim_start().len();
+    let least =
+        lines.lines().skip(1).filter(|line| !line.trim().is_empty()).map(|line| margin(&line)).min().unwrap_or(0);
+    for (k, line) in lines.lines().enumerate() {
+        let line = if k == 0 { line.trim() } else { line.get(least..).unwrap_or_default().trim_end() };
+        let indent = " ".repeat(20 + margin(&line));
+        let rest = format!("{indent}  ");
+        let options = textwrap::Options::new(width).initial_indent(&indent).subsequent_indent(&rest);
+        for line in textwrap::wrap(line.trim_start(), options) {
+            text.push_str(&line);
+            text.push('\n');
+        }
+    }
+}
+
+/// The proofs on paper, as they stand in the notes, each with its file.
+pub fn explain_proofs(proofs: &[WrittenProof], width: usize) -> String {
+    let mut text = String::new();
+    for proof in proofs {
+        text += &format!("\n  {}\n\n", proof.file);
+        for line in proof.text.lines() {
+            let margin = " ".repeat(2 + line.len() - line.trim_start().len());
+            let rest = if line.trim_start().starts_with(|c: char| c.is_ascii_digit() || c == '-') {
+                format!("{margin}   ")
+            } else {
+                margin.clone()
+            };
+            let options = textwrap::Options::new(width.clamp(40, 120)).initial_indent(&margin).subsequent_indent(&rest);
+            text += &(textwrap::fill(line.trim_start(), options) + "\n");
+        }
+    }
+    text
+}
+
+/// What the grades and scopes of an explanation mean, each that stands in it once.
+pub fn legend(entry: &Entry, width: usize) -> String {
+    let mut parts: Vec<String> =
+        entry.grades().into_iter().map(|grade| format!("{}: {}", grade.word(), grade.meaning())).collect();
+    if !entry.evidence.is_empty() {
+        parts.push("[all]: for all parameters of the clause; [instances]: for named cases only".to_string());
+    }
+    textwrap::fill(&parts.join(". "), width.clamp(40, 120)) + if parts.is_empty() { "" } else { "\n" }
 }
 
 /// The same as JSON: the entry of the ledger, and beside it the derivation, controls that were not refuted, the theorems of Coq, the

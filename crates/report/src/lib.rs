@@ -17,13 +17,14 @@ mod simulation;
 mod site;
 mod table;
 mod tracks;
+mod written;
 
 /// Stands in signatures.
 pub use serde_json;
 
 pub use animation::animation;
-pub use catalogue::{Listing, Query, SCOPES, catalogue, catalogue_text, not_found};
-pub use explain::{explain, explanation};
+pub use catalogue::{Listing, Query, SCOPES, catalogue, catalogue_text, not_found, of_place};
+pub use explain::{explain, explain_proofs, explanation, legend};
 pub use export::{NamedArray, NamedMatrix, matrix_files, npz};
 pub use figures::{FIGURES, Figure, FigureError};
 pub use file::File;
@@ -38,3 +39,4 @@ pub use simulation::{
 pub use site::{Made, Site, SiteError, Texts};
 pub use table::{summary, verdict_table};
 pub use tracks::TracksReport;
+pub use written::{WrittenProof, written_proofs};

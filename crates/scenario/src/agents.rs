@@ -3,15 +3,16 @@
 use super::individual::{Located, Sampling};
 use super::known::{Known, options};
 use super::links::Guard;
+use super::model::Model;
 use super::network::{Change, Network};
-use super::observables::{Observable, min_distance, total};
+use super::observables::{Observable, measure, observe};
 use super::potential::PairPotential;
 use super::simulation::{Frame, Law};
 use super::turns::Turns;
+use super::view::{Amount, Law as Measured, Rows, View};
 use arithmetic::ArithmeticError;
 use models::double_integrator::{
-    self, Coordinates, Flock, Pair, State, Vector, disagreement, gyroscopic, heading_rate, heading_spread,
-    kinetic_energy, potential_energy, potential_gradients, saturated_potential, velocity_alignment,
+    self, Coordinates, Flock, Pair, State, Vector, gyroscopic, heading_rate, potential_gradients, velocity_alignment,
 };
 use motion::Moving;
 
@@ -65,18 +66,22 @@ impl Agents {
         &list[4 * self.count..]
     }
 
-    /// Kinetic energy, and the potential of all pairs, each once, those beyond the radius with its value there.
-    pub fn saturated_energy(&self, list: &[f64]) -> Result<f64, ArithmeticError> {
-        let (state, links) = (self.state(list), self.network.pairs());
-        let value = |_: usize, _: usize, s: &f64| self.potential.value(s);
-        let potential = match self.network.radius() {
-            None => potential_energy(&state.positions, links, PLANE, value)?,
-            Some(radius) => {
-                let beyond = self.potential.value(&(radius * radius))?;
-                saturated_potential(&state.positions, links, PLANE, value, &beyond)?
-            }
+    /// What is measured on a state.
+    fn view<'a>(&'a self, list: &'a [f64]) -> View<'a, f64> {
+        let model = match self.alignment {
+            Alignment::Velocities => Model::Velocities,
+            Alignment::Headings(_) => Model::Headings,
         };
-        Ok(potential + kinetic_energy(&state.velocities, PLANE)?)
+        let rows = |list: &'a [f64]| move || list.chunks_exact(2).map(<[f64]>::to_vec).collect();
+        let (positions, rest) = list.split_at(2 * self.count);
+        let (velocities, headings) = rest.split_at(2 * self.count);
+        View {
+            positions: Rows::of(self.count, rows(positions)),
+            velocities: Rows::of(self.count, rows(velocities)),
+            headings: Rows::of(headings.len(), || headings.iter().map(|theta| vec![*theta]).collect()),
+            law: Measured::Agents(self.potential.exact(), self.network.exact_radius()),
+            ..View::new(model, self.network.shown())
+        }
     }
 
     fn accelerations(&self, state: &State<f64>, headings: &[f64]) -> Result<Vec<Vector<f64>>, ArithmeticError> {
@@ -118,7 +123,10 @@ impl Located<0> for Agents {
     }
 
     fn energy(&self, list: &[f64]) -> Result<Option<f64>, ArithmeticError> {
-        self.saturated_energy(list).map(Some)
+        Ok(match measure("saturated_energy", &self.view(list))? {
+            Some(Amount::Number(energy)) => Some(energy),
+            _ => None,
+        })
     }
 }
 
@@ -201,29 +209,7 @@ impl Law for Agents {
     }
 
     fn observe(&self, _: f64, list: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
-        let state = self.state(list);
-        let places: Vec<Vec<f64>> = state.positions.iter().map(|r| r.to_vec()).collect();
-        let value = |_: usize, _: usize, s: &f64| self.potential.value(s);
-        let potential = potential_energy(&state.positions, self.network.pairs(), PLANE, value)?;
-        let kinetic = kinetic_energy(&state.velocities, PLANE)?;
-        let mut all = vec![
-            Observable::number("potential", potential),
-            Observable::number("kinetic", kinetic),
-            Observable::number("energy", potential + kinetic),
-        ];
-        match &self.alignment {
-            Alignment::Velocities => all.push(Observable::number("saturated_energy", self.saturated_energy(list)?)),
-            Alignment::Headings(_) => {
-                all.push(Observable::number("heading_spread", heading_spread(self.headings(list))));
-            }
-        }
-        all.extend([
-            Observable::number("disagreement", disagreement(&state)),
-            Observable::number("min_distance", min_distance(&places)),
-            Observable::count("components", self.network.components()),
-            Observable::list("momentum", total(state.velocities.iter().copied())),
-        ]);
-        Ok(all)
+        observe(&self.view(list), &[])
     }
 
     fn declaration(&self) -> Vec<String> {

@@ -2,8 +2,9 @@
 
 use super::agents::{Agents, Alignment, PLANE, state_of};
 use super::error::{ConfigError, Problem, RunError};
+use super::exact::ExactMotion;
 use super::individual::{Individual, MOST_TOGETHER, sensing};
-use super::network::{Abilities, Network};
+use super::network::{Abilities, Network, TIMED};
 use super::potential::PairPotential;
 use super::simulation::{Continuous, Simulation};
 use super::source::Source;
@@ -23,53 +24,92 @@ pub(super) const READINGS: [(&str, HeadingDifference); 3] = [
     ("unwrapped", HeadingDifference::Unwrapped),
 ];
 
-/// Reads either model.
-pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Box<dyn Simulation>, ConfigError> {
-    let start = Start::read(source, Needs { dimension: 2, velocities: true, phases: false })?;
-    let model = if headings { "heading-alignment" } else { "velocity-alignment" };
-    let can = Abilities { model, positions: true, directed: false, edges: true, timed: true, default: None };
-    let mut network = Network::read(source, start.agents(), can)?;
-    let step = read_step(source, &network)?;
-    let law = source.needed("law")?;
-    let mut keys = PairPotential::KEYS.to_vec();
-    keys.extend(headings.then_some("heading_difference"));
-    law.allow(&keys, &format!(" of the {model} model"))?;
-    let potential = PairPotential::read(&law)?;
-    start.refuse_coincident(source)?;
-    let (positions, velocities) = (start.flat_positions(), start.flat_velocities());
-    network.settle(&positions, &velocities);
-    let mut list = [positions, velocities].concat();
-    let state = state_of(start.agents(), &list);
-    let reading = law.get("heading_difference").map_or(Ok(HeadingDifference::Raw), |e| e.choice(&READINGS))?;
-    let alignment = if headings {
-        for (v, agent) in state.velocities.iter().zip(1..) {
-            list.push(heading(v).map_err(|_| problem(source, "velocities", Problem::NoHeading(agent)))?);
+/// A run of either model as it is described.
+#[derive(Clone)]
+pub(super) struct Aligned {
+    start: Start,
+    network: Network,
+    potential: PairPotential,
+    /// Of heading alignment, what a heading difference means.
+    headings: Option<HeadingDifference>,
+    step: Option<f64>,
+}
+
+impl Aligned {
+    /// Reads either model.
+    pub fn read(source: &Source, headings: bool) -> Result<Self, ConfigError> {
+        let start = Start::read(source, Needs { dimension: 2, velocities: true, phases: false })?;
+        let model = if headings { "heading-alignment" } else { "velocity-alignment" };
+        let can = Abilities { model, positions: true, directed: false, edges: true, timed: true, default: None };
+        let network = Network::read(source, start.agents(), can)?;
+        let step = read_step(source, &network)?;
+        let law = source.needed("law")?;
+        let mut keys = PairPotential::KEYS.to_vec();
+        keys.extend(headings.then_some("heading_difference"));
+        law.allow(&keys, &format!(" of the {model} model"))?;
+        let potential = PairPotential::read(&law)?;
+        start.refuse_coincident(source)?;
+        let reading = || law.get("heading_difference").map_or(Ok(HeadingDifference::Raw), |e| e.choice(&READINGS));
+        Ok(Aligned { headings: headings.then(reading).transpose()?, start, network, potential, step })
+    }
+
+    /// The motion, for enclosures.
+    pub fn exact(self) -> ExactMotion {
+        if self.network.next_time().is_some() {
+            return ExactMotion::Other(TIMED);
         }
-        Alignment::Headings(Turns::new(reading, &list[4 * start.agents()..], network.pairs()))
-    } else {
-        Alignment::Velocities
-    };
-    for &(i, j) in network.pairs() {
-        let s = PLANE.square(&state.separation(i, j));
-        let value = potential.value(&s).ok().filter(|value| value.is_finite());
-        let slope = potential.slope(&s).ok().filter(|slope| slope.is_finite());
-        if value.and(slope).is_none() {
-            return Err(problem(source, "positions", Problem::Potential(i + 1, j + 1)));
+        let radius = self.network.exact_radius().cloned();
+        if self.headings.is_some() && radius.is_some() {
+            return ExactMotion::Other("heading alignment is enclosed on networks that do not switch");
+        }
+        ExactMotion::Velocities {
+            positions: self.start.positions,
+            velocities: self.start.velocities,
+            potential: self.potential.exact().clone(),
+            pairs: self.network.pairs().to_vec(),
+            radius,
+            headings: self.headings,
         }
     }
-    let agents = Agents { network, potential, alignment, count: start.agents(), drawn: start.drawn };
-    if let (Alignment::Velocities, Some(radius)) = (&agents.alignment, agents.network.radius()) {
-        return within(source, agents, (radius, &state), step, tolerance);
+
+    /// The motion in floats.
+    pub fn simulation(self, source: &Source, tolerance: f64) -> Result<Box<dyn Simulation>, ConfigError> {
+        let Aligned { start, mut network, potential, headings, step } = self;
+        let (positions, velocities) = (start.flat_positions(), start.flat_velocities());
+        network.settle(&positions, &velocities);
+        let mut list = [positions, velocities].concat();
+        let state = state_of(start.agents(), &list);
+        let alignment = match headings {
+            None => Alignment::Velocities,
+            Some(reading) => {
+                for (v, agent) in state.velocities.iter().zip(1..) {
+                    list.push(heading(v).map_err(|_| problem(source, "velocities", Problem::NoHeading(agent)))?);
+                }
+                Alignment::Headings(Turns::new(reading, &list[4 * start.agents()..], network.pairs()))
+            }
+        };
+        for &(i, j) in network.pairs() {
+            let s = PLANE.square(&state.separation(i, j));
+            let value = potential.value(&s).ok().filter(|value| value.is_finite());
+            let slope = potential.slope(&s).ok().filter(|slope| slope.is_finite());
+            if value.and(slope).is_none() {
+                return Err(problem(source, "positions", Problem::Potential(i + 1, j + 1)));
+            }
+        }
+        let agents = Agents { network, potential, alignment, count: start.agents(), drawn: start.drawn };
+        if let (Alignment::Velocities, Some(radius)) = (&agents.alignment, agents.network.radius()) {
+            return within(source, agents, (radius, &state), step, tolerance);
+        }
+        if let (Some(sensing), None, true) = (sensing(&agents.network), step, agents.count > MOST_TOGETHER) {
+            let law = HeadingLaw::new(agents.potential.exact(), headings.unwrap_or(HeadingDifference::Raw));
+            let flock = Individual::<_, _, 1, 3>::new(agents, law, sensing, list, tolerance);
+            return Ok(Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?));
+        }
+        Ok(match step {
+            Some(step) => Box::new(Stepped::settled(agents, list, step)),
+            None => Box::new(Continuous::new(agents, &list, tolerance)),
+        })
     }
-    if let (Some(sensing), None, true) = (sensing(&agents.network), step, agents.count > MOST_TOGETHER) {
-        let law = HeadingLaw::new(agents.potential.exact(), reading);
-        let flock = Individual::<_, _, 1, 3>::new(agents, law, sensing, list, tolerance);
-        return Ok(Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?));
-    }
-    Ok(match step {
-        Some(step) => Box::new(Stepped::settled(agents, list, step)),
-        None => Box::new(Continuous::new(agents, &list, tolerance)),
-    })
 }
 
 /// Velocity alignment within a radius: in fixed steps, in individual steps, or all together as a Filippov solution.

@@ -1,6 +1,8 @@
 //! A scenario as its TOML describes it: which model, from which state, until when.
 
 use super::error::{ConfigError, Problem};
+use super::exact::ExactMotion;
+use super::model::{MODELS, Model};
 use super::run::{End, Outcome, Schedule, run};
 use super::simulation::Simulation;
 use super::source::{Entry, Section, Source};
@@ -9,32 +11,6 @@ use arithmetic::num_bigint::BigInt;
 use arithmetic::{Progress, Rational, rational};
 use num_traits::{ToPrimitive, Zero};
 use std::sync::{Mutex, PoisonError};
-
-/// The models of the contract.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Model {
-    Phase,
-    Particles,
-    Fish,
-    Headings,
-    Velocities,
-    Platoon,
-    Vicsek,
-    Noisy,
-    Own,
-}
-
-const MODELS: [(&str, Model); 9] = [
-    ("phase", Model::Phase),
-    ("particles", Model::Particles),
-    ("fish", Model::Fish),
-    ("heading-alignment", Model::Headings),
-    ("velocity-alignment", Model::Velocities),
-    ("platoon", Model::Platoon),
-    ("vicsek", Model::Vicsek),
-    ("vicsek-noise", Model::Noisy),
-    ("own", Model::Own),
-];
 
 /// Rows of a trajectory, unless the configuration says how many.
 const ROWS: usize = 500;
@@ -168,7 +144,7 @@ fn on_grid(entry: &Entry, time: &Rational, step: Option<&Rational>) -> Result<()
 /// The seeds that a configuration has, of its start and of its law.
 fn seed(source: &Source) -> Result<Option<String>, ConfigError> {
     let drawn = source.needed("state")?.get("random").map(|entry| entry.table("state.random")).transpose()?;
-    let noisy = source.section("law")?.filter(|law| law.get("noise").is_some());
+    let noisy = source.section("law")?.filter(|law| law.get("noise").is_some() || law.get("seed").is_some());
     let seeds: Result<Vec<String>, ConfigError> = drawn
         .into_iter()
         .chain(noisy)
@@ -192,6 +168,87 @@ fn tolerance(source: &Source) -> Result<f64, ConfigError> {
     }
 }
 
+/// What a file says of the motion, read once: exact where the motion may be enclosed, else as it is run, with the time step of discrete time and why
+/// there is no enclosure.
+#[derive(Clone)]
+enum Motion {
+    Aligned(alignment::Aligned),
+    Phases(oscillator::PhaseRun),
+    Particles(oscillator::ParticleRun),
+    Platoon(platoon::PlatoonRun),
+    Own(Box<own::Described>),
+    Floats(&'static str),
+}
+
+/// A model and its motion.
+#[derive(Clone)]
+pub(super) struct Description {
+    model: Model,
+    motion: Motion,
+}
+
+impl Description {
+    /// Reads everything but the times.
+    pub fn read(source: &Source) -> Result<Self, ConfigError> {
+        let several = source.section("ensemble")?.or(source.section("sweep")?);
+        several.map_or(Ok(()), |section| Err(ConfigError::Several(section.line())))?;
+        Description::of_member(source)
+    }
+
+    /// The same of one member of several.
+    fn of_member(source: &Source) -> Result<Self, ConfigError> {
+        let top = source.top();
+        top.allow(&["model", "graph", "state", "law", "run", "ensemble", "sweep"], "")?;
+        let entry = top.need("model", &MODELS.map(|(name, _)| name).join(", "))?;
+        let model = entry.choice(&MODELS)?;
+        // Of two mistakes the one in [run] comes first.
+        tolerance(source)?;
+        let motion = match model {
+            Model::Phase => Motion::Phases(oscillator::PhaseRun::read(source)?),
+            Model::Particles => Motion::Particles(oscillator::ParticleRun::read(source)?),
+            Model::Headings => Motion::Aligned(alignment::Aligned::read(source, true)?),
+            Model::Velocities => Motion::Aligned(alignment::Aligned::read(source, false)?),
+            Model::Platoon => Motion::Platoon(platoon::PlatoonRun::read(source)?),
+            Model::Fish | Model::Vicsek => Motion::Floats("its time is discrete and its numbers are drawn or rounded"),
+            Model::Own => Motion::Own(Box::new(own::describe(source)?)),
+            Model::Noisy | Model::Flock => Motion::Floats("its law is not among those that are enclosed"),
+        };
+        Ok(Description { model, motion })
+    }
+
+    /// The motion, for enclosures.
+    pub fn exact(self) -> ExactMotion {
+        match self.motion {
+            Motion::Aligned(run) => run.exact(),
+            Motion::Phases(run) => run.exact(),
+            Motion::Particles(run) => run.exact(),
+            Motion::Platoon(run) => run.exact(),
+            Motion::Own(own) => {
+                own::OwnMotion::of(*own).map_or_else(ExactMotion::Other, |own| ExactMotion::Own(Box::new(own)))
+            }
+            Motion::Floats(why) => ExactMotion::Other(why),
+        }
+    }
+
+    /// The motion in floats; with it the step of discrete time.
+    fn simulation(self, source: &Source) -> Result<(Box<dyn Simulation>, Option<Rational>), ConfigError> {
+        let tolerance = tolerance(source)?;
+        Ok(match (self.motion, self.model) {
+            (Motion::Aligned(run), _) => (run.simulation(source, tolerance)?, None),
+            (Motion::Phases(run), _) => (run.simulation(tolerance), None),
+            (Motion::Particles(run), _) => (run.simulation(source, tolerance)?, None),
+            (Motion::Platoon(run), _) => (run.simulation(tolerance), None),
+            (Motion::Floats(_), Model::Fish) => {
+                let (school, step) = fish::read(source)?;
+                (Box::new(school), Some(step))
+            }
+            (Motion::Floats(_), Model::Vicsek) => (vicsek::read(source)?, Some(rational(1, 1))),
+            (Motion::Own(own), _) => own::simulation(*own, source, tolerance)?,
+            (Motion::Floats(_), _) => (noisy::read(source)?, Some(rational(1, 1))),
+        })
+    }
+}
+
 /// A model with its start and the times that are asked for, checked and ready to run.
 pub struct Scenario {
     model: &'static str,
@@ -212,56 +269,33 @@ impl Scenario {
     /// # Errors
     /// [`ConfigError`] with the line and key at fault.
     pub fn read(text: &str) -> Result<Self, ConfigError> {
-        let source = Source::parse(text)?;
-        let several = source.section("ensemble")?.or(source.section("sweep")?);
-        several.map_or(Ok(()), |section| Err(ConfigError::Several(section.line())))?;
-        Self::of(&source, true)
+        Scenario::of(&Source::parse(text)?)
     }
 
-    /// One run of a file for several: replicas, from 0, differ in what is drawn; with all rows, or samples only.
-    pub(super) fn of_member(text: &str, replica: u64, with_rows: bool) -> Result<Self, ConfigError> {
-        let mut source = Source::parse(text)?;
-        source.replica = replica;
-        Self::of(&source, with_rows)
+    /// The scenario of a configuration that was parsed.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn of(source: &Source) -> Result<Self, ConfigError> {
+        Scenario::of_description(source, Description::read(source)?, true)
     }
 
-    fn of(source: &Source, with_rows: bool) -> Result<Self, ConfigError> {
-        let top = source.top();
-        top.allow(&["model", "graph", "state", "law", "run", "ensemble", "sweep"], "")?;
-        let entry = top.need("model", &MODELS.map(|(name, _)| name).join(", "))?;
-        let model = entry.choice(&MODELS)?;
-        let name = MODELS.iter().find(|(_, known)| *known == model).map_or("", |(name, _)| name);
-        let tolerance = tolerance(source)?;
-        let mut step = None;
-        let simulation: Box<dyn Simulation> = match model {
-            Model::Phase => oscillator::read_phases(source, tolerance)?,
-            Model::Particles => oscillator::read_particles(source, tolerance)?,
-            Model::Headings => alignment::read(source, true, tolerance)?,
-            Model::Velocities => alignment::read(source, false, tolerance)?,
-            Model::Platoon => platoon::read(source, tolerance)?,
-            Model::Fish => {
-                let (school, length) = fish::read(source)?;
-                step = Some(length);
-                Box::new(school)
-            }
-            Model::Vicsek => {
-                step = Some(rational(1, 1));
-                vicsek::read(source)?
-            }
-            Model::Noisy => {
-                step = Some(rational(1, 1));
-                noisy::read(source)?
-            }
-            Model::Own => {
-                let (simulation, length) = own::read(source, tolerance)?;
-                step = length;
-                simulation
-            }
-        };
+    /// One run of several: with all rows, or samples only.
+    pub(super) fn of_member(source: &Source, with_rows: bool) -> Result<Self, ConfigError> {
+        Scenario::of_description(source, Description::of_member(source)?, with_rows)
+    }
+
+    pub(super) fn of_description(
+        source: &Source,
+        description: Description,
+        with_rows: bool,
+    ) -> Result<Self, ConfigError> {
+        let model = description.model;
+        let (simulation, step) = description.simulation(source)?;
         let agents = simulation.frame().agents();
         let mut schedule = read_schedule(source, model, step.as_ref(), agents, with_rows)?;
         schedule.observables = wanted(source, simulation.as_ref())?;
-        Ok(Scenario { model: name, schedule, simulation, seed: seed(source)? })
+        Ok(Scenario { model: model.name(), schedule, simulation, seed: seed(source)? })
     }
 
     /// The seeds of what is drawn, where anything is.

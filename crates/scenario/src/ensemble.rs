@@ -2,7 +2,7 @@
 
 use super::config::Scenario;
 use super::error::{ConfigError, Problem};
-use super::exact::with_numbers;
+use super::path::Path;
 use super::source::{Entry, Section, Source};
 use arithmetic::Rational;
 
@@ -17,10 +17,10 @@ const SWEPT: [&str; 4] = ["graph", "state", "law", "run"];
 
 /// The runs that the sections `[ensemble]` and `[sweep]` of a file ask for. Members are counted from 0: all replicas of the first point of
 /// the grid, then those of the next one, the last number going fastest.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Ensemble {
-    text: String,
-    axes: Vec<(String, Vec<Rational>)>,
+    source: Source,
+    axes: Vec<(Path, Vec<Rational>)>,
     replicas: u64,
 }
 
@@ -37,8 +37,8 @@ impl Ensemble {
         }
         let replicas = ensemble.map_or(Ok(1), |section| replicas(&section))?;
         let mut axes = Vec::new();
-        for (path, entry) in sweep.iter().flat_map(Section::leaves) {
-            axes.push((swept(&source, path, &entry)?, values(&entry)?));
+        for (place, entry) in sweep.iter().flat_map(Section::leaves) {
+            axes.push((swept(&source, place, &entry)?, values(&entry)?));
         }
         let points = axes.iter().try_fold(1u64, |all, (_, values)| all.checked_mul(values.len() as u64));
         let members = points.and_then(|points| points.checked_mul(replicas));
@@ -46,7 +46,7 @@ impl Ensemble {
             let section = sweep.or(ensemble).unwrap_or(source.top());
             return Err(section.problem(Problem::Range(format!("a grid and replicas of at most {MOST_MEMBERS} runs"))));
         }
-        let all = Ensemble { text: text.to_string(), axes, replicas };
+        let all = Ensemble { source: source.clone(), axes, replicas };
         let first = all.member(0)?;
         // Numbers that make no scenario are refused before the work, as far as that takes no time.
         let points = all.members() / replicas;
@@ -61,7 +61,7 @@ impl Ensemble {
     }
 
     /// The numbers that are put in, by their places in the file, each with its values.
-    pub fn axes(&self) -> &[(String, Vec<Rational>)] {
+    pub fn axes(&self) -> &[(Path, Vec<Rational>)] {
         &self.axes
     }
 
@@ -77,7 +77,7 @@ impl Ensemble {
 
     /// The text that it was read from.
     pub fn text(&self) -> &str {
-        &self.text
+        self.source.text()
     }
 
     /// The values of a point of the grid, one for each axis.
@@ -110,11 +110,13 @@ impl Ensemble {
     }
 
     fn built(&self, member: u64, with_rows: bool) -> Result<Scenario, ConfigError> {
-        let names = self.axes.iter().map(|(name, _)| name.clone());
-        let numbers: Vec<(String, Rational)> = names.zip(self.point(member / self.replicas)).collect();
-        let built = with_numbers(&self.text, &numbers)
-            .and_then(|text| Scenario::of_member(&text, member % self.replicas, with_rows));
-        let put_in = || numbers.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ");
+        let numbers: Vec<(&Path, Rational)> =
+            self.axes.iter().map(|(place, _)| place).zip(self.point(member / self.replicas)).collect();
+        let mut source = self.source.with(numbers.iter().cloned())?;
+        source.replica = member % self.replicas;
+        let built = Scenario::of_member(&source, with_rows);
+        let put_in =
+            || numbers.iter().map(|(place, value)| format!("{place} = {value}")).collect::<Vec<_>>().join(", ");
         built.map_err(|error| match numbers.len() {
             0 => error,
             _ => ConfigError::PutIn { numbers: put_in(), error: Box::new(error) },
@@ -129,14 +131,12 @@ fn replicas(section: &Section) -> Result<u64, ConfigError> {
 }
 
 /// A place that can be swept.
-fn swept(source: &Source, path: String, entry: &Entry) -> Result<String, ConfigError> {
-    if !path.split('.').next().is_some_and(|section| SWEPT.contains(&section)) {
+fn swept(source: &Source, place: String, entry: &Entry) -> Result<Path, ConfigError> {
+    if !place.split('.').next().is_some_and(|section| SWEPT.contains(&section)) {
         return Err(entry.range(format!("a place in the sections {}, such as \"law.K1\"", SWEPT.join(", "))));
     }
-    match source.place(&path) {
-        Some(_) => Ok(path),
-        None => Err(entry.problem(Problem::NoPlace(path))),
-    }
+    let path = Path::parse(&place).filter(|path| source.with([(path, Rational::default())]).is_ok());
+    path.ok_or_else(|| entry.problem(Problem::NoPlace(place)))
 }
 
 /// A list, or `{ from, to, count }` for evenly spaced numbers.

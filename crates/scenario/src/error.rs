@@ -81,6 +81,21 @@ pub enum ConfigError {
     },
 }
 
+impl ConfigError {
+    /// The line that it names.
+    pub(super) fn line_mut(&mut self) -> Option<&mut usize> {
+        match self {
+            ConfigError::Toml { line, .. }
+            | ConfigError::UnknownKey { line, .. }
+            | ConfigError::Expression { line, .. }
+            | ConfigError::Value { line, .. }
+            | ConfigError::Several(line) => Some(line),
+            ConfigError::PutIn { error, .. } => error.line_mut(),
+            ConfigError::MissingSection(_) | ConfigError::MissingKey { .. } | ConfigError::NoPlace(_) => None,
+        }
+    }
+}
+
 /// What is wrong with a value.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Problem {
@@ -119,6 +134,12 @@ pub enum Problem {
     /// A place without a number.
     #[error("there is no number at `{0}` in the file")]
     NoPlace(String),
+    /// A key that something else asks for.
+    #[error("`{0}` should be {1}")]
+    Needs(&'static str, &'static str),
+    /// The file of a law.
+    #[error("the file of the law: {0}")]
+    LawFile(String),
     /// An empty list of agents.
     #[error("there are no agents")]
     NoAgents,

@@ -1,11 +1,12 @@
 //! The fish of Paley and others (26)-(28): discrete time, zones with a blind spot.
 
 use super::error::{ConfigError, RunError};
-use super::observables::{CLUSTERS, Observable, min_distance, of_phases, places, total};
+use super::model::Model;
+use super::observables::{CLUSTERS, Observable, observe, places};
 use super::simulation::{Event, Frame, Simulation};
 use super::source::Source;
 use super::start::{Needs, Start};
-use algebra::graph::components;
+use super::view::{Links, Rows, Sensing, View};
 use arithmetic::random::{generator, normal};
 use arithmetic::{ArithmeticError, Complex, Progress, Rational};
 use models::oscillator::{
@@ -15,6 +16,7 @@ use models::oscillator::{
 use motion::CellList;
 use num_traits::ToPrimitive;
 use rand_chacha::ChaCha8Rng;
+use std::borrow::Cow;
 
 /// Which of the steering laws.
 #[derive(Clone, Copy, PartialEq)]
@@ -187,11 +189,16 @@ impl Simulation for Fish {
         let state = self.flight.state();
         let networks = self.networks(&state);
         let fish = self.flight.phases.len();
-        let mut all = of_phases(&self.flight, &state.phasors, &networks.orientation, 4.min(fish as u32))?;
-        all.push(Observable::number("min_distance", min_distance(&places(&state))));
-        all.push(Observable::count("components", components(fish, &sensed(&networks, fish)).len()));
-        all.push(Observable::list("momentum", total(state.phasors.iter().map(|z| [z.re, z.im]))));
-        Ok(all)
+        let view = View {
+            positions: Rows::of(fish, || places(&state)),
+            velocities: Rows::of(fish, || state.phasors.iter().map(|z| vec![z.re, z.im]).collect()),
+            phasors: state.phasors.clone(),
+            phases: &self.flight.phases,
+            orders: 4.min(fish as u32),
+            sensing: Sensing::These(Cow::Borrowed(&networks.orientation)),
+            ..View::new(Model::Fish, Links::These(fish, sensed(&networks, fish).into()))
+        };
+        observe(&view, &[])
     }
 
     fn declaration(&self) -> Vec<String> {

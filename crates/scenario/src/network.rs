@@ -2,9 +2,11 @@
 
 use super::error::{ConfigError, Problem};
 use super::source::{Section, Source};
-use algebra::graph::{ArcList, NamedGraph, components};
-use arithmetic::{Complex, Field, rational};
+use super::view::{Links, Sensing};
+use algebra::graph::{ArcList, NamedGraph};
+use arithmetic::{Complex, Field, Rational, rational};
 use models::oscillator::{Everyone, Interaction, Neighbours};
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 /// A pair of agents from 0.
@@ -12,6 +14,9 @@ pub(super) type Pair = (usize, usize);
 
 /// Most edges that are stored.
 const MOST_EDGES: usize = 1 << 23;
+
+/// Why a motion is not enclosed.
+pub(super) const TIMED: &str = "links that are replaced at given times are not enclosed";
 
 /// Which networks a model can use.
 #[derive(Clone, Copy)]
@@ -80,6 +85,8 @@ pub(super) struct Network {
     pairs: Vec<Pair>,
     /// None for an implicit all-to-all network.
     lists: Option<Neighbours>,
+    /// Exact, where links are those within a radius.
+    radius: Option<Rational>,
     /// When other links come into force, and which; the next one last.
     coming: Vec<(f64, Vec<Pair>)>,
     declaration: String,
@@ -141,11 +148,13 @@ impl Network {
             }
             Kind::Edges => Network::listed(order, &section, can),
             Kind::Within => {
-                let radius = section.need("radius", "a number above 0")?.positive()?;
+                let entry = section.need("radius", "a number above 0")?;
+                let (radius, exact) = (entry.positive()?, entry.exact()?);
                 let declaration = format!(
                     "links i-j where |r_i - r_j| < {radius}; they come and go where a distance crosses {radius}"
                 );
-                Ok(Network::switching(order, Rule::Within(radius), false, declaration))
+                let network = Network::switching(order, Rule::Within(radius), false, declaration);
+                Ok(Network { radius: Some(exact), ..network })
             }
             Kind::Nearest => {
                 let count = section.need("nearest", "a number of neighbours")?.count(1, order - 1)?;
@@ -162,8 +171,8 @@ impl Network {
         let declaration = "all-to-all network".to_string();
         if !edges {
             let (pairs, lists) = (Vec::new(), None);
-            let (rule, directed, coming) = (Rule::Fixed, false, Vec::new());
-            return Ok(Network { order, rule, directed, pairs, lists, coming, declaration });
+            let (rule, directed, radius, coming) = (Rule::Fixed, false, None, Vec::new());
+            return Ok(Network { order, rule, directed, pairs, lists, radius, coming, declaration });
         }
         if order.saturating_mul(order) / 2 > MOST_EDGES {
             return Err(Problem::Range(format!("a graph of at most {MOST_EDGES} edges")));
@@ -205,8 +214,7 @@ impl Network {
     }
 
     fn fixed(order: usize, pairs: Vec<Pair>, directed: bool, declaration: String) -> Self {
-        let mut network =
-            Network { order, rule: Rule::Fixed, directed, pairs, lists: None, coming: Vec::new(), declaration };
+        let mut network = Network { pairs, ..Network::switching(order, Rule::Fixed, directed, declaration) };
         network.relist();
         network
     }
@@ -214,7 +222,8 @@ impl Network {
     /// Links by a rule, none as yet.
     pub fn switching(order: usize, rule: Rule, directed: bool, declaration: String) -> Self {
         let lists = Some(Neighbours::from_arcs(order, []));
-        Network { order, rule, directed, pairs: Vec::new(), lists, coming: Vec::new(), declaration }
+        let (pairs, radius, coming) = (Vec::new(), None, Vec::new());
+        Network { order, rule, directed, pairs, lists, radius, coming, declaration }
     }
 
     /// The lists of neighbours from the pairs.
@@ -259,6 +268,11 @@ impl Network {
         }
     }
 
+    /// The same number as it was given.
+    pub fn exact_radius(&self) -> Option<&Rational> {
+        self.radius.as_ref()
+    }
+
     /// The edges, or the arcs of a directed network; empty for an implicit all-to-all network.
     pub fn pairs(&self) -> &[Pair] {
         &self.pairs
@@ -267,6 +281,17 @@ impl Network {
     /// The neighbours of an agent; empty for an implicit all-to-all network.
     pub fn neighbours(&self, k: usize) -> &[usize] {
         self.lists.as_ref().map_or(&[], |lists| lists.of_particle(k))
+    }
+
+    /// Who senses whom in a network that stays as it is, or why it does not.
+    pub fn unchanging(&self) -> Result<Neighbours, &'static str> {
+        if self.next_time().is_some() {
+            return Err(TIMED);
+        }
+        if self.switches() {
+            return Err("links to the nearest are not enclosed");
+        }
+        Ok(self.lists.clone().unwrap_or_else(|| Neighbours::complete(self.order)))
     }
 
     /// Sets the links of a network that switches: edges `i < j`, or arcs.
@@ -309,9 +334,17 @@ impl Network {
         }
     }
 
-    /// The number of components, arcs taken as edges.
-    pub fn components(&self) -> usize {
-        if self.lists.is_none() { self.order.min(1) } else { components(self.order, &self.pairs).len() }
+    /// The links, for what is measured on them.
+    pub fn shown(&self) -> Links<'_> {
+        match self.lists {
+            Some(_) => Links::These(self.order, Cow::Borrowed(&self.pairs)),
+            None => Links::Everyone(self.order),
+        }
+    }
+
+    /// Who senses whom.
+    pub fn sensing(&self) -> Sensing<'_> {
+        self.lists.as_ref().map_or(Sensing::Everyone, |lists| Sensing::These(Cow::Borrowed(lists)))
     }
 }
 

@@ -1,15 +1,15 @@
 //! The noisy model of Vicsek and others in a periodic square, in floating point.
 
 use super::error::{ConfigError, RunError};
-use super::observables::{Observable, total};
+use super::model::Model;
+use super::observables::{Observable, observe};
 use super::simulation::{Event, Frame, Simulation};
 use super::source::Source;
 use super::start::{Needs, Start};
-use algebra::graph::components;
+use super::view::{Links, Rows, View};
 use arithmetic::random::generator;
 use arithmetic::{ArithmeticError, Complex, Progress};
 use models::averaging::NoisyFlock;
-use models::oscillator::moment;
 use rand_chacha::ChaCha8Rng;
 
 struct Noisy {
@@ -72,18 +72,15 @@ impl Simulation for Noisy {
     }
 
     fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
-        let (phasors, birds) = (self.phasors(), self.flock.headings.len());
-        let orders = (1..=4.min(birds as u32)).map(|m| Ok(moment(&phasors, m)?.norm_squared().sqrt()));
+        let (phasors, birds, speed) = (self.phasors(), self.flock.headings.len(), self.flock.speed);
         let links = self.flock.links().map_err(|_| ArithmeticError::Domain("places that stay finite"))?;
-        Ok(vec![
-            Observable::list("order", orders.collect::<Result<Vec<f64>, ArithmeticError>>()?),
-            Observable::number("mean_neighbours", 2.0 * links.len() as f64 / birds as f64),
-            Observable::count("components", components(birds, &links).len()),
-            Observable::list(
-                "momentum",
-                total(phasors.iter().map(|z| [self.flock.speed * z.re, self.flock.speed * z.im])),
-            ),
-        ])
+        let view = View {
+            velocities: Rows::of(birds, || phasors.iter().map(|z| vec![speed * z.re, speed * z.im]).collect()),
+            phasors: phasors.clone(),
+            orders: 4.min(birds as u32),
+            ..View::new(Model::Noisy, Links::These(birds, links.into()))
+        };
+        observe(&view, &[])
     }
 
     fn declaration(&self) -> Vec<String> {

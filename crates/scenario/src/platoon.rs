@@ -1,14 +1,17 @@
 //! Platoons on a line behind a leader (Veerman and others), on any fixed communication graph.
 
 use super::error::{ConfigError, Problem};
+use super::exact::ExactMotion;
+use super::model::Model;
 use super::network::{Abilities, Network};
-use super::observables::{Observable, min_distance};
+use super::observables::{Observable, observe};
 use super::simulation::{Continuous, Frame, Law, Simulation};
 use super::source::{Section, Source};
-use super::start::{Needs, Start};
-use arithmetic::ArithmeticError;
-use models::platoon::observe::smallest_gap;
+use super::start::{Needs, Start, float};
+use super::view::{Law as Measured, Links, Rows, View};
+use arithmetic::{ArithmeticError, Rational, rational};
 use models::platoon::{Communication, CommunicationGraph, Gains};
+use num_traits::Signed;
 
 /// How the leader moves: `x_1(t) = place + speed t + amplitude cos(frequency t)`.
 struct Leader {
@@ -42,44 +45,93 @@ struct Platoon {
 const COMMUNICATIONS: [(&str, Communication); 2] =
     [("front", Communication::Front), ("front-and-back", Communication::FrontAndBack)];
 
-/// Reads the model.
-pub(super) fn read(source: &Source, tolerance: f64) -> Result<Box<dyn Simulation>, ConfigError> {
-    let start = Start::read(source, Needs { dimension: 1, velocities: true, phases: false })?;
-    let law = source.needed("law")?;
-    law.allow(&["f", "g", "spacing", "communication", "leader"], " of the platoon model")?;
-    let negative = |key: &'static str| {
-        let entry = law.need(key, "a number below 0")?;
-        let gain = entry.number()?;
-        if gain < 0.0 { Ok(gain) } else { Err(entry.range("a number below 0")) }
-    };
-    let gains = Gains { f: negative("f")?, g: negative("g")? };
-    let spacing = law.get("spacing").map_or(Ok(1.0), |entry| entry.positive())?;
-    let (positions, velocities) = (start.flat_positions(), start.flat_velocities());
-    let (amplitude, frequency) = match law.get("leader") {
-        None => (0.0, 0.0),
-        Some(entry) => {
-            let leader = entry.table("law.leader")?;
-            leader.allow(&["agent", "amplitude", "frequency"], "")?;
-            match (leader.get("amplitude"), leader.get("frequency"), leader.get("agent")) {
-                (None, None, Some(_)) => (0.0, 0.0),
-                (_, None, _) => (0.0, leader.need("frequency", "a number in radians a second")?.number()?),
-                (_, Some(entry), _) => (leader.number_or("amplitude", 1.0)?, entry.number()?),
+/// A run of a platoon as it is described.
+#[derive(Clone)]
+pub(super) struct PlatoonRun {
+    start: Start,
+    gains: (Rational, Rational),
+    spacing: Rational,
+    /// Amplitude and angular frequency of the leader's swing.
+    swing: (Rational, Rational),
+    /// The agents from 0: the leader, then the followers.
+    order: Vec<usize>,
+    graph: CommunicationGraph,
+    tracking: String,
+}
+
+impl PlatoonRun {
+    /// Reads the model.
+    pub fn read(source: &Source) -> Result<Self, ConfigError> {
+        let start = Start::read(source, Needs { dimension: 1, velocities: true, phases: false })?;
+        let law = source.needed("law")?;
+        law.allow(&["f", "g", "spacing", "communication", "leader"], " of the platoon model")?;
+        let negative = |key: &'static str| {
+            let entry = law.need(key, "a number below 0")?;
+            let gain = entry.finite()?;
+            if gain.is_negative() { Ok(gain) } else { Err(entry.range("a number below 0")) }
+        };
+        let gains = (negative("f")?, negative("g")?);
+        let spacing = match law.get("spacing") {
+            None => rational(1, 1),
+            Some(entry) => {
+                entry.positive()?;
+                entry.exact()?
             }
+        };
+        let none = || rational(0, 1);
+        let swing = match law.get("leader") {
+            None => (none(), none()),
+            Some(entry) => {
+                let leader = entry.table("law.leader")?;
+                leader.allow(&["agent", "amplitude", "frequency"], "")?;
+                match (leader.get("amplitude"), leader.get("frequency"), leader.get("agent")) {
+                    (None, None, Some(_)) => (none(), none()),
+                    (_, None, _) => (none(), leader.need("frequency", "a number in radians a second")?.finite()?),
+                    (_, Some(entry), _) => (leader.exact_or("amplitude", 1)?, entry.finite()?),
+                }
+            }
+        };
+        let cars = start.positions.len();
+        let first = leader_of(source, &law, cars)?;
+        let order: Vec<usize> = std::iter::once(first).chain((0..cars).filter(|k| *k != first)).collect();
+        let (graph, tracking) = tracked(source, &law, &order)?;
+        Ok(PlatoonRun { start, gains, spacing, swing, order, graph, tracking })
+    }
+
+    /// The motion, for enclosures.
+    pub fn exact(self) -> ExactMotion {
+        if self.order.first().is_some_and(|leader| *leader > 0) {
+            return ExactMotion::Other("another leader than the first car is not enclosed");
         }
-    };
-    let first = leader_of(source, &law, positions.len())?;
-    let order: Vec<usize> = std::iter::once(first).chain((0..positions.len()).filter(|k| *k != first)).collect();
-    let place = positions[first] + spacing * first as f64;
-    let leader = Leader { place, speed: velocities[first], amplitude, frequency };
-    let (graph, tracking) = tracked(source, &law, &order)?;
-    let deviations = order[1..].iter().map(|&k| positions[k] + spacing * k as f64);
-    let state: Vec<f64> = deviations.chain(order[1..].iter().map(|&k| velocities[k])).collect();
-    let platoon = Platoon { leader, order, graph, tracking, gains, spacing, drawn: start.drawn };
-    Ok(Box::new(Continuous::new(platoon, &state, tolerance)))
+        let places = self.start.positions.iter().flatten().zip(0..);
+        ExactMotion::Platoon {
+            deviations: places.map(|(x, k)| x + &self.spacing * rational(k, 1)).collect(),
+            rates: self.start.velocities.into_iter().flatten().collect(),
+            gains: self.gains,
+            spacing: self.spacing,
+            graph: self.graph,
+            swing: self.swing,
+        }
+    }
+
+    /// The motion in floats.
+    pub fn simulation(self, tolerance: f64) -> Box<dyn Simulation> {
+        let (positions, velocities) = (self.start.flat_positions(), self.start.flat_velocities());
+        let gains = Gains { f: float(&self.gains.0), g: float(&self.gains.1) };
+        let (spacing, order) = (float(&self.spacing), self.order);
+        let place = positions[order[0]] + spacing * order[0] as f64;
+        let (amplitude, frequency) = (float(&self.swing.0), float(&self.swing.1));
+        let leader = Leader { place, speed: velocities[order[0]], amplitude, frequency };
+        let deviations = order[1..].iter().map(|&k| positions[k] + spacing * k as f64);
+        let state: Vec<f64> = deviations.chain(order[1..].iter().map(|&k| velocities[k])).collect();
+        let (graph, tracking, drawn) = (self.graph, self.tracking, self.start.drawn);
+        let platoon = Platoon { leader, order, graph, tracking, gains, spacing, drawn };
+        Box::new(Continuous::new(platoon, &state, tolerance))
+    }
 }
 
 /// The agent that leads, from 0; the first one unless `law.leader` has another.
-pub(super) fn leader_of(source: &Source, law: &Section, cars: usize) -> Result<usize, ConfigError> {
+fn leader_of(source: &Source, law: &Section, cars: usize) -> Result<usize, ConfigError> {
     let leader = law.get("leader").map(|entry| entry.table("law.leader")).transpose()?;
     let Some(entry) = leader.and_then(|leader| leader.get("agent")) else { return Ok(0) };
     let agent = entry.count(1, cars)?;
@@ -90,11 +142,7 @@ pub(super) fn leader_of(source: &Source, law: &Section, cars: usize) -> Result<u
 }
 
 /// Who keeps track of whom; the agents from 0, the leader first.
-pub(super) fn tracked(
-    source: &Source,
-    law: &Section,
-    order: &[usize],
-) -> Result<(CommunicationGraph, String), ConfigError> {
+fn tracked(source: &Source, law: &Section, order: &[usize]) -> Result<(CommunicationGraph, String), ConfigError> {
     let cars = order.len();
     let communication = law.get("communication");
     let Some(section) = source.section("graph")? else {
@@ -157,23 +205,16 @@ impl Law for Platoon {
 
     fn observe(&self, time: f64, state: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
         let (positions, _) = state.split_at(state.len() / 2);
-        let frame = self.frame(time, state);
-        let (y, _) = self.leader.at(time);
-        let all = self.by_agents(y, positions);
-        let gaps: Vec<f64> = frame.positions.windows(2).map(|pair| pair[0][0] - pair[1][0]).collect();
-        let speeds: Vec<f64> = frame.velocities.iter().flatten().copied().collect();
-        let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
-        let spread = speeds.iter().map(|u| (u - mean) * (u - mean)).sum::<f64>().sqrt();
-        let largest = positions.iter().map(|x| (x - y).abs()).fold(0.0, f64::max);
-        Ok(vec![
-            Observable::number("min_gap", smallest_gap(all[0], &all[1..], self.spacing)),
-            Observable::number("max_gap", gaps.into_iter().fold(f64::NEG_INFINITY, f64::max)),
-            Observable::number("largest_deviation", largest),
-            Observable::number("last_deviation", all.last().map_or(0.0, |x| x - y)),
-            Observable::number("disagreement", spread),
-            Observable::number("min_distance", min_distance(&frame.positions)),
-            Observable::count("components", if self.graph.is_connected() { 1 } else { self.components() }),
-        ])
+        let Frame { positions: places, velocities, .. } = self.frame(time, state);
+        let (cars, spacing) = (self.order.len(), self.spacing);
+        let deviations = self.by_agents(self.leader.at(time).0, positions);
+        let view = View {
+            positions: Rows::of(cars, || places),
+            velocities: Rows::of(cars, || velocities),
+            law: Measured::Cars { deviations, leader: self.order[0], spacing },
+            ..View::new(Model::Platoon, Links::These(cars, self.links().into()))
+        };
+        observe(&view, &[])
     }
 
     fn declaration(&self) -> Vec<String> {
@@ -199,9 +240,5 @@ impl Platoon {
         let mut all = vec![leader; self.order.len()];
         self.order[1..].iter().zip(followers).for_each(|(&agent, x)| all[agent] = *x);
         all
-    }
-
-    fn components(&self) -> usize {
-        algebra::graph::components(self.graph.followers() + 1, &self.links()).len()
     }
 }

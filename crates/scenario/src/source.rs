@@ -1,9 +1,11 @@
-//! TOML as sections, keys and numbers, each with its line, so that every error can say where it is.
+//! A configuration as sections, keys and numbers, each with its line, so that every error can say where it is; and with other numbers put in.
 
 use super::document::{line_of, parse_toml};
 use super::error::{ConfigError, Problem};
+use super::path::{Path, Step};
 use arithmetic::{Rational, parse_rational, shown};
 use num_traits::ToPrimitive;
+use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -13,54 +15,124 @@ fn column_of(text: &str, place: usize) -> usize {
     1 + before[before.rfind('\n').map_or(0, |end| end + 1)..].chars().count()
 }
 
-/// A configuration that was parsed but not yet understood.
-pub(super) struct Source<'a> {
-    text: &'a str,
-    /// Which of several runs that differ in what is drawn, from 0.
-    pub replica: u64,
-    table: Spanned<DeTable<'a>>,
+/// A value with its bytes in the text.
+#[derive(Debug, Clone)]
+struct Node {
+    span: Range<usize>,
+    value: Value,
 }
 
-impl<'a> Source<'a> {
-    /// Parses a text.
-    pub fn parse(text: &'a str) -> Result<Self, ConfigError> {
-        let table = parse_toml(text).map_err(|error| ConfigError::Toml { line: line_of(text, error.at), error })?;
-        Ok(Source { text, replica: 0, table })
+#[derive(Debug, Clone)]
+enum Value {
+    Text(String),
+    /// An integer or a decimal as it is written, without underscores.
+    Decimal(String),
+    /// A number that was put in.
+    PutIn(Rational),
+    Flag(bool),
+    List(Vec<Node>),
+    Table(Table),
+    /// What no configuration has: dates, integers that are not decimal.
+    Other,
+}
+
+/// Keys with the bytes where they stand, and their values.
+type Table = Vec<(String, usize, Node)>;
+
+impl Node {
+    fn of(value: &Spanned<DeValue>) -> Self {
+        let node = match value.get_ref() {
+            DeValue::String(text) => Value::Text(text.to_string()),
+            DeValue::Integer(integer) if integer.radix() == 10 => Value::Decimal(integer.as_str().to_string()),
+            DeValue::Float(float) => Value::Decimal(float.as_str().to_string()),
+            DeValue::Boolean(flag) => Value::Flag(*flag),
+            DeValue::Array(items) => Value::List(items.iter().map(Node::of).collect()),
+            DeValue::Table(table) => Value::Table(table_of(table)),
+            DeValue::Integer(_) | DeValue::Datetime(_) => Value::Other,
+        };
+        Node { span: value.span(), value: node }
     }
 
-    /// Where the number `state.velocities[1][2]` stands in the text; indices from 1.
-    pub fn place(&self, path: &str) -> Option<std::ops::Range<usize>> {
-        let mut table = self.table.get_ref();
-        let mut found: Option<&Spanned<DeValue>> = None;
-        for part in path.split('.') {
-            let (key, indices) = part.split_once('[').map_or((part, ""), |(key, _)| (key, &part[key.len()..]));
-            let (_, mut value) = table.iter().find(|(known, _)| known.get_ref().as_ref() == key)?;
-            for index in indices.split('[').skip(1) {
-                let DeValue::Array(items) = value.get_ref() else { return None };
-                let index: usize = index.strip_suffix(']')?.parse().ok()?;
-                value = items.get(index.checked_sub(1)?)?;
+    /// What is a step further.
+    fn at(&mut self, step: &Step) -> Option<&mut Self> {
+        match (&mut self.value, step) {
+            (Value::Table(table), Step::Key(name)) => {
+                table.iter_mut().find(|(key, ..)| key == name).map(|(.., node)| node)
             }
-            found = Some(value);
-            if let DeValue::Table(inner) = value.get_ref() {
-                table = inner;
-            }
+            (Value::List(items), Step::Index(index)) => items.get_mut(*index),
+            _ => None,
         }
-        let value = found?;
-        matches!(value.get_ref(), DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_)).then(|| value.span())
+    }
+
+    /// Whether another number can stand in its place.
+    fn is_number(&self) -> bool {
+        matches!(self.value, Value::Text(_) | Value::Decimal(_) | Value::PutIn(_))
+    }
+}
+
+fn table_of(table: &DeTable) -> Table {
+    table.iter().map(|(key, value)| (key.get_ref().to_string(), key.span().start, Node::of(value))).collect()
+}
+
+/// A configuration that was parsed but not yet understood.
+#[derive(Debug, Clone)]
+pub struct Source {
+    text: String,
+    /// Which of several runs that differ in what is drawn, from 0.
+    pub(super) replica: u64,
+    root: Node,
+}
+
+impl Source {
+    /// Parses a text.
+    ///
+    /// # Errors
+    /// [`ConfigError::Toml`].
+    pub fn parse(text: &str) -> Result<Self, ConfigError> {
+        let table = parse_toml(text).map_err(|error| ConfigError::Toml { line: line_of(text, error.at), error })?;
+        let root = Node { span: table.span(), value: Value::Table(table_of(table.get_ref())) };
+        Ok(Source { text: text.to_string(), replica: 0, root })
+    }
+
+    /// The text that it was read from.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The same with other numbers in some places.
+    ///
+    /// # Errors
+    /// [`ConfigError::NoPlace`] where there is no number.
+    pub fn with<'n>(&self, numbers: impl IntoIterator<Item = (&'n Path, Rational)>) -> Result<Self, ConfigError> {
+        let mut changed = self.clone();
+        for (path, number) in numbers {
+            let node = path.steps().iter().try_fold(&mut changed.root, Node::at).filter(|node| node.is_number());
+            node.ok_or_else(|| ConfigError::NoPlace(path.to_string()))?.value = Value::PutIn(number);
+        }
+        Ok(changed)
+    }
+
+    /// Whether it draws its start at random.
+    ///
+    /// # Errors
+    /// [`ConfigError`] where `state` is no section.
+    pub fn is_drawn(&self) -> Result<bool, ConfigError> {
+        Ok(self.section("state")?.is_some_and(|state| state.get("random").is_some()))
     }
 
     /// The keys outside any section.
-    pub fn top(&self) -> Section<'_> {
-        Section { name: "", text: self.text, line: 1, table: self.table.get_ref() }
+    pub(super) fn top(&self) -> Section<'_> {
+        let table: &Table = if let Value::Table(table) = &self.root.value { table } else { const { &Vec::new() } };
+        Section { name: "", text: &self.text, line: 1, table }
     }
 
     /// A section, where there is one.
-    pub fn section(&self, name: &'static str) -> Result<Option<Section<'_>>, ConfigError> {
+    pub(super) fn section(&self, name: &'static str) -> Result<Option<Section<'_>>, ConfigError> {
         self.top().get(name).map(|entry| entry.table(name)).transpose()
     }
 
     /// A section that must be there.
-    pub fn needed(&self, name: &'static str) -> Result<Section<'_>, ConfigError> {
+    pub(super) fn needed(&self, name: &'static str) -> Result<Section<'_>, ConfigError> {
         self.section(name)?.ok_or(ConfigError::MissingSection(name))
     }
 }
@@ -71,7 +143,7 @@ pub(super) struct Section<'a> {
     name: &'static str,
     text: &'a str,
     line: usize,
-    table: &'a DeTable<'a>,
+    table: &'a Table,
 }
 
 impl<'a> Section<'a> {
@@ -81,12 +153,12 @@ impl<'a> Section<'a> {
 
     /// Refuses keys that are not in the list; `among` says more about the section, such as the model.
     pub fn allow(&self, keys: &[&str], among: &str) -> Result<(), ConfigError> {
-        let unknown = self.table.iter().filter(|(key, _)| !keys.contains(&key.get_ref().as_ref()));
-        match unknown.min_by_key(|(key, _)| key.span().start) {
+        let unknown = self.table.iter().filter(|(key, ..)| !keys.contains(&key.as_str()));
+        match unknown.min_by_key(|(_, at, _)| *at) {
             None => Ok(()),
-            Some((key, _)) => Err(ConfigError::UnknownKey {
-                line: line_of(self.text, key.span().start),
-                key: shown(key.get_ref()),
+            Some((key, at, _)) => Err(ConfigError::UnknownKey {
+                line: line_of(self.text, *at),
+                key: shown(key),
                 section: format!("{}{among}", self.called()),
                 allowed: if keys.is_empty() { "none".to_string() } else { keys.join(", ") },
             }),
@@ -95,28 +167,34 @@ impl<'a> Section<'a> {
 
     /// The value of a key, where it is given.
     pub fn get(&self, key: &str) -> Option<Entry<'a>> {
-        let (_, value) = self.table.iter().find(|(known, _)| known.get_ref().as_ref() == key)?;
+        let (.., node) = self.table.iter().find(|(known, ..)| known == key)?;
         let name = if self.name.is_empty() { key.to_string() } else { format!("{}.{key}", self.name) };
-        Some(Entry { key: name, text: self.text, value })
+        Some(Entry { key: name, text: self.text, node })
+    }
+
+    /// Where a key with its value stands.
+    pub fn key_and_value(&self, key: &str) -> Option<std::ops::Range<usize>> {
+        let (_, start, node) = self.table.iter().find(|(known, ..)| known == key)?;
+        Some(*start..node.span.end)
     }
 
     /// The values with their paths: keys with dots, or tables in tables, `a.b = ..`; in the order of the file.
     pub fn leaves(&self) -> Vec<(String, Entry<'a>)> {
         let mut all = Vec::new();
         self.collect_leaves("", &mut all);
-        all.sort_by_key(|(_, entry): &(String, Entry)| entry.value.span().start);
+        all.sort_by_key(|(_, entry): &(String, Entry)| entry.node.span.start);
         all
     }
 
     fn collect_leaves(&self, before: &str, all: &mut Vec<(String, Entry<'a>)>) {
-        let table: &'a DeTable<'a> = self.table;
-        for (key, value) in table.iter() {
-            let path = format!("{before}{}", key.get_ref());
-            match value.get_ref() {
-                DeValue::Table(inner) if !inner.iter().any(|(key, _)| key.get_ref() == "from") => {
+        let table: &'a Table = self.table;
+        for (key, _, node) in table {
+            let path = format!("{before}{key}");
+            match &node.value {
+                Value::Table(inner) if !inner.iter().any(|(key, ..)| key == "from") => {
                     Section { table: inner, ..*self }.collect_leaves(&format!("{path}."), all);
                 }
-                _ => all.push((path.clone(), Entry { key: format!("{}.{path}", self.name), text: self.text, value })),
+                _ => all.push((path.clone(), Entry { key: format!("{}.{path}", self.name), text: self.text, node })),
             }
         }
     }
@@ -125,6 +203,11 @@ impl<'a> Section<'a> {
     pub fn need(&self, key: &'static str, expected: &str) -> Result<Entry<'a>, ConfigError> {
         let missing = || ConfigError::MissingKey { section: self.called(), key, expected: expected.to_string() };
         self.get(key).ok_or_else(missing)
+    }
+
+    /// An exact number with a default.
+    pub fn exact_or(&self, key: &str, default: i64) -> Result<Rational, ConfigError> {
+        self.get(key).map_or(Ok(Rational::from_integer(default.into())), |entry| entry.finite())
     }
 
     /// A number with a default.
@@ -148,22 +231,22 @@ impl<'a> Section<'a> {
 pub(super) struct Entry<'a> {
     key: String,
     text: &'a str,
-    value: &'a Spanned<DeValue<'a>>,
+    node: &'a Node,
 }
 
 impl<'a> Entry<'a> {
     /// A problem of this value.
     pub fn problem(&self, problem: impl Into<Problem>) -> ConfigError {
-        let line = line_of(self.text, self.value.span().start);
+        let line = line_of(self.text, self.node.span.start);
         ConfigError::Value { line, key: self.key.clone(), problem: problem.into() }
     }
 
     /// What is wrong at a byte of the text that is the value.
     pub fn in_text(&self, at: Option<usize>, problem: expressions::Problem) -> ConfigError {
-        let span = self.value.span();
+        let span = self.node.span.clone();
         let written = self.text.get(span.clone()).unwrap_or_default();
         // Behind the quotes, where nothing in the text is written in another way than it reads.
-        let inside = self.value.get_ref().as_str().and_then(|text| written.find(text)).filter(|_| at.is_some());
+        let inside = self.word().ok().and_then(|text| written.find(text)).filter(|_| at.is_some());
         let place = span.start + inside.map_or(0, |start| start + at.unwrap_or(0));
         let (line, column) = (line_of(self.text, place), column_of(self.text, place));
         ConfigError::Expression { line, column, key: self.key.clone(), problem }
@@ -180,26 +263,29 @@ impl<'a> Entry<'a> {
 
     /// The value as a table.
     pub fn table(&self, name: &'static str) -> Result<Section<'a>, ConfigError> {
-        let line = line_of(self.text, self.value.span().start);
-        match self.value.get_ref() {
-            DeValue::Table(table) => Ok(Section { name, text: self.text, line, table }),
+        let line = line_of(self.text, self.node.span.start);
+        match &self.node.value {
+            Value::Table(table) => Ok(Section { name, text: self.text, line, table }),
             _ => Err(self.shape("a table")),
         }
     }
 
     /// Whether the value is a list.
     pub fn is_list(&self) -> bool {
-        self.value.get_ref().is_array()
+        matches!(self.node.value, Value::List(_))
     }
 
     /// Whether the value is a table.
     pub fn is_table(&self) -> bool {
-        self.value.get_ref().is_table()
+        matches!(self.node.value, Value::Table(_))
     }
 
     /// The value as a text.
     pub fn word(&self) -> Result<&'a str, ConfigError> {
-        self.value.get_ref().as_str().ok_or_else(|| self.shape("a text in quotes"))
+        match &self.node.value {
+            Value::Text(text) => Ok(text),
+            _ => Err(self.shape("a text in quotes")),
+        }
     }
 
     /// One of some names.
@@ -214,15 +300,17 @@ impl<'a> Entry<'a> {
 
     /// True or false.
     pub fn flag(&self) -> Result<bool, ConfigError> {
-        self.value.get_ref().as_bool().ok_or_else(|| self.shape("true or false"))
+        match self.node.value {
+            Value::Flag(flag) => Ok(flag),
+            _ => Err(self.shape("true or false")),
+        }
     }
 
     /// The value as an exact number: an integer, a decimal, or a text such as `"1/2"`.
     pub fn exact(&self) -> Result<Rational, ConfigError> {
-        let text = match self.value.get_ref() {
-            DeValue::String(text) => text.as_ref(),
-            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str(),
-            DeValue::Float(float) => float.as_str(),
+        let text = match &self.node.value {
+            Value::Text(text) | Value::Decimal(text) => text,
+            Value::PutIn(number) => return Ok(number.clone()),
             _ => return Err(self.shape("a number: an integer, a decimal or a fraction in quotes")),
         };
         parse_rational(text).map_err(|error| self.problem(error))
@@ -259,19 +347,25 @@ impl<'a> Entry<'a> {
 
     /// The entries of a list.
     pub fn items(&self, expected: &str) -> Result<Vec<Entry<'a>>, ConfigError> {
-        let list = self.value.get_ref().as_array().ok_or_else(|| self.shape(expected))?;
-        let entry = |(i, value)| Entry { key: format!("{}, entry {}", self.key, i + 1), text: self.text, value };
+        let Value::List(list) = &self.node.value else { return Err(self.shape(expected)) };
+        let entry = |(i, node)| Entry { key: format!("{}, entry {}", self.key, i + 1), text: self.text, node };
         Ok(list.iter().enumerate().map(entry).collect())
     }
 
-    /// A list of numbers.
-    pub fn numbers(&self) -> Result<Vec<f64>, ConfigError> {
-        self.items("a list of numbers")?.iter().map(Entry::number).collect()
+    /// The value as an exact number that is not too large for a float.
+    pub fn finite(&self) -> Result<Rational, ConfigError> {
+        self.number()?;
+        self.exact()
+    }
+
+    /// A list of such numbers.
+    pub fn exact_numbers(&self) -> Result<Vec<Rational>, ConfigError> {
+        self.items("a list of numbers")?.iter().map(Entry::finite).collect()
     }
 
     /// A vector of the plane.
-    pub fn vector(&self) -> Result<[f64; 2], ConfigError> {
-        let numbers = self.numbers()?;
+    pub fn vector(&self) -> Result<[Rational; 2], ConfigError> {
+        let numbers = self.exact_numbers()?;
         let found = numbers.len();
         numbers.try_into().map_err(|_| self.problem(Problem::Coordinates { expected: 2, found }))
     }

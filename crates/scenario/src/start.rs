@@ -73,7 +73,8 @@ pub(super) struct Start {
     pub drawn: Option<String>,
 }
 
-fn float(x: &Rational) -> f64 {
+/// A number of a description, rounded once.
+pub(super) fn float(x: &Rational) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)
 }
 
@@ -105,7 +106,8 @@ impl Start {
         }
         if needs.phases {
             let entry = section.need("phases", "a list with one number in radians for each agent")?;
-            start.phases = entry.items("a list of numbers in radians")?.iter().map(finite).collect::<Result<_, _>>()?;
+            start.phases =
+                entry.items("a list of numbers in radians")?.iter().map(Entry::finite).collect::<Result<_, _>>()?;
             check_count(&entry, start.phases.len(), &mut agents)?;
         }
         Ok(start)
@@ -217,11 +219,6 @@ pub(super) fn problem(source: &Source, key: &str, problem: Problem) -> ConfigErr
     }
 }
 
-pub(super) fn finite(entry: &Entry) -> Result<Rational, ConfigError> {
-    entry.number()?;
-    entry.exact()
-}
-
 pub(super) fn rows(
     entry: &Entry,
     dimension: usize,
@@ -231,9 +228,9 @@ pub(super) fn rows(
     let row = |row: &Entry| {
         // On a line a number is a place.
         if dimension == 1 && !row.is_list() {
-            return Ok(vec![finite(row)?]);
+            return Ok(vec![row.finite()?]);
         }
-        let numbers: Vec<Rational> = row.items(EXPECTED)?.iter().map(finite).collect::<Result<_, _>>()?;
+        let numbers: Vec<Rational> = row.items(EXPECTED)?.iter().map(Entry::finite).collect::<Result<_, _>>()?;
         if numbers.len() != dimension {
             return Err(row.problem(Problem::Coordinates { expected: dimension, found: numbers.len() }));
         }

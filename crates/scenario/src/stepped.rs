@@ -6,8 +6,9 @@ use super::network::Network;
 use super::observables::Observable;
 use super::simulation::{Event, Frame, Law, Simulation};
 use super::source::Source;
+use arithmetic::threads::on_a_thread;
 use arithmetic::{ArithmeticError, Progress};
-use motion::{CellList, Rk4, on_a_thread};
+use motion::{CellList, Rk4};
 use std::ops::Range;
 
 /// Writes the rate of change at a time and state.

@@ -1,11 +1,13 @@
 //! Averaging with the weights `1/(d_i + 1)` (Chazelle): model D from velocities, exact; model K from phases, certified.
 
 use super::error::{ConfigError, Problem, RunError};
+use super::model::Model;
 use super::network::Change;
-use super::observables::{CLUSTERS, Observable, min_distance, of_phases, total};
+use super::observables::{CLUSTERS, Observable, observe};
 use super::simulation::{Event, Frame, Simulation};
 use super::source::Source;
-use super::start::{Needs, Start};
+use super::start::{Needs, Start, float};
+use super::view::{Links, Rows, Sensing, View};
 use algebra::graph::Graph;
 use arithmetic::{ArithmeticError, Complex, Progress, Rational, rational};
 use models::averaging::{
@@ -13,7 +15,8 @@ use models::averaging::{
     kinematic_declaration,
 };
 use models::oscillator::{Flight, Neighbours};
-use num_traits::{Signed, ToPrimitive};
+use num_traits::Signed;
+use std::borrow::Cow;
 
 /// A flock whose lengths are in units of the radius.
 enum Birds {
@@ -27,10 +30,6 @@ struct Vicsek {
     radius: Rational,
     time: u64,
     drawn: Option<String>,
-}
-
-fn float(x: &Rational) -> f64 {
-    x.to_f64().unwrap_or(f64::NAN)
 }
 
 /// Reads the model.
@@ -160,29 +159,18 @@ impl Simulation for Vicsek {
     }
 
     fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
-        let frame = self.frame();
+        let Frame { positions, velocities, phases, .. } = self.frame();
         let graph = self.network();
-        let mut all = match &self.birds {
-            Birds::D(_) => {
-                let vectors = || frame.velocities.iter().map(|v| [v[0], v[1]]);
-                let state = models::double_integrator::State {
-                    positions: frame.positions.iter().map(|r| [r[0], r[1]]).collect(),
-                    velocities: vectors().collect(),
-                };
-                vec![
-                    Observable::number("disagreement", models::double_integrator::disagreement(&state)),
-                    Observable::list("momentum", total(vectors())),
-                ]
-            }
-            Birds::K(_) => {
-                let flight = Flight { positions: Vec::new(), phases: frame.phases.clone() };
-                let orders = 4.min(frame.phases.len() as u32);
-                of_phases(&flight, &flight.state().phasors, &Neighbours::of(graph), orders)?
-            }
+        let view = View {
+            phasors: Flight { positions: Vec::new(), phases: phases.clone() }.state().phasors,
+            orders: 4.min(phases.len() as u32),
+            phases: &phases,
+            velocities: Rows::of(velocities.len(), || velocities),
+            positions: Rows::of(positions.len(), || positions),
+            sensing: Sensing::These(Cow::Owned(Neighbours::of(graph))),
+            ..View::new(Model::Vicsek, Links::These(graph.order(), graph.edges().into()))
         };
-        all.push(Observable::number("min_distance", min_distance(&frame.positions)));
-        all.push(Observable::count("components", graph.components().len()));
-        Ok(all)
+        observe(&view, &["disagreement", "momentum"])
     }
 
     fn declaration(&self) -> Vec<String> {

@@ -1,7 +1,7 @@
 //! The Coq sources: their texts, what each needs, and digests over both.
 
 use sha2::{Digest, Sha256};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
 macro_rules! sources {
@@ -152,6 +152,17 @@ pub struct Source {
 pub fn files() -> &'static [Source] {
     static FILES: OnceLock<Vec<Source>> = OnceLock::new();
     FILES.get_or_init(|| with_digests(&SOURCES))
+}
+
+/// The files with these names and all that they need, what a file needs before it.
+pub fn needed(names: &[&str]) -> Vec<&'static Source> {
+    let mut wanted: BTreeSet<&str> = names.iter().copied().collect();
+    for file in files().iter().rev() {
+        if wanted.contains(file.name) {
+            wanted.extend(&file.needs);
+        }
+    }
+    files().iter().filter(|file| wanted.contains(file.name)).collect()
 }
 
 /// The files of a development, given as (name, text) in an order in which they compile.

@@ -6,15 +6,19 @@
 //! a changed row until somebody has read the statement again.
 
 mod audited;
+mod definitions;
 mod development;
 mod evidence;
+mod referee;
 mod scan;
 mod theorems;
 mod transcript;
 
 pub use audited::{audited_rows, row as audited_row};
-pub use development::{Source, digest_of, files, with_digests};
+pub use definitions::{Definition, definitions_of};
+pub use development::{Source, digest_of, files, needed, with_digests};
 pub use evidence::{Development, proofs_of};
+pub use referee::{bundle, statements};
 pub use scan::{Forbidden, scan};
 pub use theorems::{Covers, Theorem, theorems};
 pub use transcript::{AxiomSet, Transcript, recorded};

@@ -102,7 +102,7 @@ pub fn scan(name: &str, text: &str) -> Result<(), Forbidden> {
 }
 
 /// The word that says what a sentence does.
-fn first_word(sentence: &str) -> Option<&str> {
+pub(super) fn first_word(sentence: &str) -> Option<&str> {
     let mut rest = sentence.trim_start_matches(|c: char| c.is_whitespace() || "{}-+*".contains(c));
     while let Some(attribute) = rest.strip_prefix("#[") {
         rest = attribute.split_once(']').map_or("", |(_, after)| after).trim_start();
@@ -112,8 +112,8 @@ fn first_word(sentence: &str) -> Option<&str> {
     words.find(|word| !before(word))
 }
 
-/// The sentences without their comments and with nothing in their strings, each with the line where it begins.
-fn sentences(text: &str) -> Vec<(usize, String)> {
+/// The sentences without their comments and with nothing in their strings, each with the line where it begins, from 1.
+pub(super) fn sentences(text: &str) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     let (mut line, mut begun, mut sentence) = (1, 1, String::new());
     let (mut comments, mut in_string) = (0usize, false);

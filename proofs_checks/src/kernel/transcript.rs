@@ -86,6 +86,12 @@ impl Transcript {
         transcript
     }
 
+    /// Whether it has everything that the other one says of files and theorems.
+    pub fn contains(&self, other: &Transcript) -> bool {
+        other.digests.iter().all(|(name, digest)| self.digests.get(name) == Some(digest))
+            && other.theorems.iter().all(|(path, axioms)| self.theorems.get(path) == Some(axioms))
+    }
+
     /// As a file.
     pub fn text(&self) -> String {
         let mut text = String::from("# What coqc said; written by `flockproof prove --transcript FILE`.\n");

@@ -219,6 +219,14 @@ impl Workshop {
             .collect()
     }
 
+    /// Compiles statements of theorems that are compiled.
+    ///
+    /// # Errors
+    /// [`ProveError::Refused`], [`ProveError::File`].
+    pub fn state(&self, statements: &str, progress: &dyn Progress) -> Result<(), ProveError> {
+        self.run("statements", statements, progress).map(drop)
+    }
+
     /// The full names of axioms, by the names that Coq prints where this file is known. One whose library was not read from the folder of
     /// Coq's own ones is named by the file that it was read from.
     fn full_names(

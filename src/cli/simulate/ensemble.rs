@@ -66,7 +66,7 @@ fn finished(
     let configuration = json!({"command": "simulate", "file": input.origin, "toml": ensemble.text()});
     let provenance = Provenance::new("flockproof.ensemble/1", first.seed(), configuration);
     let axes = ensemble.axes().iter().map(|(name, values)| {
-        (name.clone(), values.iter().map(|value| value.to_string().into()).collect::<Vec<Value>>().into())
+        (name.to_string(), values.iter().map(|value| value.to_string().into()).collect::<Vec<Value>>().into())
     });
     let failed = runs.failed.iter().map(|(member, why)| json!({"member": member + 1, "ended": why}));
     let summary = provenance.stamp(json!({
@@ -143,7 +143,7 @@ fn picture(ensemble: &Ensemble, moments: &[Moment]) -> Picture {
     const MOST_LINES: usize = 8;
     let points: Vec<&[Moment]> = moments.chunk_by(|a, b| a.point == b.point).collect();
     let one = matches!(ensemble.axes(), [(_, values)] if values.len() > 1);
-    let label = if one { ensemble.axes()[0].0.as_str() } else { "t" };
+    let label = if one { ensemble.axes()[0].0.to_string() } else { "t".to_string() };
     let place = |moment: &Moment| match one {
         true => ensemble.point(moment.point)[0].to_f64().unwrap_or(f64::NAN),
         false => moment.time,
@@ -158,7 +158,7 @@ fn picture(ensemble: &Ensemble, moments: &[Moment]) -> Picture {
     let names: Vec<&str> =
         moments.first().map(|m| m.spreads.iter().map(|s| s.name.as_str()).collect()).unwrap_or_default();
     for name in names {
-        let mut panel = Panel::new(name, Axis::linear(label), Axis::linear(""));
+        let mut panel = Panel::new(name, Axis::linear(&label), Axis::linear(""));
         for ((title, line), k) in lines.iter().zip(0..) {
             let colour = flockproof::report::plot::PALETTE[k % MOST_LINES];
             let curve = |sides: f64| -> Vec<(f64, f64)> {

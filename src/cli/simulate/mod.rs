@@ -10,7 +10,7 @@ use flockproof::report::{
     File, Provenance, animation, events_csv, npz, observables_csv, sample_table, shown, simulation_arrays,
     simulation_pictures, simulation_summary, trajectory_csv,
 };
-use flockproof::scenario::{End, Ensemble, Outcome, Scenario};
+use flockproof::scenario::{ConfigError, End, Ensemble, Outcome, Scenario, with_law};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -55,8 +55,11 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    let refuse = |error: &dyn std::fmt::Display| CliError::file(&arguments.config, error);
-    let input = output::read_input(&arguments.config)?;
+    let mut input = output::read_input(&arguments.config)?;
+    let files = output::beside(&arguments.config);
+    let whole = with_law(&input.text, &files).map_err(|error| CliError::file(&arguments.config, error))?;
+    input.text = whole.text().to_string();
+    let refuse = |error: &ConfigError| CliError::file(&arguments.config, whole.told(error));
     let ensemble = Ensemble::read(&input.text).map_err(|error| refuse(&error))?;
     let scenario = match (&ensemble, arguments.member) {
         (Some(ensemble), None) => return ensemble::run(arguments, ensemble, &input),

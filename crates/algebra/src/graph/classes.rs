@@ -5,7 +5,7 @@
 //! `n - 1`; those found twice are told apart by a canonical form.
 
 use super::{Graph, WeightedGraph};
-use crate::threads::map;
+use arithmetic::threads::map;
 use arithmetic::{Cancelled, Progress, rational};
 use std::collections::BTreeSet;
 

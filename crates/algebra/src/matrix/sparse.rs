@@ -1,8 +1,8 @@
 //! Square rational matrices of which most entries are zero.
 
 use super::{MatrixError, RationalMatrix};
-use crate::threads::map;
 use arithmetic::Rational;
+use arithmetic::threads::map;
 use num_traits::Zero;
 
 /// Rows from which several threads compare them.

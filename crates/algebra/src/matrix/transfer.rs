@@ -8,7 +8,7 @@
 //! has the full degree, and otherwise comes from Hessenberg's form; the numerator is `sum_j s^j sum_i D_(i+j+1) c A^i b`.
 
 use super::MatrixError;
-use crate::threads;
+use arithmetic::threads;
 use arithmetic::{Field, Rational, Residue, Ring, common_denominator, is_prime};
 use num_bigint::BigInt;
 use num_integer::Integer;

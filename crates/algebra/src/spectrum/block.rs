@@ -2,7 +2,7 @@
 
 use super::float_bounds::{SLACK, nearest, nearest_root};
 use crate::matrix::SparseMatrix;
-use crate::threads::map;
+use arithmetic::threads::map;
 use arithmetic::{Rational, rational};
 use num_traits::{Signed, Zero};
 use std::collections::VecDeque;

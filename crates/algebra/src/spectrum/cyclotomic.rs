@@ -3,7 +3,7 @@
 
 use super::float_bounds::{SLACK, UNIT};
 use super::turn::{CHORD_ERROR, ROOT_ERROR, chord, root_of_unity};
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, rational};
+use arithmetic::{ArithmeticError, Complex, Field, Interval, Number, Rational, Real, Ring, rational};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 use std::collections::BTreeMap;

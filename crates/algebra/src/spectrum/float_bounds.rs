@@ -1,6 +1,6 @@
 //! Matrices of floats with bounds: rounding of rationals, products whose error is known.
 
-use arithmetic::{Dyadic, Interval, Rational, Real};
+use arithmetic::{Dyadic, Interval, Number, Rational};
 use dense::{Mat, MatRef, add_product, product};
 use num_traits::ToPrimitive;
 

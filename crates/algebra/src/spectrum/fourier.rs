@@ -17,7 +17,7 @@
 
 use super::float_bounds::{SLACK, UNDERFLOW, UNIT};
 use super::turn::{ROOT_ERROR, root_of_unity};
-use crate::threads::map;
+use arithmetic::threads::map;
 use rayon::prelude::*;
 
 /// Columns that are transformed together.

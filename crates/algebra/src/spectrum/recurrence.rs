@@ -5,7 +5,9 @@
 //! vanishes, so that enclosures settle the sign of the leading term.
 
 use super::{Polynomial, RealRoot};
-use arithmetic::{ArithmeticError, Cancelled, Field, Interval, Progress, Rational, Real, Ring, Sign, Signed, rational};
+use arithmetic::{
+    ArithmeticError, Cancelled, Field, Interval, Number, Progress, Rational, Ring, Sign, Signed, rational,
+};
 use num_bigint::BigInt;
 use num_traits::{Signed as _, ToPrimitive, Zero};
 

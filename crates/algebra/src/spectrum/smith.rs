@@ -6,7 +6,7 @@
 
 use super::enclosed::bits;
 use super::{Polynomial, RealRoot};
-use arithmetic::{Complex, Dyadic, Field, Interval, Rational, Real, Ring};
+use arithmetic::{Complex, Dyadic, Field, Interval, Number, Rational, Ring};
 use num_traits::ToPrimitive;
 
 /// Bits beyond what the digits need: more than a start in floats can be wrong by and still lead to its root.

@@ -17,7 +17,7 @@ use super::enclosed::merged;
 use super::float_bounds::{SLACK, Split, UNIT, around, frobenius};
 use super::reduction::Reduction;
 use super::tridiagonal::Tridiagonal;
-use crate::threads::map;
+use arithmetic::threads::map;
 use dense::Mat;
 
 /// Columns of `Q` that one task works on; the results do not depend on the number of threads.

@@ -1,7 +1,7 @@
 //! For the tests of bounds: matrices without rounding, what it means that a bound is rounded up, eigenvalues of circulants from the definition; and work that
 //! is stopped.
 
-use arithmetic::{Field, Interval, Progress, Rational, Real, Ring, rational};
+use arithmetic::{Field, Interval, Number, Progress, Rational, Real, Ring, rational};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Whole numbers up to 4 in size, so that sums of products of a few of them are exact.

@@ -13,7 +13,7 @@ use super::error::{OUT_OF_RANGE, SpectrumError};
 use super::float_bounds::{RANGE, SLACK, UNIT, around, nearest};
 use super::{Eigenvalue, FloatEnclosure};
 use crate::matrix::SparseMatrix;
-use crate::threads::map_chunks;
+use arithmetic::threads::map_chunks;
 
 /// Pivots closer to zero are replaced.
 const LEAST_PIVOT: f64 = 1e-200;

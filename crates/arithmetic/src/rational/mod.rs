@@ -5,6 +5,7 @@
 //! Against num-rational, to which they convert: `a b + a` of numbers with two digits in a nineteenth of the time, of numbers with eighty digits, by Lehmer's
 //! algorithm, in a sixteenth.
 
+mod functions;
 mod gcd;
 mod operators;
 mod traits;

@@ -2,7 +2,7 @@
 //!
 //! Skipped, and says so, where Python or python-flint is missing; with `FLOCKPROOF_REQUIRE_ARB=1` that is a failure.
 
-use arithmetic::{Field, Interval, Real, Ring, parse_rational, rational};
+use arithmetic::{Field, Interval, Number, Real, Ring, parse_rational, rational};
 use std::io::Write;
 use std::process::{Command, Stdio};
 

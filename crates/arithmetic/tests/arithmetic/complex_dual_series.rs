@@ -1,7 +1,7 @@
 //! Complex, dual and series numbers over exact rationals; derivatives along a flow.
 
 use arithmetic::{
-    ArithmeticError, Complex, Dual, Field, FloatInterval, Interval, Rational, Real, Ring, Series, Sign, Signed,
+    ArithmeticError, Complex, Dual, Field, FloatInterval, Interval, Number, Rational, Ring, Series, Sign, Signed,
     along_flow, gradient, rational,
 };
 use proptest::prelude::*;
@@ -143,7 +143,9 @@ fn functions_of_enclosed_series_contain_those_of_their_points() {
     for x in [0.3, 1.0, 2.7] {
         let (point, around) = (of(x, 0.0), of(x, 0.01));
         type Function = fn(&Series<FloatInterval>) -> Result<Series<FloatInterval>, ArithmeticError>;
-        for function in [Real::sqrt, Real::exp, Real::ln, Real::atan, Real::sin, Real::cosh] as [Function; 6] {
+        for function in
+            [Number::sqrt, Number::exp, Number::ln, Number::atan, Number::sin, Number::cosh] as [Function; 6]
+        {
             let (inner, outer) = (function(&point).unwrap(), function(&around).unwrap());
             for (a, b) in inner.coefficients().iter().zip(outer.coefficients()) {
                 assert!(b.lo() <= a.lo() && a.hi() <= b.hi());

@@ -1,6 +1,6 @@
 //! Floats as scalars: quotients of integers are rounded once, and what has no value is refused.
 
-use arithmetic::{Field, Real, Sign, Signed, rational};
+use arithmetic::{Field, Number, Sign, Signed, rational};
 
 #[test]
 fn quotients_of_integers_are_rounded_once() {
@@ -17,9 +17,9 @@ fn quotients_of_integers_are_rounded_once() {
 fn what_has_no_value_is_refused() {
     assert!(0.0.recip().is_err() && 0.5.recip() == Ok(2.0));
     assert!(3.0.over(&0.0).is_err() && 3.0.over(&4.0) == Ok(0.75) && 0.0.over(&4.0) == Ok(0.0));
-    assert!((-1e-300).sqrt().is_err() && Real::sqrt(&0.0) == Ok(0.0) && Real::sqrt(&0.25) == Ok(0.5));
-    assert!(Real::ln(&0.0).is_err() && Real::ln(&-1.0).is_err() && Real::ln(&1.0) == Ok(0.0));
-    assert!(Real::ln(&0.5).is_ok_and(|x| x < 0.0));
+    assert!(Number::sqrt(&-1e-300).is_err() && Number::sqrt(&0.0) == Ok(0.0) && Number::sqrt(&0.25) == Ok(0.5));
+    assert!(Number::ln(&0.0).is_err() && Number::ln(&-1.0).is_err() && Number::ln(&1.0) == Ok(0.0));
+    assert!(Number::ln(&0.5).is_ok_and(|x| x < 0.0));
     let sign = |x: f64| Signed::sign(&x);
     assert_eq!([-0.5, 0.0, 0.5].map(sign), [Sign::Negative, Sign::Zero, Sign::Positive].map(Some));
     assert_eq!(sign(f64::NAN), None);

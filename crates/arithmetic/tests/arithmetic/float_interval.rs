@@ -1,7 +1,7 @@
 //! Intervals of floats: what is exact is exact, what is not is a step wider, what is not finite is the whole line.
 
 use arithmetic::{
-    ArithmeticError, Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, Sign, Signed, rational,
+    ArithmeticError, Dyadic, Field, FloatInterval, Interval, Number, Rational, Real, Ring, Sign, Signed, rational,
 };
 use num_bigint::BigInt;
 use proptest::prelude::*;
@@ -210,8 +210,8 @@ proptest! {
         type OfFloats = fn(&FloatInterval) -> Result<FloatInterval, ArithmeticError>;
         type OfIntervals = fn(&Interval) -> Result<Interval, ArithmeticError>;
         let functions: [(OfFloats, OfIntervals, bool); 8] = [
-            (Real::sqrt, Real::sqrt, true), (Real::ln, Real::ln, true), (Real::exp, Real::exp, false), (Real::sin, Real::sin, false),
-            (Real::cos, Real::cos, false), (Real::atan, Real::atan, false), (Real::cosh, Real::cosh, false),
+            (Number::sqrt, Number::sqrt, true), (Number::ln, Number::ln, true), (Number::exp, Number::exp, false), (Number::sin, Number::sin, false),
+            (Number::cos, Number::cos, false), (Number::atan, Number::atan, false), (Number::cosh, Number::cosh, false),
             (|x| Ok(x.sinh_cosh()?.0), |x| Ok(x.sinh_cosh()?.0), false),
         ];
         for (of_floats, of_intervals, positive) in functions {

@@ -6,6 +6,7 @@ mod arb;
 mod ball;
 mod complex_dual_series;
 mod degree;
+mod enclosure;
 mod float;
 mod float_interval;
 mod identity;

@@ -1,6 +1,8 @@
 //! Exact cosines and sines against intervals, the degree of their field, inverses and signs; least squares; roots of series.
 
-use arithmetic::{CosineField, Field, Interval, Rational, Real, Ring, Series, Sign, Signed, rational, regression_line};
+use arithmetic::{
+    CosineField, Field, Interval, Number, Rational, Real, Ring, Series, Sign, Signed, rational, regression_line,
+};
 
 fn turn(k: i64, parts: u32) -> (Interval, Interval) {
     let one = Interval::from_rational(&rational(1, 1), 80);

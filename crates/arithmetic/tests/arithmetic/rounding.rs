@@ -1,7 +1,7 @@
 //! Directed rounding to the last bit: every end of a result of [`Interval`] is the exact end, rounded outward once. A naive twin
 //! computes the exact ends from all pairs of ends.
 
-use arithmetic::{Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, rational};
+use arithmetic::{Dyadic, Field, FloatInterval, Interval, Number, Rational, Ring, rational};
 use num_bigint::{BigInt, Sign};
 use num_traits::{Signed, Zero as _};
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! Elementary functions near zero, where relative precision is promised, and at the limits of their arguments.
 
-use arithmetic::{Dyadic, Interval, Rational, Real, Ring, rational};
+use arithmetic::{Dyadic, Interval, Number, Rational, Ring, rational};
 use num_bigint::BigInt;
 use num_traits::Signed;
 

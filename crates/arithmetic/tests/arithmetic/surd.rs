@@ -1,7 +1,7 @@
 //! Exact signs with square roots, against intervals of growing precision.
 
 use arithmetic::{
-    Field, Interval, Rational, Real, Sign, Signed, rational, sign_of_square_root_difference, sign_of_surd,
+    Field, Interval, Number, Rational, Sign, Signed, rational, sign_of_square_root_difference, sign_of_surd,
 };
 use proptest::prelude::*;
 

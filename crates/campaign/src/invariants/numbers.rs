@@ -3,7 +3,7 @@
 use super::{Checked, Invariant, OrFails, Stop, Tested, require, shown};
 use crate::draws::Draws;
 use crate::strategies::fraction;
-use arithmetic::{ArithmeticError, Field, FloatInterval, Interval, Rational, Real, Ring, rational};
+use arithmetic::{ArithmeticError, Field, FloatInterval, Interval, Number, Rational, Ring, rational};
 
 pub(super) const TABLE: &[Invariant] = &[
     Invariant {

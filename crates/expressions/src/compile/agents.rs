@@ -2,7 +2,7 @@
 
 use super::names::parts;
 use super::{Compiler, FUNCTIONS, LOOPS, Made, Scope, Value};
-use crate::number::Function;
+use crate::function::Function;
 use crate::problem::Problem;
 use crate::program::{Gather, Id, Of, Op, Slot};
 use crate::syntax::{Node, NodeKind, Relation};

@@ -1,7 +1,7 @@
 //! Functions of numbers and vectors.
 
 use super::{Compiler, Made, Scope, Value};
-use crate::number::Function;
+use crate::function::Function;
 use crate::problem::Problem;
 use crate::program::{Id, Op};
 use crate::syntax::Node;

@@ -4,12 +4,16 @@ mod agents;
 mod functions;
 mod names;
 mod operations;
+mod rate;
+mod statement;
 
-use super::law::{Kind, Law, LawError, LawText, Parameter, Time, Variable};
+pub use statement::{Clauses, Comparison};
+
+use super::law::{Drawn, Kind, Law, LawError, LawText, Parameter, Time, Variable};
 use super::problem::Problem;
 use super::program::{FLOCK, Gather, Id, OWN, Of, Op, Program, Slot, Things};
 use super::syntax::{KEYWORDS, Node, NodeKind, parse_property};
-use arithmetic::Rational;
+use arithmetic::{Rational, rational};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -55,7 +59,7 @@ const LOOPS: [(&str, Gather); 5] = [
 ];
 
 /// Functions of numbers and vectors with their numbers of arguments.
-const FUNCTIONS: [(&str, usize, usize); 19] = [
+const FUNCTIONS: [(&str, usize, usize); 22] = [
     ("sqrt", 1, 1),
     ("exp", 1, 1),
     ("log", 1, 1),
@@ -75,6 +79,9 @@ const FUNCTIONS: [(&str, usize, usize); 19] = [
     ("unit", 1, 1),
     ("turn", 2, 2),
     ("heading", 1, 1),
+    ("normal", 1, 1),
+    ("uniform", 2, 2),
+    ("rate", 1, 1),
 ];
 
 type Made<T> = Result<T, LawError>;
@@ -82,13 +89,22 @@ type Made<T> = Result<T, LawError>;
 /// What computes the observables, and their names with how many numbers each has.
 type Observed = (Arc<Program>, Vec<(String, usize)>);
 
+/// The numbers of an agent, with where each goes: variable and component.
+type Outputs = (Vec<Id>, Vec<(usize, usize)>);
+
 pub(crate) struct Compiler<'a> {
     text: &'a LawText,
     agents: usize,
     variables: Vec<Variable>,
     definitions: HashMap<&'a str, Definition<'a>>,
     lists: Vec<Vec<Rational>>,
+    /// What is drawn for every step, with where it is written: the table, the key and the byte.
+    drawn: Vec<(Drawn, (&'static str, &'a str, usize))>,
     things: Things,
+    /// Of things how they change: derivatives, or next values in discrete time.
+    changes: HashMap<Id, Id>,
+    /// The rates of a part of the state of an agent.
+    rates_of: HashMap<(usize, Of), Vec<Id>>,
     /// The entries whose texts are read, the one inside of all others last.
     reading: Vec<(&'static str, &'a str)>,
 }
@@ -108,7 +124,10 @@ impl<'a> Compiler<'a> {
             variables: Vec::new(),
             definitions: HashMap::new(),
             lists: Vec::new(),
+            drawn: Vec::new(),
             things: Things::new(),
+            changes: HashMap::new(),
+            rates_of: HashMap::new(),
             reading: Vec::new(),
         };
         compiler.lay_out()?;
@@ -220,26 +239,66 @@ impl<'a> Compiler<'a> {
     /// The whole law.
     pub fn law(mut self) -> Made<Law> {
         let text = self.text;
-        for (key, _) in &text.rates {
-            if !text.state.iter().any(|(name, _)| name == key) {
-                let known = text.state.iter().map(|(name, _)| name.as_str());
-                return self.refuse_entry("rates", key, Problem::unknown("part of the state", key, known));
+        self.list_parameters();
+        let (outputs, targets) = self.of_agents("rates", &text.rates)?;
+        let rates = Arc::new(self.things.program(outputs));
+        let noise = if text.noise.is_empty() { None } else { Some(self.noise()?) };
+        let (observed, observables) = self.observables()?;
+        let nothing = vec![rational(0, 1); self.agents];
+        self.lists.extend(self.drawn.iter().map(|_| nothing.clone()));
+        Ok(Law {
+            agents: self.agents,
+            placed: text.position.is_some(),
+            variables: self.variables,
+            lists: self.lists,
+            drawn: self.drawn.into_iter().map(|(drawn, _)| drawn).collect(),
+            rates,
+            noise,
+            targets,
+            observed,
+            observables,
+        })
+    }
+
+    /// The lists of all parameters: those that are drawn come after them.
+    fn list_parameters(&mut self) {
+        for (_, parameter) in &self.text.parameters {
+            if let Parameter::Each(list) = parameter
+                && !self.lists.contains(list)
+            {
+                self.lists.push(list.clone());
             }
         }
-        let scope = Scope {
+    }
+
+    /// Of agent i, whose bare names are its own.
+    fn own_scope() -> Scope {
+        Scope {
             own: Some(Of::Slot(OWN)),
             innermost: OWN,
             hears: Some(Of::Slot(OWN)),
             agents: vec![("i".to_string(), Of::Slot(OWN))],
-        };
+        }
+    }
+
+    /// Every part of the state has its entry; the numbers, and where each goes.
+    fn of_agents(&mut self, table: &'static str, entries: &'a [(String, String)]) -> Made<Outputs> {
+        let text = self.text;
+        for (key, _) in entries {
+            if !text.state.iter().any(|(name, _)| name == key) {
+                let known = text.state.iter().map(|(name, _)| name.as_str());
+                return self.refuse_entry(table, key, Problem::unknown("part of the state", key, known));
+            }
+        }
+        let scope = Self::own_scope();
         let (mut outputs, mut targets) = (Vec::new(), Vec::new());
         for (place, variable) in self.variables.clone().iter().enumerate() {
-            let Some((key, rate)) = text.rates.iter().find(|(name, _)| *name == variable.name) else {
+            let Some((key, rate)) = entries.iter().find(|(name, _)| *name == variable.name) else {
                 let what = if text.time == Time::Discrete { "next value" } else { "rate" };
                 let problem = format!("the {what} of `{}` is missing", variable.name);
-                return self.refuse_entry("rates", "", Problem::Other(problem));
+                return self.refuse_entry(table, "", Problem::Other(problem));
             };
-            self.reading.push(("rates", key));
+            self.reading.push((table, key));
             let node = self.parse(rate)?;
             let value = self.value(&node, &scope)?;
             let expected = if variable.width > 1 { "a vector" } else { "a number" };
@@ -252,18 +311,34 @@ impl<'a> Compiler<'a> {
             targets.extend((0..numbers.len()).map(|component| (place, component)));
             outputs.extend(numbers);
         }
-        let rates = Arc::new(self.things.program(outputs));
-        let (observed, observables) = self.observables()?;
-        Ok(Law {
-            agents: self.agents,
-            placed: text.position.is_some(),
-            variables: self.variables,
-            lists: self.lists,
-            rates,
-            targets,
-            observed,
-            observables,
-        })
+        Ok((outputs, targets))
+    }
+
+    /// The strength of the noise of each number, zero where nothing is said.
+    fn noise(&mut self) -> Made<Arc<Program>> {
+        let text = self.text;
+        for (key, _) in &text.noise {
+            if !text.state.iter().any(|(name, _)| name == key) {
+                let known = text.state.iter().map(|(name, _)| name.as_str());
+                return self.refuse_entry("noise", key, Problem::unknown("part of the state", key, known));
+            }
+        }
+        let scope = Self::own_scope();
+        let mut outputs = Vec::new();
+        for variable in &self.variables.clone() {
+            let strength = match text.noise.iter().find(|(name, _)| *name == variable.name) {
+                None => self.things.integer(0),
+                Some((key, strength)) => {
+                    self.reading.push(("noise", key));
+                    let node = self.parse(strength)?;
+                    let number = self.number(&node, &scope)?;
+                    self.reading.pop();
+                    number
+                }
+            };
+            outputs.extend(std::iter::repeat_n(strength, variable.width));
+        }
+        Ok(Arc::new(self.things.program(outputs)))
     }
 
     fn observables(&mut self) -> Made<Observed> {

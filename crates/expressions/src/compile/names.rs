@@ -2,7 +2,7 @@
 
 use super::functions::words_for;
 use super::{Compiler, Definition, FUNCTIONS, LOOPS, Made, Scope, Value};
-use crate::law::{Kind, Parameter};
+use crate::law::{Drawn, Kind, Parameter, Time};
 use crate::problem::Problem;
 use crate::program::{Id, Of, Op};
 use crate::syntax::{Node, NodeKind};
@@ -36,10 +36,26 @@ impl<'a> Compiler<'a> {
                     if least == most { words_for(*least) } else { format!("at least {}", words_for(*least)) };
                 return self.refuse(node.at, Problem::Arguments { name: name.to_string(), expected, found });
             }
+            if let "normal" | "uniform" = name {
+                return self.drawn(node, name, arguments, scope);
+            }
+            if name == "rate" {
+                return self.rate(node, arguments, scope);
+            }
             return self.function(name, arguments, scope);
         }
         let (base, index, component) = parts(name);
         if let Some(definition) = self.definitions.get(base).cloned() {
+            if let (None, Some(component), []) = (index, component, &definition.agents[..]) {
+                let value = self.defined(node, base, &definition, arguments, scope)?;
+                let Value::Vector(ids) = value else {
+                    return self.refuse(node.at, Problem::expected("a vector", value.words()));
+                };
+                let number = component.parse::<usize>().ok().and_then(|k| ids.get(k.checked_sub(1)?));
+                let expected =
+                    || Problem::expected(format!("a component from 1 to {}", ids.len()), format!("`{name}`"));
+                return number.map_or_else(|| self.refuse(node.at, expected()), |id| Ok(Value::Number(*id)));
+            }
             if index.is_some() || component.is_some() {
                 let way = format!("{base}({})", definition.agents.join(", "));
                 return self.refuse(node.at, Problem::expected(format!("`{way}`"), format!("`{name}`")));
@@ -52,6 +68,39 @@ impl<'a> Compiler<'a> {
             return self.refuse(node.at, Problem::unknown("function", name, known));
         }
         self.of_agent(node, (name, base, index, component), scope)
+    }
+
+    /// A number that is drawn for the agent whose bare names are its own, once in a step wherever the same place of the text is read.
+    fn drawn(&mut self, node: &Node, name: &str, arguments: &[Node], scope: &Scope) -> Made<Value> {
+        let Some((table, key)) = self.reading.last().copied() else {
+            return self.refuse(node.at, Problem::NoAgent(name.to_string()));
+        };
+        if self.text.time != Time::Discrete || self.reading.first().is_none_or(|(table, _)| *table != "rates") {
+            let why =
+                format!("`{name}` draws for a step of discrete time; noise in continuous time stands in [law.noise]");
+            return self.refuse(node.at, Problem::Other(why));
+        }
+        let Some(of) = scope.own else {
+            let why = format!("`{name}` is drawn for one agent, and here none has a name of its own");
+            return self.refuse(node.at, Problem::Other(why));
+        };
+        let kind = if name == "normal" { Drawn::Normal } else { Drawn::Uniform };
+        let place = (table, key, node.at);
+        let drawn = self.drawn.iter().position(|(_, known)| *known == place).unwrap_or_else(|| {
+            self.drawn.push((kind, place));
+            self.drawn.len() - 1
+        });
+        let number = self.things.add(Op::Parameter(self.lists.len() + drawn, of));
+        let first = self.number(&arguments[0], scope)?;
+        let things = &mut self.things;
+        if kind == Drawn::Normal {
+            return Ok(Value::Number(things.add(Op::Product(first, number))));
+        }
+        let last = self.number(&arguments[1], scope)?;
+        let things = &mut self.things;
+        let width = things.add(Op::Difference(last, first));
+        let part = things.add(Op::Product(width, number));
+        Ok(Value::Number(things.add(Op::Sum(first, part))))
     }
 
     /// A parameter or a part of the state.
@@ -68,10 +117,7 @@ impl<'a> Compiler<'a> {
                 }
                 Parameter::Each(list) if component.is_none() => {
                     let of = self.agent(node, base, index, scope)?;
-                    let known = self.lists.iter().position(|known| known == list).unwrap_or(self.lists.len());
-                    if known == self.lists.len() {
-                        self.lists.push(list.clone());
-                    }
+                    let known = self.lists.iter().position(|known| known == list).unwrap_or_default();
                     Ok(Value::Number(self.things.add(Op::Parameter(known, of))))
                 }
                 _ => self.refuse(

@@ -1,12 +1,15 @@
 //! Operators and conditions.
 
 use super::{Compiler, Made, Scope, Value};
-use crate::number::Function;
+use crate::function::Function;
 use crate::problem::Problem;
 use crate::program::{Id, Op, Things};
 use crate::syntax::{Node, NodeKind, Relation};
 use arithmetic::{Rational, rational};
 use num_traits::ToPrimitive;
+
+/// Roots of roots: powers of an eighth.
+const MOST_ROOTS: u32 = 3;
 
 impl Compiler<'_> {
     /// A number for each number of a value.
@@ -53,18 +56,22 @@ impl Compiler<'_> {
         }
     }
 
+    /// Products, and roots where the exponent is a number of halves, quarters or eighths; by exponential and logarithm elsewhere.
     pub(super) fn power(&mut self, base: Id, exponent: Id) -> Id {
         let things = &mut self.things;
         let constant = if let Op::Number(q) = &things.ops[exponent] { Some(q.clone()) } else { None };
-        let twice = constant.as_ref().map(|q| q * rational(2, 1)).filter(Rational::is_integer);
-        let small = twice.and_then(|twice| twice.to_integer().to_i64()).filter(|twice| twice.unsigned_abs() <= 128);
-        let Some(twice) = small else {
+        let as_roots = |q: &Rational| {
+            let whole = |roots: &u32| (q * rational(1 << roots, 1)).is_integer();
+            let roots = (0..=MOST_ROOTS).find(whole)?;
+            let times = (q * rational(1 << roots, 1)).to_integer().to_i64()?;
+            (times.unsigned_abs() <= 128).then_some((roots, times))
+        };
+        let Some((roots, times)) = constant.as_ref().and_then(as_roots) else {
             let logarithm = things.add(Op::Function(Function::Logarithm, base));
             let product = things.add(Op::Product(exponent, logarithm));
             return things.add(Op::Function(Function::Exponential, product));
         };
-        let root = if twice % 2 == 0 { base } else { things.add(Op::Function(Function::Root, base)) };
-        let times = if twice % 2 == 0 { twice / 2 } else { twice };
+        let root = (0..roots).fold(base, |base, _| things.add(Op::Function(Function::Root, base)));
         let size = u32::try_from(times.unsigned_abs()).unwrap_or_default();
         let one = things.integer(1);
         let power = if size == 0 { one } else { things.add(Op::Power(root, size)) };

@@ -4,4 +4,5 @@ extern crate flockproof_expressions as expressions;
 
 mod errors;
 mod laws;
+mod rates;
 mod twin;

@@ -2,7 +2,7 @@
 
 use super::laws::{Lists, second_order};
 use arithmetic::random::{generator, uniform};
-use expressions::{Node, NodeKind, Relation, parse_property};
+use expressions::{Blocks, Everyone, Hearing, Law, Node, NodeKind, Relation, parse_property};
 use rand_chacha::ChaCha8Rng;
 
 /// What a walk has found.
@@ -205,6 +205,77 @@ impl Draw {
     }
 }
 
+/// The rates by blocks.
+fn in_blocks(law: &Law, state: &[f64], hearing: &dyn Hearing) -> Vec<f64> {
+    let mut rates = vec![0.0; state.len()];
+    let again = rates.clone();
+    let mut blocks = Blocks::rates(law);
+    blocks.write_rates(law, (0.0, state), hearing, &mut rates).unwrap();
+    // Nothing is left in the working space.
+    let mut second = again;
+    blocks.write_rates(law, (0.0, state), hearing, &mut second).unwrap();
+    assert!(rates.iter().zip(&second).all(|(a, b)| a.to_bits() == b.to_bits()));
+    rates
+}
+
+/// Those within some distance on a circle of numbers, in an order of their own.
+fn around(agents: usize, reach: usize) -> Lists {
+    let list = |i: usize| (1..=reach).flat_map(|d| [(i + d) % agents, (i + agents - d) % agents]).collect();
+    Lists((0..agents).map(list).collect())
+}
+
+#[test]
+fn blocks_of_large_flocks_as_one_number_after_the_other() {
+    let mut compared = 0;
+    for case in 0..60 {
+        let mut draw = Draw { random: generator("expressions", "blocks", case) };
+        let text = draw.vector(&["i"], 3);
+        let agents = [60, 70, 300, 530][(case % 4) as usize];
+        let state: Vec<f64> = (0..4 * agents).map(|_| 2.0 * uniform(&mut draw.random) - 1.0).collect();
+        let law = second_order(&[], &text, &[]).compile(agents).unwrap();
+        let near: [Box<dyn Hearing>; 3] =
+            [Box::new(Everyone(agents)), Box::new(around(agents, 3)), Box::new(around(agents, 27))];
+        let deep = text.matches("(j").count() > 0 && (text.contains("(k") || text.contains("(l"));
+        for hearing in near.iter().skip(usize::from(deep)) {
+            let (found, wanted) = match law.rates(&0.0, &state, hearing.as_ref()) {
+                Ok(wanted) => (in_blocks(&law, &state, hearing.as_ref()), wanted),
+                Err(_) => continue,
+            };
+            let largest = wanted.iter().fold(1.0, |most: f64, x| most.max(x.abs()));
+            for (found, wanted) in found.iter().zip(&wanted).filter(|(_, wanted)| wanted.is_finite()) {
+                compared += 1;
+                assert!((found - wanted).abs() < 1e-9 * largest, "{text}: {found} for {wanted}");
+            }
+        }
+    }
+    assert!(compared > 10_000, "{compared}");
+}
+
+#[test]
+fn threads_change_no_byte() {
+    let law =
+        second_order(&[], "sum(j, (v[j] - v)/(1 + norm2(x[j] - x))^(1/4)) + mean(k, x[k])", &[]).compile(900).unwrap();
+    let mut random = generator("expressions", "threads", 0);
+    let state: Vec<f64> = (0..3600).map(|_| uniform(&mut random)).collect();
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| [in_blocks(&law, &state, &Everyone(900)), in_blocks(&law, &state, &around(900, 20))])
+    };
+    assert_eq!(with(1), with(3));
+}
+
+#[test]
+fn what_is_not_taken_needs_no_value_in_blocks_either() {
+    let text = "sum(j where x[j].1 != x.1, (x[j] - x)/(x[j].1 - x.1)) + if(x.1 = 0, x, x/x.1)";
+    let law = second_order(&[], text, &[]).compile(4).unwrap();
+    let state: Vec<f64> = [0, 1, 0, 2, 1, 1, 3, 1, 0, 0, 0, 0, 0, 0, 0, 0].map(f64::from).to_vec();
+    assert_eq!(in_blocks(&law, &state, &Everyone(4)), law.rates(&0.0, &state, &Everyone(4)).unwrap());
+    let law = second_order(&[], "sum(j, (x[j] - x)/(x[j].1 - x.1))", &[]).compile(4).unwrap();
+    let (mut rates, mut blocks) = (vec![0.0; 16], Blocks::rates(&law));
+    let fault = blocks.write_rates(&law, (0.0, &state), &Everyone(4), &mut rates).unwrap_err();
+    assert_eq!(fault, law.rates(&0.0, &state, &Everyone(4)).unwrap_err());
+}
+
 #[test]
 fn random_expressions_as_by_a_walk_through_the_tree() {
     let lists = [
@@ -222,6 +293,7 @@ fn random_expressions_as_by_a_walk_through_the_tree() {
         assert_eq!(parse_property(&node.to_string()).unwrap().to_string(), node.to_string());
         let law = second_order(&[], &text, &[]).compile(4).unwrap_or_else(|error| panic!("{text}: {error}"));
         let rates = law.rates(&0.0, &state, &Lists(lists.clone())).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let blocks = in_blocks(&law, &state, &Lists(lists.clone()));
         let walk = Walk { lists, state: &state };
         for agent in 0..4 {
             let wanted = walk.numbers(&node, &[("i".to_string(), agent)]);
@@ -231,6 +303,11 @@ fn random_expressions_as_by_a_walk_through_the_tree() {
                 if size.is_finite() && size < 1e6 {
                     compared += 1;
                     assert!((found - wanted).abs() < 1e-9 * size, "{text}: {found} for {wanted} (agent {agent})");
+                    let found = blocks[8 + 2 * agent + c];
+                    assert!(
+                        (found - wanted).abs() < 1e-9 * size,
+                        "{text}: {found} in blocks for {wanted} (agent {agent})"
+                    );
                 }
             }
         }

@@ -6,7 +6,7 @@ use super::kinematic_start::KinematicStart;
 use super::rule::Rule;
 use super::{FlockError, Hysteresis, Switch};
 use algebra::graph::Graph;
-use arithmetic::{Complex, Field, Interval, Rational, Real, Ring, Sign, Signed};
+use arithmetic::{Complex, Field, Interval, Number, Rational, Ring, Sign, Signed};
 use num_bigint::BigInt;
 use std::cmp::Ordering;
 

@@ -142,7 +142,14 @@ const NOT_IN_K: [(&str, &str); 3] = [
 /// # Errors
 /// [`ReadFlockError`] with the field at fault.
 pub fn read_flock(text: &str) -> Result<FlockFile, ReadFlockError> {
-    let value: Value = algebra::json::parse(text).map_err(ReadFlockError::Json)?;
+    flock_of(algebra::json::parse(text).map_err(ReadFlockError::Json)?)
+}
+
+/// The flock of a document that was parsed.
+///
+/// # Errors
+/// [`ReadFlockError`] with the field at fault.
+pub fn flock_of(value: Value) -> Result<FlockFile, ReadFlockError> {
     let Value::Object(fields) = value else { return Err(ReadFlockError::NoObject) };
     if let Some(unknown) = fields.keys().find(|key| !FIELDS.contains(&key.as_str())) {
         return Err(ReadFlockError::Unknown(unknown.clone()));

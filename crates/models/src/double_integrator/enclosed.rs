@@ -7,8 +7,9 @@
 
 use super::{Coordinates, Pair, Potential, State, Vector, linked_within, velocity_alignment};
 use algebra::graph::Graph;
-use arithmetic::{ArithmeticError, Field, FloatInterval, Rational, Sign, Signed};
-use motion::validated::{Flow, IntervalVector, Parallelepiped, SmoothLaw, Step, ValidationError, box_of_step};
+use arithmetic::{ArithmeticError, FloatInterval, Number, Rational, Sign, Signed};
+use motion::System;
+use motion::validated::{Flow, IntervalVector, Parallelepiped, Step, ValidationError, box_of_step};
 
 /// Agents with velocity alignment and one potential, linked below a distance `R`.
 #[derive(Debug, Clone)]
@@ -104,8 +105,8 @@ fn moved(set: &Parallelepiped, hull: &[FloatInterval], shift: &[FloatInterval]) 
     Some(if widest(&shaped) < widest(&as_box) { shaped } else { as_box })
 }
 
-impl SmoothLaw for FixedNetwork<'_> {
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for FixedNetwork<'_> {
+    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let Some(like) = state.first() else { return Ok(Vec::new()) };
         let slope = self.potential.slope_over(like);
         let moving = State::from_halves(state);
@@ -270,7 +271,7 @@ impl EnclosedFlock {
         for choice in 0..1usize << doubtful.len() {
             let chosen = |pair| doubtful.iter().position(|&p| p == pair).is_some_and(|k| choice >> k & 1 == 1);
             let edges = switched(graph, chosen).edges();
-            let rate = FixedNetwork { potential: &self.potential, edges: &edges }.rate(over)?;
+            let rate = FixedNetwork { potential: &self.potential, edges: &edges }.rate(&FloatInterval::LINE, over)?;
             hull = Some(match hull {
                 None => rate,
                 Some(hull) => hull.iter().zip(&rate).map(|(a, b)| a.hull(b)).collect(),

@@ -5,7 +5,8 @@
 //! switching networks, equation (4) with the graph of Section 5).
 
 use super::{Coordinates, Potential, Slope, State, Vector, difference, pull, sum};
-use motion::{CellError, CellList, Lanes, VectorField, first_not_finite, while_one_waits};
+use arithmetic::threads::while_one_waits;
+use motion::{CellError, CellList, Lanes, VectorField, first_not_finite};
 use pulp::Simd;
 use rayon::prelude::*;
 

@@ -3,7 +3,7 @@
 use super::law::check_links;
 use super::{Coordinates, Pair, State, Vector, cross, difference, rotated, scaled};
 use crate::angles::{modulo_turns, within_a_turn};
-use arithmetic::{ArithmeticError, Field, Real, Ring, Sign, Signed};
+use arithmetic::{ArithmeticError, Field, Real, Ring, Sign};
 use std::f64::consts::PI;
 
 /// What `theta_i - theta_j` means in equation (5) of the first paper, which does not say it.
@@ -20,7 +20,7 @@ pub enum HeadingDifference {
 impl HeadingDifference {
     /// The difference that the law uses, from that of two headings in `(-pi, pi]`, or of two that are followed. An enclosure of the difference
     /// has to decide whether it is above `pi` and whether it is above `-pi`.
-    pub fn read<T: Real + Signed>(self, difference: T) -> T {
+    pub fn read<T: Real>(self, difference: T) -> T {
         let pi = difference.pi();
         let turn = pi.clone() + &pi;
         match self {
@@ -38,7 +38,7 @@ impl HeadingDifference {
 ///
 /// # Errors
 /// [`ArithmeticError::Domain`] for the zero vector, and where a sign is not decided.
-pub fn heading<T: Real + Signed>(v: &Vector<T>) -> Result<T, ArithmeticError> {
+pub fn heading<T: Real>(v: &Vector<T>) -> Result<T, ArithmeticError> {
     let undecided = ArithmeticError::Domain("vectors that are not zero");
     let [x, y] = v;
     let (across, up) = (x.sign().ok_or(undecided.clone())?, y.sign().ok_or(undecided.clone())?);

@@ -8,6 +8,7 @@ mod abscissa;
 mod all_to_all;
 mod arrangement;
 mod circles;
+mod control;
 pub mod critical;
 mod fish;
 mod flight;
@@ -33,6 +34,7 @@ pub use circles::{
     circular_formation, composite_potential, heading_components, reference_control, relative_position_control,
     spacing_control, spacing_potential,
 };
+pub use control::{Orientation, Spacing, Steering};
 pub use fish::{
     BehaviourGains, Zone, ZoneNetworks, Zones, alignment, attraction, behaviour_control, laplacian_behaviour_control,
     repulsion, steering_towards,

@@ -5,7 +5,7 @@
 //! (`notes/veerman_platoons.md`).
 
 use super::Gains;
-use arithmetic::{ArithmeticError, Dyadic, Interval, Rational, Real, Sign, Signed};
+use arithmetic::{ArithmeticError, Dyadic, Interval, Number, Rational, Real, Sign, Signed};
 
 /// The angle `phi_k`, of the kind of `like`; `1 <= k <= followers`.
 pub fn mode_angle<T: Real>(like: &T, followers: u64, k: u64) -> T {
@@ -49,7 +49,7 @@ pub enum Roots<T> {
     Close(T),
 }
 
-impl<T: Real + Signed> Mode<T> {
+impl<T: Real> Mode<T> {
     /// The mode of the eigenvalue `lambda > 0`, for `f, g < 0`.
     ///
     /// # Errors
@@ -146,7 +146,7 @@ impl<T: Real + Signed> Mode<T> {
 }
 
 /// Whether `|x| <= bound` is certain.
-fn is_within<T: Real + Signed>(x: &T, bound: &T) -> bool {
+fn is_within<T: Real>(x: &T, bound: &T) -> bool {
     (bound.clone() - x).is_certainly_positive() && (bound.clone() + x).is_certainly_positive()
 }
 

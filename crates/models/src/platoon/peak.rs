@@ -9,7 +9,7 @@ use super::state_space::{StateSpace, StateSpaceError};
 use super::{CommunicationGraph, Gains};
 use algebra::matrix::MatrixError;
 use algebra::spectrum::{Largest, LargestError, Place, Polynomial, largest_quotient};
-use arithmetic::{ArithmeticError, Dyadic, Interval, Progress, Rational, Real};
+use arithmetic::{ArithmeticError, Dyadic, Interval, Number, Progress, Rational};
 use num_bigint::BigInt;
 
 /// The largest response over the frequencies `w >= 0`, which is its supremum over `w > 0`.

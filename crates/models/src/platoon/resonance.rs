@@ -13,7 +13,7 @@ use super::response::positive_root;
 use super::shape::frequency_response_by;
 use super::{FrequencyResponse, Gains, chebyshev, theorem1};
 use arithmetic::{
-    ArithmeticError, Ball, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, significant_digits,
+    ArithmeticError, Ball, Complex, Dyadic, Field, Interval, Number, Rational, Ring, Sign, Signed, significant_digits,
 };
 use num_traits::ToPrimitive;
 

@@ -9,7 +9,7 @@
 
 use super::modes::{Mode, mode_eigenvalue};
 use super::{Gains, gamma_minus_one};
-use arithmetic::{ArithmeticError, Complex, Field, Real, Sign, Signed};
+use arithmetic::{ArithmeticError, Complex, Field, Real, Sign};
 
 /// One mode with its eigenvalue and its share in the last car.
 #[derive(Debug, Clone)]
@@ -38,7 +38,7 @@ pub struct Modes<T> {
     sines: Vec<T>,
 }
 
-impl<T: Real + Signed> Modes<T> {
+impl<T: Real> Modes<T> {
     /// The modes of `followers >= 1` cars.
     ///
     /// # Errors
@@ -164,7 +164,7 @@ pub struct HarmonicStart<T> {
     periodic: Vec<Complex<T>>,
 }
 
-impl<T: Real + Signed> HarmonicStart<T> {
+impl<T: Real> HarmonicStart<T> {
     /// What the last car still lacks of its periodic motion at time `t`: `y_M(t) - a_M e^{iwt}`. Real and imaginary part
     /// belong to the leaders `cos wt` and `sin wt`.
     ///
@@ -233,7 +233,7 @@ pub struct SwingingStart<T> {
     start: Vec<(T, T, Complex<T>)>,
 }
 
-impl<T: Real + Signed> SwingingStart<T> {
+impl<T: Real> SwingingStart<T> {
     /// The deviations of all followers from the leader at time `t`, in position and velocity.
     ///
     /// # Errors
@@ -263,7 +263,7 @@ pub struct StopAndGo<T> {
     rest: Vec<T>,
 }
 
-impl<T: Real + Signed> StopAndGo<T> {
+impl<T: Real> StopAndGo<T> {
     /// The changes of the acceleration up to time `t`, with the times since.
     fn past(&self, t: &T) -> Result<Vec<(T, &T)>, ArithmeticError> {
         let mut past = Vec::new();

@@ -15,17 +15,7 @@ pub use parallelepiped::Parallelepiped;
 pub use rough::box_of_step;
 pub use step::{Flow, Step};
 
-use arithmetic::{ArithmeticError, Field, FloatInterval};
-
-/// A right-hand side `f` that does not depend on the time and has derivatives of every order where it has a value: made of
-/// the operations of [`Field`].
-pub trait SmoothLaw: Sync {
-    /// `f(state)`, as long as the state.
-    ///
-    /// # Errors
-    /// Where the law has no value, for instance at a division by zero.
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError>;
-}
+use arithmetic::{ArithmeticError, FloatInterval};
 
 /// Why a solution could not be enclosed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -1,7 +1,8 @@
 //! Boxes that contain the solution on a whole step.
 
+use super::IntervalVector;
 use super::linear::{IntervalMatrix, row_norm, unit_vectors};
-use super::{IntervalVector, SmoothLaw};
+use crate::System;
 use arithmetic::{ArithmeticError, Dual, FloatInterval};
 
 /// Attempts to widen a box.
@@ -43,17 +44,21 @@ fn wider(x: &FloatInterval) -> FloatInterval {
     FloatInterval::between(x.lo() - more, x.hi() + more)
 }
 
-/// The derivatives `df_i/dy_j` over a box.
+/// The derivatives `df_i/dy_j` over a box and a stretch of time.
 ///
 /// # Errors
 /// Whatever the law returns.
-pub(super) fn jacobian(law: &impl SmoothLaw, over: &[FloatInterval]) -> Result<IntervalMatrix, ArithmeticError> {
+pub(super) fn jacobian(
+    law: &impl System,
+    time: FloatInterval,
+    over: &[FloatInterval],
+) -> Result<IntervalMatrix, ArithmeticError> {
     let size = over.len();
     let Some(like) = over.first() else { return Ok(Vec::new()) };
     let mut rows = vec![Vec::with_capacity(size); size];
     for direction in unit_vectors(size, like) {
         let moved: Vec<Dual<FloatInterval>> = over.iter().zip(direction).map(|(x, d)| Dual::new(*x, d)).collect();
-        rows.iter_mut().zip(law.rate(&moved)?).for_each(|(row, rate)| row.push(rate.derivative));
+        rows.iter_mut().zip(law.rate(&Dual::constant(time), &moved)?).for_each(|(row, rate)| row.push(rate.derivative));
     }
     Ok(rows)
 }

@@ -3,7 +3,8 @@
 use super::linear::{IntervalMatrix, unit_vectors};
 use super::rough::{box_of_step, jacobian, spread};
 use super::taylor::{coefficients, horner};
-use super::{IntervalVector, Parallelepiped, SmoothLaw, ValidationError};
+use super::{IntervalVector, Parallelepiped, ValidationError};
+use crate::System;
 use arithmetic::{ArithmeticError, Dual, FloatInterval};
 
 /// Terms of the expansion of the solution.
@@ -52,7 +53,7 @@ impl Step {
     }
 }
 
-impl<L: SmoothLaw> Flow<L> {
+impl<L: System> Flow<L> {
     /// A flow; the first step tried has the given length.
     pub fn new(law: L, length: f64) -> Self {
         Flow { law, length }
@@ -97,19 +98,20 @@ impl<L: SmoothLaw> Flow<L> {
     /// A step to `next` exactly, with the width of its remainder; `None` where no box was found.
     fn attempt(&self, from: &Parallelepiped, time: f64, next: f64) -> Result<Option<(Step, f64)>, ArithmeticError> {
         let span = FloatInterval::point(next) - FloatInterval::point(time);
-        let start = from.hull();
-        let Some(around) = box_of_step(&start, span, |b| self.law.rate(b))? else { return Ok(None) };
+        let (start, begin) = (from.hull(), FloatInterval::point(time));
+        let during = begin.hull(&FloatInterval::point(next));
+        let Some(around) = box_of_step(&start, span, |b| self.law.rate(&during, b))? else { return Ok(None) };
         let remainder: IntervalVector =
-            coefficients(&self.law, &around, ORDER)?.into_iter().map(|c| c[ORDER]).collect();
+            coefficients(&self.law, &during, &around, ORDER)?.into_iter().map(|c| c[ORDER]).collect();
         let closed = |mut inner: Vec<IntervalVector>| -> Vec<IntervalVector> {
             inner.iter_mut().zip(&remainder).for_each(|(c, last)| c.push(*last));
             inner
         };
         let centre: IntervalVector = from.centre().iter().map(|&x| FloatInterval::point(x)).collect();
-        let of_centre = closed(coefficients(&self.law, &centre, ORDER - 1)?);
-        let expansion = closed(coefficients(&self.law, &start, ORDER - 1)?);
+        let of_centre = closed(coefficients(&self.law, &begin, &centre, ORDER - 1)?);
+        let expansion = closed(coefficients(&self.law, &begin, &start, ORDER - 1)?);
         let image: IntervalVector = of_centre.iter().map(|c| horner(c, &span)).collect();
-        let Some(derivative) = self.derivative(&start, &around, span)? else { return Ok(None) };
+        let Some(derivative) = self.derivative([&begin, &during], [&start, &around], span)? else { return Ok(None) };
         let Some(end) = from.mapped(&image, &derivative) else { return Ok(None) };
         let power = span.magnitude().powi(ORDER as i32);
         let width = remainder.iter().map(|c| c.magnitude() * power).fold(0.0, f64::max);
@@ -119,11 +121,11 @@ impl<L: SmoothLaw> Flow<L> {
     /// The derivatives of the state after the span by the state before it.
     fn derivative(
         &self,
-        start: &[FloatInterval],
-        around: &[FloatInterval],
+        [begin, during]: [&FloatInterval; 2],
+        [start, around]: [&[FloatInterval]; 2],
         span: FloatInterval,
     ) -> Result<Option<IntervalMatrix>, ArithmeticError> {
-        let Some(far) = spread(&jacobian(&self.law, around)?, span) else { return Ok(None) };
+        let Some(far) = spread(&jacobian(&self.law, *during, around)?, span) else { return Ok(None) };
         let size = start.len();
         let mut rows: IntervalMatrix = vec![Vec::with_capacity(size); size];
         for direction in unit_vectors(size, &span) {
@@ -131,8 +133,9 @@ impl<L: SmoothLaw> Flow<L> {
                 let pairs = state.iter().zip(&direction);
                 pairs.map(|(x, d)| Dual::new(*x, add.map_or(*d, |far| *d + far))).collect()
             };
-            let inner = coefficients(&self.law, &seeded(start, None), DERIVATIVE_ORDER - 1)?;
-            let rest = coefficients(&self.law, &seeded(around, Some(far)), DERIVATIVE_ORDER)?;
+            let [begin, during] = [begin, during].map(|t| Dual::constant(*t));
+            let inner = coefficients(&self.law, &begin, &seeded(start, None), DERIVATIVE_ORDER - 1)?;
+            let rest = coefficients(&self.law, &during, &seeded(around, Some(far)), DERIVATIVE_ORDER)?;
             for ((row, c), last) in rows.iter_mut().zip(inner).zip(rest) {
                 let mut c: IntervalVector = c.into_iter().map(|d| d.derivative).collect();
                 c.push(last[DERIVATIVE_ORDER].derivative);

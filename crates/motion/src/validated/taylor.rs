@@ -1,15 +1,16 @@
 //! Taylor's coefficients of solutions.
 
-use super::SmoothLaw;
-use arithmetic::{ArithmeticError, Field, Series};
+use crate::System;
+use arithmetic::{ArithmeticError, Field, Number, Series};
 
-/// The coefficients `y^(k)/k!`, `k = 0..=order`, of the solution through `start`, coordinate by coordinate: `k c_k` is coefficient `k - 1` of `f`
+/// The coefficients `y^(k)/k!`, `k = 0..=order`, of the solution through `start` at `time`, coordinate by coordinate: `k c_k` is coefficient `k - 1` of `f`
 /// of the series up to there.
 ///
 /// # Errors
 /// Whatever the law returns.
-pub(super) fn coefficients<T: Field>(
-    law: &impl SmoothLaw,
+pub(super) fn coefficients<T: Number>(
+    law: &impl System,
+    time: &T,
     start: &[T],
     order: usize,
 ) -> Result<Vec<Vec<T>>, ArithmeticError> {
@@ -20,7 +21,9 @@ pub(super) fn coefficients<T: Field>(
             .zip(start)
             .map(|(c, first)| Series::from_coefficients(first.clone(), c[1..].iter().cloned()))
             .collect();
-        for (c, rate) in known.iter_mut().zip(law.rate(&series)?) {
+        let ahead = (1..k).map(|power| time.integer(i64::from(power == 1)));
+        let now = Series::from_coefficients(time.clone(), ahead);
+        for (c, rate) in known.iter_mut().zip(law.rate(&now, &series)?) {
             let last = &rate.coefficients()[k - 1];
             c.push(last.clone() * &last.ratio(1, k as i64));
         }

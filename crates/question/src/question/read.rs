@@ -85,7 +85,7 @@ impl Question {
             None => None,
             Some(entry) => {
                 let name = entry.text()?.text;
-                let read = files(&name).and_then(|content| ScenarioFile::read(&name, &content));
+                let read = files(&name).and_then(|content| ScenarioFile::read(&name, &content, files));
                 Some(read.map_err(|message| entry.problem(Problem::Other(message)))?)
             }
         };

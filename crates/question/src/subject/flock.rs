@@ -3,8 +3,8 @@
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
-use crate::number::{Number, Obstacle};
-use crate::subject::distances::{disagreement, least_distance};
+use crate::number::Number;
+use crate::subject::measured::measured;
 use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
 use crate::truth::Doubt;
 use algebra::graph::Graph;
@@ -13,6 +13,7 @@ use models::averaging::settle::{Ending, Limits, Settlement, settle};
 use models::averaging::{Flock, Start};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
+use scenario::{Links, Model, Rows, View};
 use std::cell::{OnceCell, RefCell};
 
 /// A flock of a case.
@@ -258,21 +259,21 @@ impl At<'_, '_> {
 
 impl Moment for At<'_, '_> {
     fn measure(&self, quantity: &Quantity, _: &[Number], precision: u32) -> Result<Measured, Failure> {
-        let number = |n: usize| Ok(Measured::Number(Number::integer(n as i64)));
-        let rooted = |found: Result<Number, Obstacle>| {
-            found.map(Measured::Number).map_err(|_| Failure::open("a root of a negative number", None))
-        };
         // Early networks need no look at the whole future.
         let early = self.time < BigInt::from(EARLY);
-        let network = || if early { self.state().map(|state| state.network) } else { self.network() };
-        match quantity.name {
-            "components" => number(network()?.components().len()),
-            "links" => number(network()?.edges().len()),
-            "disagreement" => rooted(disagreement(&self.state()?.velocities, precision)),
-            _ => {
-                let least = least_distance(&self.state()?.positions, precision);
-                rooted(least.ok_or_else(|| Failure::open("one bird has no distance to others", None))?)
-            }
-        }
+        let of_network = OF_NETWORK.contains(&quantity.name) && !early;
+        let (positions, velocities, network) = if of_network {
+            (Vec::new(), Vec::new(), self.network()?)
+        } else {
+            let State { positions, velocities, network } = self.state()?;
+            (positions, velocities, network)
+        };
+        let view = View {
+            positions: Rows::of(positions.len(), || positions),
+            velocities: Rows::of(velocities.len(), || velocities),
+            ..View::new(Model::Flock, Links::These(network.order(), network.edges().into()))
+        };
+        let found = scenario::measure(quantity.name, &view).ok().flatten();
+        measured(found.ok_or_else(|| Failure::open("it is not measured", None))?, 1, precision)
     }
 }

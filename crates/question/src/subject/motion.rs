@@ -4,7 +4,6 @@
 mod at;
 mod exact;
 mod laws;
-mod links;
 mod modes;
 mod numbers;
 
@@ -14,16 +13,17 @@ use crate::error::Problem;
 use crate::failure::Failure;
 use crate::timeline::{Covered, Moment, Piece, Timeline, clock};
 use crate::truth::Doubt;
-use arithmetic::{FloatInterval, Interval, Progress, Rational, Real, Ring, rational};
+use arithmetic::{FloatInterval, Interval, Number, Progress, Rational, Ring, rational};
 use at::At;
 use exact::Holds;
 use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
 use models::double_integrator::{
     Coordinates, EnclosedFlock, FixedNetwork, HeadingDifference, Pair, Potential, State, heading, linked_within,
 };
-use models::oscillator::Neighbours;
+use models::oscillator::{Neighbours, Orientation, Steering};
 use modes::ModalPlatoon;
-use motion::validated::{Flow, IntervalVector, Parallelepiped, SmoothLaw, Step};
+use motion::System;
+use motion::validated::{Flow, IntervalVector, Parallelepiped, Step};
 use num_traits::{ToPrimitive, Zero};
 use numbers::{BITS, narrowed, point, widened};
 use scenario::ExactMotion;
@@ -88,12 +88,12 @@ impl<'c> MotionSubject<'c> {
     }
 
     /// A number of the start, or its interval.
-    fn start(&self, list: Start, agent: usize, coordinate: usize, value: &Rational) -> FloatInterval {
-        let own = self.wide.iter().find(|(l, a, c, ..)| (*l, *a, *c) == (list, agent, coordinate));
+    fn start(&self, list: &Start, agent: usize, coordinate: usize, value: &Rational) -> FloatInterval {
+        let own = self.wide.iter().find(|(l, a, c, ..)| (l, *a, *c) == (list, agent, coordinate));
         own.map_or_else(|| point(value), |(_, _, _, lo, hi)| point(lo).hull(&point(hi)))
     }
 
-    fn vectors(&self, list: Start, rows: &[Vec<Rational>]) -> Vec<[FloatInterval; 2]> {
+    fn vectors(&self, list: &Start, rows: &[Vec<Rational>]) -> Vec<[FloatInterval; 2]> {
         let row = |(agent, row): (usize, &Vec<Rational>)| {
             let coordinate = |k: usize| row.get(k).map_or(point(&rational(0, 1)), |x| self.start(list, agent, k, x));
             [coordinate(0), coordinate(1)]
@@ -105,7 +105,7 @@ impl<'c> MotionSubject<'c> {
     fn phasors(&self, phases: &[Rational]) -> Result<IntervalVector, Failure> {
         let mut parts = Vec::with_capacity(2 * phases.len());
         for (agent, phase) in phases.iter().enumerate() {
-            let angle = widened(&self.start(Start::Phases, agent, 0, phase));
+            let angle = widened(&self.start(&Start::Phases, agent, 0, phase));
             let exact = if self.wide.is_empty() { Interval::from_rational(phase, BITS) } else { angle };
             let (sin, cos) = exact.sin_cos().map_err(|error| Failure::open(error.to_string(), None))?;
             parts.extend([narrowed(&cos), narrowed(&sin)]);
@@ -117,8 +117,8 @@ impl<'c> MotionSubject<'c> {
     fn modal(&self) -> Option<&ModalPlatoon> {
         let made = self.modal.get_or_init(|| match &self.motion {
             ExactMotion::Platoon { deviations, rates, gains, graph, swing, .. } => {
-                let start = |list: Start, agent: usize| {
-                    let values = if list == Start::Positions { deviations } else { rates };
+                let start = |list: &Start, agent: usize| {
+                    let values = if *list == Start::Positions { deviations } else { rates };
                     values.get(agent).map_or(point(&rational(0, 1)), |x| self.start(list, agent, 0, x))
                 };
                 let narrow = self.wide.iter().all(|(list, ..)| *list != Start::Positions);
@@ -159,8 +159,8 @@ impl<'c> MotionSubject<'c> {
             ExactMotion::Velocities { positions, velocities, potential, pairs, radius, headings } => {
                 self.small(positions.len())?;
                 let start = State {
-                    positions: self.vectors(Start::Positions, positions),
-                    velocities: self.vectors(Start::Velocities, velocities),
+                    positions: self.vectors(&Start::Positions, positions),
+                    velocities: self.vectors(&Start::Velocities, velocities),
                 };
                 if let Some(reading) = headings {
                     return self.turning(&start, HeadingLaw { potential, edges: pairs }, *reading, until);
@@ -181,24 +181,42 @@ impl<'c> MotionSubject<'c> {
             }
             ExactMotion::Particles { positions, phases, frequency, gain, spacing, drift, network, radius } => {
                 self.small(phases.len())?;
-                let mut state = self.vectors(Start::Positions, positions).concat();
+                let mut state = self.vectors(&Start::Positions, positions).concat();
                 state.extend(self.phasors(phases)?);
-                let tube = self.followed(ParticleLaw { frequency, gain, spacing, drift, network }, &state, until)?;
+                let orientation = Orientation::Laplacian(gain.clone());
+                let steering = Steering { frequency: frequency.clone(), orientation, spacing: spacing.clone() };
+                let tube = self.followed(ParticleLaw { steering, drift, network }, &state, until)?;
                 Ok(match radius {
                     Some(radius) => while_linked(tube, network, &(radius * radius)),
                     None => tube,
                 })
             }
+            ExactMotion::Own(own) => {
+                self.small(own.agents())?;
+                let mut state: IntervalVector = own.start.iter().map(point).collect();
+                for (list, agent, coordinate, lo, hi) in &self.wide {
+                    let place = match list {
+                        Start::Own(part) => own.place(part, *agent, *coordinate),
+                        Start::Positions => own.place("positions", *agent, *coordinate),
+                        Start::Velocities => own.place("velocities", *agent, *coordinate),
+                        Start::Phases => own.place("phases", *agent, *coordinate),
+                    };
+                    if let Some(number) = place.and_then(|place| state.get_mut(place)) {
+                        *number = point(lo).hull(&point(hi));
+                    }
+                }
+                self.followed(own.as_ref(), &state, until)
+            }
             ExactMotion::Platoon { deviations, rates, gains, graph, swing, .. } => {
                 self.small(deviations.len())?;
-                let list = |list: Start, values: &[Rational]| -> IntervalVector {
+                let list = |list: &Start, values: &[Rational]| -> IntervalVector {
                     values.iter().enumerate().map(|(agent, x)| self.start(list, agent, 0, x)).collect()
                 };
                 if self.wide.iter().any(|(list, ..)| *list == Start::Positions) {
                     return Err(Failure::open("positions of cars are single numbers", None));
                 }
-                let mut state = list(Start::Positions, deviations);
-                state.extend(list(Start::Velocities, rates));
+                let mut state = list(&Start::Positions, deviations);
+                state.extend(list(&Start::Velocities, rates));
                 state.extend([point(&swing.0), point(&rational(0, 1))]);
                 self.followed(PlatoonLaw { gains, graph, frequency: &swing.1 }, &state, until)
             }
@@ -216,7 +234,7 @@ impl<'c> MotionSubject<'c> {
     }
 
     /// Steps of a smooth law.
-    fn followed(&self, law: impl SmoothLaw, start: &[FloatInterval], until: f64) -> Result<Tube, Failure> {
+    fn followed(&self, law: impl System, start: &[FloatInterval], until: f64) -> Result<Tube, Failure> {
         const FIRST_STEP: f64 = 0.01;
         let mut flow = Flow::new(law, FIRST_STEP);
         let (mut set, mut time) = (Parallelepiped::of_box(start), 0.0);

@@ -12,7 +12,8 @@ use crate::timeline::Measured;
 use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{Polynomial, matrix_spectrum};
 use arithmetic::{
-    ArithmeticError, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, Unwatched, rational, shown,
+    ArithmeticError, Complex, Dyadic, Field, Interval, Number as _, Rational, Ring, Sign, Signed, Unwatched, rational,
+    shown,
 };
 use models::platoon::vector_form::motion_matrix;
 use models::platoon::{

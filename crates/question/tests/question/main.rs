@@ -9,6 +9,7 @@ mod families;
 mod language;
 mod missing;
 mod motions;
+mod own;
 mod traces;
 
 use arithmetic::Unwatched;

@@ -2,10 +2,10 @@
 
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
+use arithmetic::threads::side_by_side;
 use arithmetic::{Interval, Rational, decimals, parse_rational, rational};
 use ledger::CheckError;
 use models::oscillator::{FourierFormation, TransverseSpectrum};
-use motion::side_by_side;
 use runs::{CyclicFormation, OMEGA, PARTICLES, PatternFormation};
 use std::fmt::Write;
 

@@ -3,10 +3,10 @@
 use super::paley::{START, start};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Colour, PALETTE, Panel, Picture, Series};
+use arithmetic::threads::side_by_side;
 use ledger::CheckError;
 use models::oscillator::{CLUSTER, Flight, centre_spread, nearest_twist, ring_differences, winding};
 use motion::Share;
-use motion::side_by_side;
 use runs::{CyclicFormation, Experiment, OMEGA, PatternPhases, RingPhases};
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;

@@ -4,9 +4,9 @@ use super::paley::{COLUMNS, START, end, largest_lower_moment, rows, scene, start
 use super::{Reproduced, csv};
 use crate::plot::Picture;
 use arithmetic::Complex;
+use arithmetic::threads::side_by_side;
 use ledger::CheckError;
 use models::oscillator::{CLUSTER, centre_spread, order};
-use motion::side_by_side;
 use runs::{Experiment, OMEGA, PatternFormation};
 use std::fmt::Write;
 

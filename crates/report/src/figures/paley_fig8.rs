@@ -4,9 +4,9 @@ use super::paley::{COLUMNS, START, end, rows, scene, start, zone_outline};
 use super::{Reproduced, csv};
 use crate::plot::{Picture, Series};
 use arithmetic::Complex;
+use arithmetic::threads::side_by_side;
 use ledger::CheckError;
 use models::oscillator::{CLUSTER, Flight, centre_spread, shape_rate};
-use motion::side_by_side;
 use runs::{Experiment, OMEGA, ZoneFormation, ZoneLaw};
 use std::fmt::Write;
 

@@ -4,10 +4,10 @@ use super::csv;
 use crate::plot::{Axis, Colour, Panel, Series};
 use arithmetic::Unwatched;
 use arithmetic::random::generator;
+use arithmetic::threads::side_by_side;
 use ledger::{CheckError, Options};
 use models::double_integrator::{Flock, Motion, Observation, Sample, Setup, Trial, Vector};
 use motion::Share;
-use motion::side_by_side;
 
 const BREAK: (f64, f64) = (f64::NAN, f64::NAN);
 

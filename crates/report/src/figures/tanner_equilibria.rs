@@ -6,10 +6,10 @@ use algebra::graph::Graph;
 use algebra::matrix::Inertia;
 use arithmetic::random::generator;
 use arithmetic::rational;
+use arithmetic::threads::side_by_side;
 use ledger::{CheckError, Options};
 use models::double_integrator::Potential;
 use models::double_integrator::equilibria::{Equilibrium, Framework, classes, distances, random_places};
-use motion::side_by_side;
 use std::fmt::Write;
 
 /// Translations and rotations: zeros of the Hessian of every configuration that is not a single point.

@@ -6,11 +6,11 @@ use algebra::graph::Graph;
 use algebra::matrix::floating::{symmetric_eigen, to_floats};
 use arithmetic::random::generator;
 use arithmetic::rational;
+use arithmetic::threads::side_by_side;
 use ledger::{CheckError, Options};
 use models::double_integrator::Potential;
 use models::double_integrator::equilibria::{Equilibrium, Framework, random_places};
 use models::double_integrator::relaxation::{Relaxation, relaxation};
-use motion::side_by_side;
 use std::collections::BTreeMap;
 
 const STARTS: u64 = 24;

@@ -3,13 +3,13 @@
 use super::veerman::{UNIT, unit};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Colour, Panel, Picture, Series};
+use arithmetic::threads::side_by_side;
 use arithmetic::{Rational, Signed, rational};
 use ledger::CheckError;
 use models::platoon::growth::{Growth, LARGEST_PEAK, peak};
 use models::platoon::observe::Extreme;
 use models::platoon::vector_form::{self, motion_matrix};
 use models::platoon::{CommunicationGraph, Neighbourhood};
-use motion::side_by_side;
 use num_traits::{ToPrimitive, Zero};
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -9,7 +9,7 @@ use maud::{Markup, html};
 use models::platoon::{Communication, Gains, amplitude_one_sided, inverse_square_two_sided};
 use num_traits::ToPrimitive;
 use question::{Answer, Bindings, Instance, Margin, Question, Value, Verdict};
-use scenario::Scenario;
+use scenario::{Scenario, Source};
 
 /// The statement, the verdict and its reason, the counterexample in numbers and drawn, and the question that decides it alone.
 pub fn question(question: &Question, answer: &Answer, progress: &dyn Progress) -> String {
@@ -78,7 +78,7 @@ fn drawn(question: &Question, bindings: &Bindings, progress: &dyn Progress) -> M
         @for graph in graphs { (graph::drawn(graph.order(), &graph.arcs(), graph.is_directed())) }
         @match question.moving(bindings, progress) {
             Some(Instance::Flock(start)) => (flock::motion(&start, &FLOCK_STEPS)),
-            Some(Instance::Motion(text)) => (run(&text, progress)),
+            Some(Instance::Motion(source)) => (run(&source, progress)),
             None => (platoon(question, bindings)),
         }
     }
@@ -88,8 +88,8 @@ fn drawn(question: &Question, bindings: &Bindings, progress: &dyn Progress) -> M
 const FLOCK_STEPS: u64 = 120;
 
 /// A run in floating point of what is false exactly.
-fn run(text: &str, progress: &dyn Progress) -> Markup {
-    let Ok(scenario) = Scenario::read(text) else { return html! {} };
+fn run(source: &Source, progress: &dyn Progress) -> Markup {
+    let Ok(scenario) = Scenario::of(source) else { return html! {} };
     match Motion::of_outcome(&scenario.run(progress), "a run of the counterexample") {
         Some(motion) => {
             played(&motion, "The counterexample as it moves, in floating point; it is decided by enclosures.")

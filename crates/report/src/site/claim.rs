@@ -1,9 +1,11 @@
 //! The page of one claim.
 
-use super::words::{fault, mark, promise, reach, sentence, spoken};
+use super::markdown::markdown;
+use super::words::{fault, mark, reach, sentence, spoken};
 use super::{Site, notation};
 use crate::page::Links;
 use crate::papers::paper;
+use crate::written::written_proofs;
 use ledger::{Entry, Evidence, Grade, Scope, correction_id};
 use maud::{Markup, html};
 use proofs::kernel::proofs_of;
@@ -39,6 +41,7 @@ pub(super) fn body(site: &Site, entry: &Entry, links: Links) -> Markup {
                 (section("why", "Why", rich(text)))
             }
             @if !entry.evidence.is_empty() { (evidence(site, entry, links)) }
+            (proofs(site, entry, links))
             @if entry.controls.total > 0 { (controls(site, entry, links)) }
             (theorems(entry, links))
             @if !entry.values.is_empty() {
@@ -138,7 +141,7 @@ fn reliability(site: &Site, entry: &Entry, links: Links) -> Markup {
                     dt { "Grades" }
                     dd { @for (k, grade) in entry.grades().into_iter().enumerate() {
                         @if k > 0 { ", " }
-                        abbr title=(promise(grade)) { (grade.word()) }
+                        abbr title=(grade.meaning()) { (grade.word()) }
                     } }
                 }
                 @if !axioms.is_empty() { dt { "Axioms in Coq" } dd { (axioms) } }
@@ -205,7 +208,7 @@ fn evidence(site: &Site, entry: &Entry, links: Links) -> Markup {
                 } }
                 tbody {
                     @for e in &entry.evidence { tr {
-                        td.short data-label="Grade" { abbr title=(promise(e.grade)) { (e.grade.word()) } }
+                        td.short data-label="Grade" { abbr title=(e.grade.meaning()) { (e.grade.word()) } }
                         @if several { td data-label="Clauses" { (of(e)) } }
                         td.short data-label="Reaches" { (reach(e.scope)) }
                         td {
@@ -217,6 +220,21 @@ fn evidence(site: &Site, entry: &Entry, links: Links) -> Markup {
                             }
                         }
                     } }
+                }
+            }
+        }
+    }
+}
+
+/// The proofs on paper, as the notes have them.
+fn proofs(site: &Site, entry: &Entry, links: Links) -> Markup {
+    let proofs = written_proofs(entry, site.texts);
+    html! {
+        @if !proofs.is_empty() {
+            section aria-labelledby="proofs" {
+                h2 #proofs { "Proof on paper" }
+                @for proof in &proofs {
+                    details { summary { (proof.file) } div.note { (markdown(proof.text, &site.names, links)) } }
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! The list of all claims with its filters.
 
-use super::words::{mark, promise, scope_key, spoken};
+use super::words::{mark, scope_key, spoken};
 use super::{Site, claim::chip};
 use crate::page::Links;
 use crate::papers::{paper, papers};
@@ -77,7 +77,7 @@ fn filters() -> Markup {
             (choice("paper", "Paper", named.chain([of("beyond", "beyond the papers")]).collect()))
             (choice("verdict", "Verdict", Verdict::ALL.iter().map(|v| (v.word().to_string(), format!("{} {}", mark(*v), spoken(*v)))).collect()))
             (choice("fault", "Fault", FAULTS.iter().map(|f| of(f.word(), f.word())).collect()))
-            (choice("grade", "Evidence", Grade::ALL.iter().map(|g| (g.word().to_string(), format!("{}: {}", g.word(), promise(*g)))).collect()))
+            (choice("grade", "Evidence", Grade::ALL.iter().map(|g| (g.word().to_string(), format!("{}: {}", g.word(), g.meaning()))).collect()))
             (choice("scope", "Reach", REACHES.iter().map(|(value, text)| of(value, text)).collect()))
             button type="reset" { "Show all" }
         }

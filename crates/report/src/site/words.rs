@@ -1,6 +1,6 @@
 //! Verdicts, faults, grades and reach in sentences.
 
-use ledger::{Entry, Fault, Grade, Scope, Verdict};
+use ledger::{Entry, Fault, Scope, Verdict};
 
 /// The mark of a verdict, so that it is told without its colour.
 pub(super) fn mark(verdict: Verdict) -> &'static str {
@@ -65,21 +65,6 @@ pub(super) fn fault(fault: Fault) -> &'static str {
         Fault::Typo => "a misprint",
         Fault::Slip => "a slip in a step",
         Fault::False => "the mathematics",
-    }
-}
-
-/// What a grade promises, in a few words.
-pub(super) fn promise(grade: Grade) -> &'static str {
-    match grade {
-        Grade::Kernel => "proved in Coq",
-        Grade::Identity => "identity tested at random points, with a bound on the error",
-        Grade::Exhaustive => "every case of a finite family",
-        Grade::Certified => "implied by enclosures",
-        Grade::Argued => "proof on paper, with computed checks",
-        Grade::Exact => "exact arithmetic on named instances",
-        Grade::Simulated => "floating-point runs",
-        Grade::Fuzzed => "random cases",
-        Grade::Text => "the text against itself",
     }
 }
 

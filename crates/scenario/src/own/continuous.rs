@@ -3,12 +3,15 @@
 use super::measured::{Heard, frame, in_words, observe};
 use super::read::Described;
 use crate::error::Problem;
+use crate::error::RunError;
 use crate::links::Guard;
 use crate::network::{Change, Network, Rule};
 use crate::observables::Observable;
 use crate::simulation::{Frame, Law};
+use crate::stepped::Stepped;
 use arithmetic::ArithmeticError;
-use expressions::{Evaluator, Fault};
+use expressions::{Blocks, Fault, Hearing};
+use motion::{FollowError, IntegrationError, NearLists};
 use std::cell::RefCell;
 use std::sync::Arc;
 
@@ -16,17 +19,21 @@ use std::sync::Arc;
 pub(super) struct Moving {
     law: Arc<expressions::Law>,
     network: Network,
-    rates: RefCell<Evaluator<f64>>,
-    observed: RefCell<Evaluator<f64>>,
+    rates: RefCell<Blocks>,
+    observed: RefCell<Blocks>,
     declaration: Vec<String>,
+    /// Whether places on a line have a second coordinate.
+    planar: bool,
     /// What had no value last.
     fault: RefCell<Option<Fault>>,
 }
 
 impl Moving {
     pub fn new(own: Described) -> Self {
-        let (rates, observed) = (own.law.evaluator(&0.0), own.law.observing(&0.0));
+        let (rates, observed) = (Blocks::rates(&own.law), Blocks::observables(&own.law));
+        let planar = own.law.position().is_some_and(|position| position.stride > position.width);
         Moving {
+            planar,
             rates: RefCell::new(rates),
             observed: RefCell::new(observed),
             law: own.law,
@@ -34,6 +41,11 @@ impl Moving {
             declaration: own.declaration,
             fault: RefCell::new(None),
         }
+    }
+
+    /// The law and its network.
+    pub fn parts(&self) -> (&expressions::Law, &Network) {
+        (&self.law, &self.network)
     }
 
     /// Makes the links of the start, and looks whether the law has a value there.
@@ -44,8 +56,33 @@ impl Moving {
     }
 
     fn written(&self, time: f64, state: &[f64], rates: &mut [f64]) -> Result<(), Fault> {
-        rates.fill(0.0);
-        self.law.write_rates(&mut self.rates.borrow_mut(), (&time, state), &Heard(&self.network), rates)
+        self.written_as_heard(time, state, &Heard(&self.network), rates)
+    }
+
+    fn written_as_heard(
+        &self,
+        time: f64,
+        state: &[f64],
+        hearing: &dyn Hearing,
+        rates: &mut [f64],
+    ) -> Result<(), Fault> {
+        // Second coordinates on a line rest.
+        if self.planar {
+            rates.fill(0.0);
+        }
+        self.rates.borrow_mut().write_rates(&self.law, (time, state), hearing, rates)
+    }
+
+    /// In fixed steps, each stage with the links of its positions.
+    pub fn stepped(self, state: Vec<f64>, step: f64) -> Stepped<Self> {
+        let Rule::Within(radius) = self.network.rule() else { return Stepped::settled(self, state, step) };
+        let rate = move |law: &mut Self, time: f64, state: &[f64], rates: &mut [f64]| {
+            let points = &state.as_chunks().0[..law.law.agents()];
+            let near = NearLists::new(points, radius).map_err(|_| FollowError::from(IntegrationError::Stuck(time)))?;
+            let written = law.written_as_heard(time, state, &Near(&near), rates);
+            law.kept(written).map_err(|error| RunError::law(time, error))
+        };
+        Stepped::new(self, state, step, Box::new(rate))
     }
 
     fn kept<T>(&self, result: Result<T, Fault>) -> Result<T, ArithmeticError> {
@@ -54,6 +91,19 @@ impl Moving {
             self.fault.replace(Some(fault));
             error
         })
+    }
+}
+
+/// Neighbours within a radius as the law hears them.
+struct Near<'a>(&'a NearLists);
+
+impl Hearing for Near<'_> {
+    fn agents(&self) -> usize {
+        self.0.points()
+    }
+
+    fn heard(&self, agent: usize) -> Option<&[usize]> {
+        Some(self.0.of(agent))
     }
 }
 

@@ -6,15 +6,80 @@ use crate::error::RunError;
 use crate::network::{Change, Network, Pair, Rule};
 use crate::observables::Observable;
 use crate::simulation::{Event, Frame, Simulation};
-use arithmetic::{ArithmeticError, Progress, Rational, Sign};
-use expressions::{Evaluator, Law, Number};
+use arithmetic::random::{normal, uniform};
+use arithmetic::{ArithmeticError, Number, Progress, Rational, Sign, rational};
+use expressions::{Blocks, Drawn, Evaluator, Fault, Hearing, Law};
 use num_traits::ToPrimitive;
+use rand_chacha::ChaCha8Rng;
 use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::sync::Arc;
 
+/// A scalar over which laws are followed step by step.
+pub(super) trait Stepped: Number {
+    /// What computes the next state.
+    type Machine;
+
+    fn machine(law: &Law) -> Self::Machine;
+
+    /// Writes the next state.
+    fn write(
+        machine: &mut Self::Machine,
+        law: &Law,
+        moment: (&Self, &[Self]),
+        hearing: &dyn Hearing,
+        next: &mut [Self],
+    ) -> Result<(), Fault>;
+
+    /// Sets the numbers that were drawn for a step.
+    fn set_drawn(machine: &mut Self::Machine, law: &Law, drawn: &[Vec<f64>]);
+}
+
+impl Stepped for f64 {
+    type Machine = Blocks;
+
+    fn machine(law: &Law) -> Blocks {
+        Blocks::rates(law)
+    }
+
+    fn write(
+        machine: &mut Blocks,
+        law: &Law,
+        (time, state): (&f64, &[f64]),
+        hearing: &dyn Hearing,
+        next: &mut [f64],
+    ) -> Result<(), Fault> {
+        machine.write_rates(law, (*time, state), hearing, next)
+    }
+
+    fn set_drawn(machine: &mut Blocks, law: &Law, drawn: &[Vec<f64>]) {
+        machine.set_drawn(law, drawn);
+    }
+}
+
+impl Stepped for Rational {
+    type Machine = Evaluator<Rational>;
+
+    fn machine(law: &Law) -> Evaluator<Rational> {
+        law.evaluator(&rational(0, 1))
+    }
+
+    fn write(
+        machine: &mut Evaluator<Rational>,
+        law: &Law,
+        moment: (&Rational, &[Rational]),
+        hearing: &dyn Hearing,
+        next: &mut [Rational],
+    ) -> Result<(), Fault> {
+        law.write_rates(machine, moment, hearing, next)
+    }
+
+    /// Exact runs draw nothing.
+    fn set_drawn(_: &mut Evaluator<Rational>, _: &Law, _: &[Vec<f64>]) {}
+}
+
 /// The law with its state.
-pub(super) struct Stepping<T> {
+pub(super) struct Stepping<T: Stepped> {
     law: Arc<Law>,
     network: Network,
     radius: Option<T>,
@@ -23,19 +88,30 @@ pub(super) struct Stepping<T> {
     taken: u64,
     state: Vec<T>,
     next: Vec<T>,
-    evaluator: Evaluator<T>,
-    observed: RefCell<Evaluator<f64>>,
+    machine: T::Machine,
+    random: ChaCha8Rng,
+    observed: RefCell<Blocks>,
     rounded: fn(&T) -> f64,
     declaration: Vec<String>,
 }
 
-impl<T: Number> Stepping<T> {
+/// What the law draws for a step: of each kind one number for each agent.
+fn draw(law: &Law, random: &mut ChaCha8Rng) -> Vec<Vec<f64>> {
+    let number = |kind: Drawn, random: &mut ChaCha8Rng| match kind {
+        Drawn::Normal => normal(random),
+        Drawn::Uniform => uniform(random),
+    };
+    law.drawn().iter().map(|kind| (0..law.agents()).map(|_| number(*kind, random)).collect()).collect()
+}
+
+impl<T: Stepped> Stepping<T> {
     /// The law at its start; `zero` tells the scalar.
     pub fn new(own: Described, state: Vec<T>, zero: &T, rounded: fn(&T) -> f64) -> Self {
         let mut stepping = Stepping {
             radius: own.radius.map(|radius| zero.rational(&radius)),
-            evaluator: own.law.evaluator(zero),
-            observed: RefCell::new(own.law.observing(&0.0)),
+            machine: T::machine(&own.law),
+            random: own.random,
+            observed: RefCell::new(Blocks::observables(&own.law)),
             next: vec![zero.clone(); state.len()],
             law: own.law,
             network: own.network,
@@ -122,7 +198,7 @@ impl<T: Number> Stepping<T> {
     }
 }
 
-impl<T: Number> Simulation for Stepping<T> {
+impl<T: Stepped> Simulation for Stepping<T> {
     fn advance(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         let length = self.step.to_f64().unwrap_or(f64::NAN);
         let last = (until / length).round();
@@ -134,12 +210,10 @@ impl<T: Number> Simulation for Stepping<T> {
             let now = time.to_f64().unwrap_or(f64::NAN);
             let scalar = self.state.first().map(|like| like.rational(&time));
             let Some(scalar) = scalar else { return Ok(true) };
-            let written = self.law.write_rates(
-                &mut self.evaluator,
-                (&scalar, &self.state),
-                &Heard(&self.network),
-                &mut self.next,
-            );
+            let drawn = draw(&self.law, &mut self.random);
+            T::set_drawn(&mut self.machine, &self.law, &drawn);
+            let moment = (&scalar, &self.state[..]);
+            let written = T::write(&mut self.machine, &self.law, moment, &Heard(&self.network), &mut self.next);
             written.map_err(|fault| RunError::Own { time: now, fault: in_words(&self.law, &fault) })?;
             if self.next.iter().any(|x| !(self.rounded)(x).is_finite()) {
                 return Err(RunError::Own { time: now, fault: "a number grows beyond the floats".to_string() });

@@ -1,11 +1,12 @@
 //! What is shown and measured of agents with a law of one's own.
 
+use crate::model::Model;
 use crate::network::Network;
-use crate::observables::{Observable, min_distance};
+use crate::observables::{Observable, Value, observe as general};
 use crate::simulation::{Frame, Part};
-use arithmetic::{ArithmeticError, Complex};
-use expressions::{Evaluator, Fault, Hearing, Kind, Law};
-use models::oscillator::moment;
+use crate::view::{Rows, View};
+use arithmetic::Complex;
+use expressions::{Blocks, Fault, Hearing, Kind, Law};
 
 /// Orders that are measured of an angle.
 const ORDERS: u32 = 4;
@@ -70,46 +71,38 @@ pub(super) fn frame(law: &Law, state: &[f64]) -> Frame {
 pub(super) fn observe(
     law: &Law,
     network: &Network,
-    (evaluator, time): (&mut Evaluator<f64>, f64),
+    (blocks, time): (&mut Blocks, f64),
     state: &[f64],
 ) -> Result<Vec<Observable>, Fault> {
-    let is_own = |name: &str| law.observables().iter().any(|(own, _)| own == name);
-    let mut all = Vec::new();
+    let of = |name: &str| rows(law, name, state);
+    let (mut positions, mut velocities, mut phases) = (Vec::new(), Vec::new(), Vec::new());
     if let Some(position) = law.position() {
-        all.push(Observable::number("min_distance", min_distance(&rows(law, &position.name, state))));
+        positions = of(&position.name);
     }
-    all.push(Observable::count("components", network.components()));
     if law.variables().iter().any(|variable| variable.name == "v" && variable.kind != Kind::Angle) {
-        all.push(Observable::number("disagreement", disagreement(&rows(law, "v", state))));
+        velocities = of("v");
     }
     if let Some(angle) = law.variables().iter().find(|variable| variable.kind == Kind::Angle) {
-        let phases = rows(law, &angle.name, state).concat();
-        all.push(Observable::list("order", orders(&phases).unwrap_or_default()));
+        phases = of(&angle.name).concat();
     }
-    all.retain(|observable| !is_own(&observable.name));
-    let mut numbers = evaluator.flock(&time, state, &Heard(network))?.into_iter();
+    let view = View {
+        positions: Rows::of(positions.len(), || positions),
+        velocities: Rows::of(velocities.len(), || velocities),
+        phasors: phases.iter().map(|theta| Complex::new(theta.cos(), theta.sin())).collect(),
+        orders: ORDERS.min(phases.len() as u32),
+        ..View::new(Model::Own, network.shown())
+    };
+    let mut all = general(&view, &["min_distance", "components", "disagreement", "order"]).unwrap_or_default();
+    all.retain(|observable| law.observables().iter().all(|(own, _)| *own != observable.name));
+    let mut numbers = blocks.observe(time, state, &Heard(network))?.into_iter();
     for (name, count) in law.observables() {
         let values: Vec<f64> = numbers.by_ref().take(*count).collect();
         all.push(match values[..] {
-            [one] => Observable::number(name.clone(), one),
-            _ => Observable::list(name.clone(), values),
+            [one] => Observable::new(name.clone(), Value::Number(one)),
+            _ => Observable::new(name.clone(), Value::List(values)),
         });
     }
     Ok(all)
-}
-
-/// `sqrt(sum |v_i - mean|²)`.
-fn disagreement(velocities: &[Vec<f64>]) -> f64 {
-    let count = velocities.len() as f64;
-    let width = velocities.first().map_or(0, Vec::len);
-    let mean: Vec<f64> = (0..width).map(|c| velocities.iter().map(|v| v[c]).sum::<f64>() / count).collect();
-    let square = |v: &Vec<f64>| v.iter().zip(&mean).map(|(x, m)| (x - m) * (x - m)).sum::<f64>();
-    velocities.iter().map(square).sum::<f64>().sqrt()
-}
-
-fn orders(phases: &[f64]) -> Result<Vec<f64>, ArithmeticError> {
-    let phasors: Vec<Complex<f64>> = phases.iter().map(|theta| Complex::new(theta.cos(), theta.sin())).collect();
-    (1..=ORDERS.min(phases.len() as u32)).map(|m| Ok(moment(&phasors, m)?.norm_squared().sqrt())).collect()
 }
 
 /// A fault in words.

@@ -2,8 +2,11 @@
 
 mod continuous;
 mod discrete;
+mod enclosed;
 mod measured;
+mod noisy;
 mod read;
 mod start;
 
-pub(super) use read::read;
+pub use enclosed::OwnMotion;
+pub(super) use read::{Described, describe, simulation};

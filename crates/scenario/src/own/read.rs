@@ -2,23 +2,39 @@
 
 use super::continuous::Moving;
 use super::discrete::Stepping;
+use super::noisy::Noisy;
 use super::start::{Ranges, start};
 use crate::error::{ConfigError, Problem};
-use crate::network::{Abilities, Kind as NetworkKind, Network, Rule};
+use crate::network::{Abilities, Kind as NetworkKind, Network};
 use crate::simulation::{Continuous, Simulation};
 use crate::source::{Entry, Section, Source};
-use crate::stepped::Stepped;
+use arithmetic::random::generator;
 use arithmetic::{Rational, rational};
 use expressions::{Kind, Law, LawError, LawText, Parameter, Time};
 use num_traits::ToPrimitive;
+use rand_chacha::ChaCha8Rng;
 use std::sync::Arc;
 
 const KINDS: [(&str, Kind); 3] = [("vector", Kind::Vector), ("number", Kind::Number), ("angle", Kind::Angle)];
 const TIMES: [(&str, Time); 2] = [("continuous", Time::Continuous), ("discrete", Time::Discrete)];
-const KEYS: [&str; 11] =
-    ["name", "time", "step", "dimension", "state", "position", "parameters", "define", "rates", "next", "observables"];
+const KEYS: [&str; 13] = [
+    "name",
+    "time",
+    "step",
+    "dimension",
+    "state",
+    "position",
+    "parameters",
+    "define",
+    "rates",
+    "next",
+    "noise",
+    "seed",
+    "observables",
+];
 
 /// A law of one's own with everything that a run needs.
+#[derive(Clone)]
 pub(crate) struct Described {
     pub law: Arc<Law>,
     /// The start: exact, in the order of the law's state.
@@ -30,11 +46,16 @@ pub(crate) struct Described {
     /// The length of a step in discrete time.
     pub step: Rational,
     pub declaration: Vec<String>,
+    /// What noise is drawn from.
+    pub random: ChaCha8Rng,
 }
 
-/// Reads a scenario with a law of its own; with it the step of discrete time.
-pub(crate) fn read(source: &Source, tolerance: f64) -> Result<(Box<dyn Simulation>, Option<Rational>), ConfigError> {
-    let mut own = describe(source)?;
+/// The run in floats, or of discrete time exactly; with it the step of discrete time.
+pub(crate) fn simulation(
+    mut own: Described,
+    source: &Source,
+    tolerance: f64,
+) -> Result<(Box<dyn Simulation>, Option<Rational>), ConfigError> {
     let run = source.needed("run")?;
     let fixed = run.get("step").map(|entry| entry.positive()).transpose()?;
     if own.time == Time::Discrete {
@@ -42,6 +63,9 @@ pub(crate) fn read(source: &Source, tolerance: f64) -> Result<(Box<dyn Simulatio
             return Err(entry.range("left out: in discrete time `step` stands in [law]"));
         }
         let exact = run.get("exact").map_or(Ok(false), |entry| entry.flag())?;
+        if exact && !own.law.drawn().is_empty() {
+            return Err(run.need("exact", "true or false")?.range("false: the law has noise"));
+        }
         if exact && !own.law.is_rational() {
             let why = "false: the law has functions whose values are not rational";
             return Err(run.need("exact", "true or false")?.range(why));
@@ -61,10 +85,17 @@ pub(crate) fn read(source: &Source, tolerance: f64) -> Result<(Box<dyn Simulatio
         return Err(entry.range("left out: only laws in discrete time run exactly; `check` encloses continuous ones"));
     }
     let state: Vec<f64> = own.state.iter().map(rounded).collect();
+    if own.law.is_noisy() {
+        let Some(step) = fixed else {
+            let why = "given: a law with noise is followed in fixed steps, by the method of Euler and Maruyama";
+            return Err(run.problem(Problem::Needs("step", why)));
+        };
+        return Ok((Box::new(Noisy::new(own, state, step)), None));
+    }
     let mut moving = Moving::new(own);
     moving.start(&state).map_err(|problem| source.top().problem(problem))?;
     let simulation: Box<dyn Simulation> = match fixed {
-        Some(step) => Box::new(Stepped::settled(moving, state, step)),
+        Some(step) => Box::new(moving.stepped(state, step)),
         None => Box::new(Continuous::new(moving, &state, tolerance)),
     };
     Ok((simulation, None))
@@ -117,6 +148,11 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
     text.define = texts(&section, "define")?;
     text.rates = texts(&section, rates)?;
     text.observables = texts(&section, "observables")?;
+    if let Some(entry) = section.get("noise").filter(|_| discrete) {
+        return Err(entry.range("left out: in discrete time `normal(sigma)` and `uniform(a, b)` stand in [law.next]"));
+    }
+    text.noise = texts(&section, "noise")?;
+    let seed = section.get("seed").map_or(Ok(1), |entry| entry.count(0, usize::MAX))?;
     let ranges = Ranges::of(&text);
     let (parts, agents, drawn) = start(source, &ranges)?;
     let planar = text.dimension <= 2 && text.position.is_some();
@@ -132,10 +168,7 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
     text.planar = text.dimension == 1 && network.switches();
     let law = text.compile(agents).map_err(|error| refused(&section, rates, error))?;
     let state = laid_out(&law, &parts);
-    let radius = match network.rule() {
-        Rule::Within(_) => Some(source.needed("graph")?.need("radius", "a number above 0")?.exact()?),
-        _ => None,
-    };
+    let radius = network.exact_radius().cloned();
     let name = section.get("name").map(|entry| entry.word()).transpose()?;
     let mut declaration = declaration(&text, name, &step);
     declaration.push(match &radius {
@@ -143,7 +176,13 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
         Some(radius) => format!("links i-j where the distance is at most {radius}; they come and go with the distance"),
     });
     declaration.extend(drawn);
-    Ok(Described { law: Arc::new(law), state, network, radius, time: text.time, step, declaration })
+    if law.is_noisy() || !law.drawn().is_empty() {
+        declaration.push(format!("noise: ChaCha8, seed {seed}, anew for every agent and step; the same place of a text draws once for an agent"));
+    } else if let Some(entry) = section.get("seed") {
+        return Err(entry.range("left out: the law has no noise"));
+    }
+    let random = generator(&seed.to_string(), "own", source.replica);
+    Ok(Described { law: Arc::new(law), state, network, radius, time: text.time, step, declaration, random })
 }
 
 /// The first vector; in one dimension the first part that is no angle.
@@ -186,7 +225,8 @@ fn laid_out(law: &Law, parts: &[(String, Vec<Vec<Rational>>)]) -> Vec<Rational> 
 
 /// How a table of the law is called.
 fn titled(table: &str) -> &'static str {
-    const TITLES: [&str; 6] = ["law.state", "law.parameters", "law.define", "law.rates", "law.next", "law.observables"];
+    const TITLES: [&str; 7] =
+        ["law.state", "law.parameters", "law.define", "law.rates", "law.next", "law.noise", "law.observables"];
     TITLES.into_iter().find(|title| title.strip_prefix("law.") == Some(table)).unwrap_or("law")
 }
 
@@ -226,6 +266,9 @@ fn declaration(text: &LawText, name: Option<&str>, step: &Rational) -> Vec<Strin
             false => format!("d{name}/dt = {rate} ({word})"),
         });
     }
+    lines.extend(text.noise.iter().map(|(name, strength)| {
+        format!("noise of {name}: {strength} dW, an independent Wiener process for each number")
+    }));
     lines.extend(text.define.iter().map(|(name, body)| format!("{name} = {body}")));
     let value = |parameter: &Parameter| match parameter {
         Parameter::One(q) => q.to_string(),

@@ -2,7 +2,7 @@
 
 use crate::error::{ConfigError, Problem};
 use crate::source::{Entry, Section, Source};
-use crate::start::{MOST_AGENTS, check_count, finite, rows};
+use crate::start::{MOST_AGENTS, check_count, rows};
 use arithmetic::Rational;
 use arithmetic::random::uniform;
 use expressions::{Kind, LawText};
@@ -51,7 +51,7 @@ pub(super) fn start(source: &Source, ranges: &Ranges) -> Result<Started, ConfigE
         } else {
             let items = entry.items("a list with one number for each agent")?;
             let list: Vec<Vec<Rational>> =
-                items.iter().map(|item| Ok(vec![finite(item)?])).collect::<Result<_, ConfigError>>()?;
+                items.iter().map(|item| Ok(vec![item.finite()?])).collect::<Result<_, ConfigError>>()?;
             check_count(&entry, list.len(), &mut agents)?;
             list
         };

@@ -4,12 +4,13 @@ extern crate flockproof_scenario as scenario;
 
 mod arcs;
 mod individual;
+mod observables;
 mod own;
 
 use arithmetic::{Progress, Unwatched};
 use models::platoon::Gains;
 use models::platoon::time_domain::Modes;
-use scenario::{End, Ensemble, Outcome, Row, Scenario, Value, min_distance};
+use scenario::{Amount, End, Ensemble, Links, Model, Outcome, Row, Scenario, Value, View, measure};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -373,6 +374,15 @@ fn what_was_reached_is_kept() {
     }
 }
 
+fn min_distance(places: &[Vec<f64>]) -> f64 {
+    let positions = scenario::Rows::of(places.len(), || places.to_vec());
+    let view = View { positions, ..View::new(Model::Fish, Links::Everyone(places.len())) };
+    match measure("min_distance", &view) {
+        Ok(Some(Amount::Root(square))) => square.sqrt(),
+        _ => f64::INFINITY,
+    }
+}
+
 #[test]
 fn places_without_coordinates_have_distances() {
     assert_eq!(min_distance(&[]), f64::INFINITY);
@@ -474,7 +484,7 @@ fn another_agent_can_lead() {
 fn ensembles_are_grids_of_replicas() {
     let text =
         "model = \"phase\"\n[state]\nrandom = { agents = 4, seed = 7 }\n[law]\nK1 = -1\nomega0 = 0\n[run]\nuntil = 1\n";
-    assert_eq!(Ensemble::read(text).unwrap(), None);
+    assert!(Ensemble::read(text).unwrap().is_none());
     let many = format!(
         "{text}[ensemble]\nreplicas = 3\n[sweep]\nlaw.omega0 = [1, 2]\n\"law.K1\" = {{ from = -1, to = 0, count = 5 }}\n"
     );

@@ -2,7 +2,7 @@
 
 use super::{run, value as number};
 use arithmetic::Unwatched;
-use scenario::{Outcome, Part, Row, Scenario};
+use scenario::{Outcome, Part, Row, Scenario, with_law};
 
 const VELOCITIES: &str = r#"
 [law]
@@ -201,4 +201,100 @@ fn a_number_without_a_value_ends_the_run_and_is_named() {
     let outcome = Scenario::read(text).unwrap_or_else(|error| panic!("{error}")).run(&Unwatched);
     assert_eq!(outcome.reached(), 2.0);
     assert!(format!("{:?}", outcome.end).contains("of agent 1"), "{:?}", outcome.end);
+}
+
+const COUPLED: &str = "[law]\nstate = { theta = \"angle\" }\nparameters = { K = 1 }\n[law.rates]\ntheta = \"K/agents*sum(j, sin(theta[j] - theta))\"\n";
+
+#[test]
+fn a_law_stands_in_a_file_of_its_own() {
+    let alone = "model = \"own\"\nlaw = \"coupled.toml\"\n[state]\ntheta = [0, 1, 2]\n[run]\nuntil = 2\n";
+    let read = |law: &'static str| {
+        move |name: &str| if name == "coupled.toml" { Ok(law.to_string()) } else { Err(format!("no {name}")) }
+    };
+    let together = with_law(alone, &read(COUPLED)).unwrap();
+    let end = |text: &str| run(text).rows.last().unwrap().frame.phases.clone();
+    let written_out = alone.replace("law = \"coupled.toml\"\n", "") + COUPLED;
+    assert_eq!(end(together.text()), end(&written_out));
+    // A whole scenario serves as well: only its law counts.
+    let scenario = format!("model = \"own\"\n[state]\ntheta = [7]\n{COUPLED}[run]\nuntil = 9\n");
+    let scenario: &'static str = Box::leak(scenario.into_boxed_str());
+    assert_eq!(end(with_law(alone, &read(scenario)).unwrap().text()), end(&written_out));
+    let refused = |text: &str, law: &'static str| match with_law(text, &read(law)) {
+        Ok(whole) => whole.told(&Scenario::read(whole.text()).unwrap_err()),
+        Err(error) => error.to_string(),
+    };
+    let wrong: &'static str = Box::leak(COUPLED.replace("theta[j]", "thet[j]").into_boxed_str());
+    assert_eq!(
+        refused(alone, wrong),
+        "coupled.toml: line 5, column 30: `law.rates.theta`: there is no name `thet`; the nearest known name is `theta`"
+    );
+    assert_eq!(
+        refused(&alone.replace("until = 2", "until = -2"), COUPLED),
+        "line 6: `run.until`: it must be a number above 0"
+    );
+    assert!(
+        refused(&alone.replace("coupled", "other"), COUPLED)
+            .contains("line 2: `law`: the file of the law: no other.toml")
+    );
+    assert!(refused(alone, "[state]\nx = 1\n").contains("the table [law] is missing"));
+    assert!(refused(alone, "[law\n").contains("coupled.toml: line 1"));
+    assert!(refused(&format!("{alone}[law]\nname = \"twice\"\n"), COUPLED).contains("twice"));
+}
+
+#[test]
+fn noise_is_drawn_once_for_an_agent_and_a_step() {
+    let text = |next: &str| {
+        format!(
+            "model = \"own\"\n[law]\ntime = \"discrete\"\ndimension = 1\nstate = {{ x = \"number\", y = \"number\" }}\nseed = 3\n\
+             [law.define]\n\"kick(i)\" = \"normal(2)\"\n[law.next]\n{next}\n[state]\nx = [0, 0, 0, 0]\ny = [0, 0, 0, 0]\n[run]\nuntil = 400\n"
+        )
+    };
+    let walk = text("x = \"x + kick\"\ny = \"y + kick\"");
+    let outcome = run(&walk);
+    let last = outcome.rows.last().unwrap();
+    // The same place of the text is one number for an agent; agents have their own.
+    assert_eq!(part(last, "x"), part(last, "y"));
+    assert!(part(last, "x").iter().all(|x| x.abs() > 1e-3 && x.abs() < 200.0));
+    assert_eq!(run(&walk).rows, outcome.rows);
+    assert_ne!(part(run(&walk.replace("seed = 3", "seed = 4")).rows.last().unwrap(), "x"), part(last, "x"));
+    // Of variance 4 for each of 1600 steps: within five standard deviations.
+    let steps: Vec<f64> = outcome
+        .rows
+        .windows(2)
+        .flat_map(|pair| {
+            part(&pair[1], "x").iter().zip(part(&pair[0], "x")).map(|(new, old)| new - old).collect::<Vec<_>>()
+        })
+        .collect();
+    let mean_square = steps.iter().map(|d| d * d).sum::<f64>() / steps.len() as f64;
+    assert!((mean_square - 4.0).abs() < 5.0 * 4.0 * (2.0 / steps.len() as f64).sqrt(), "{mean_square}");
+    let bounded = run(&text("x = \"uniform(1, 3)\"\ny = \"uniform(-1, 1)\""));
+    let rows = bounded.rows.iter().skip(1);
+    assert!(rows.clone().flat_map(|row| part(row, "x")).all(|x| (1.0..3.0).contains(&x)));
+    assert!(rows.flat_map(|row| part(row, "y")).any(|y| y < -0.9));
+    let refused = |text: &str| Scenario::read(text).unwrap_err().to_string();
+    assert!(refused(&walk.replace("until = 400", "until = 400\nexact = true")).contains("the law has noise"));
+    let in_observable = format!("{walk}[law.observables]\nz = \"sum(i, normal(1))\"\n");
+    assert!(refused(&in_observable).contains("draws for a step of discrete time"));
+}
+
+#[test]
+fn noise_in_continuous_time_is_that_of_a_diffusion() {
+    let text = "model = \"own\"\n[law]\ndimension = 1\nstate = { x = \"number\" }\n[law.rates]\nx = \"-x\"\n[law.noise]\nx = \"sqrt(2)\"\n\
+                [state]\nrandom = { agents = 2000, seed = 2, x = 1 }\n[run]\nuntil = 4\nstep = \"1/50\"\nrows = 1\n";
+    let outcome = run(text);
+    let end = part(outcome.rows.last().unwrap(), "x");
+    // Ornstein and Uhlenbeck: the variance tends to 1; the method adds half a step, and 2000 numbers say it to 1 part in 10.
+    let mean = end.iter().sum::<f64>() / 2000.0;
+    let variance = end.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / 2000.0;
+    assert!(mean.abs() < 0.15 && (variance - 1.0).abs() < 0.2, "{mean} {variance}");
+    assert_eq!(run(text).rows, outcome.rows);
+    let refused = |text: &str| Scenario::read(text).unwrap_err().to_string();
+    assert!(refused(&text.replace("step = \"1/50\"\n", "")).contains("Euler and Maruyama"));
+    assert!(
+        refused(&text.replace("[law.noise]\nx = ", "[law.noise]\ny = ")).contains("there is no part of the state `y`")
+    );
+    assert!(
+        refused(&text.replace("[law.noise]\nx = \"sqrt(2)\"\n", "").replace("dimension", "seed = 1\ndimension"))
+            .contains("has no noise")
+    );
 }

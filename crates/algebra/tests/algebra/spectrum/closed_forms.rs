@@ -3,7 +3,7 @@
 use super::UNIT;
 use algebra::graph::{LaplacianKind, NamedGraph};
 use algebra::spectrum::{ClosedForm, ClosedValue, CyclotomicSum, Eigenvalue, RootTable, closed_form, named_spectrum};
-use arithmetic::{Field, Interval, Rational, Real, Ring, rational};
+use arithmetic::{Field, Interval, Number, Rational, Real, Ring, rational};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 

@@ -5,7 +5,7 @@ use super::limits::{FixedNetwork, Motion, dot, log2_below};
 use super::perturbation::{Functional, Magnitude, Stage, difference_functional, value_of};
 use super::ties;
 use crate::averaging::{Flock, Hysteresis};
-use arithmetic::{Field, Interval, Progress, Rational, Real, Ring, Sign, Signed, rational};
+use arithmetic::{Field, Interval, Number, Progress, Rational, Ring, Sign, Signed, rational};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed as _, Zero};

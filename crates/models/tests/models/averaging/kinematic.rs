@@ -1,7 +1,7 @@
 //! Model K against a naive twin in floats; ties, near ties and what cannot be decided.
 
 use algebra::graph::Graph;
-use arithmetic::{Complex, Interval, Rational, Real, Ring, rational};
+use arithmetic::{Complex, Interval, Number, Rational, Real, Ring, rational};
 use models::averaging::read::{Model, read_flock};
 use models::averaging::{FlockError, Hysteresis, KinematicFlock, KinematicStart, Weights, transition_matrix};
 use num_bigint::BigInt;

@@ -3,7 +3,7 @@
 use super::flock::starts;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Field, Interval, Rational, Real, Ring, Unwatched, rational};
+use arithmetic::{Field, Interval, Number, Rational, Ring, Unwatched, rational};
 use models::averaging::settle::{Ending, Limits, Settlement, settle};
 use models::averaging::{
     Flock, Hysteresis, Start, Switch, Weights, deviation_matrix, stationary_distribution, transition_matrix,

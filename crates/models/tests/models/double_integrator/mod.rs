@@ -20,7 +20,7 @@ mod thresholds;
 
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Dual, Field, Interval, Rational, Real, Ring, rational};
+use arithmetic::{Dual, Field, Interval, Number, Rational, Ring, rational};
 use models::double_integrator::{
     Coordinates, HeadingDifference, Inertia, Kink, Potential, PotentialError, Span, State, agent_potential, gyroscopic,
     heading, heading_rate, heading_spread, hessian, inertia, kinetic_energy, linearisation, linked_within,

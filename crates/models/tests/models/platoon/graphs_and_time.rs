@@ -2,7 +2,9 @@
 
 use algebra::matrix::characteristic_coefficients;
 use algebra::spectrum::Polynomial;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, Signed, Unwatched, rational};
+use arithmetic::{
+    ArithmeticError, Complex, Field, Interval, Number, Rational, Real, Ring, Signed, Unwatched, rational,
+};
 use models::platoon::modes::{Mode, Roots, mode_angle, mode_eigenvalue};
 use models::platoon::time_domain::{Followers, Modes};
 use models::platoon::vector_form::{characteristic_by_modes, motion_matrix, motion_rows};

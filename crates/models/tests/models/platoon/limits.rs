@@ -1,6 +1,6 @@
 //! Limits of long platoons in closed form, and passages of a car whose motion is known.
 
-use arithmetic::{Field, Interval, Real, Ring, parse_rational, rational};
+use arithmetic::{Field, Interval, Number, Real, Ring, parse_rational, rational};
 use models::platoon::next_order::{amplitude_limit, frequency_limit};
 use models::platoon::time_domain::{Modes, StopAndGo};
 use models::platoon::{Gains, theorem1};

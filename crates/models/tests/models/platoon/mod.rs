@@ -11,7 +11,7 @@ mod peak;
 mod peaks;
 
 use arithmetic::{
-    Complex, Dual, Field, Interval, Rational, Real, Ring, Signed, parse_rational, rational, significant_digits,
+    Complex, Dual, Field, Interval, Number, Rational, Real, Ring, Signed, parse_rational, rational, significant_digits,
 };
 use models::platoon::{
     Communication, Gains, LARGEST_DIGITS, LARGEST_FOLLOWERS, ResonanceError, accelerations, amplitude_one_sided,

@@ -1,6 +1,6 @@
 //! Sines against enclosures.
 
-use arithmetic::{Interval, Rational, Real};
+use arithmetic::{Interval, Number, Rational};
 use motion::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
 use proptest::prelude::*;
 

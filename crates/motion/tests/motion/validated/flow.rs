@@ -1,11 +1,12 @@
-use arithmetic::{ArithmeticError, Field, FloatInterval, Interval, Real, rational};
-use motion::validated::{Flow, Parallelepiped, SmoothLaw, ValidationError};
+use arithmetic::{ArithmeticError, FloatInterval, Interval, Number, rational};
+use motion::System;
+use motion::validated::{Flow, Parallelepiped, ValidationError};
 
 /// `x' = v, v' = -x`.
 struct Oscillator;
 
-impl SmoothLaw for Oscillator {
-    fn rate<T: Field>(&self, y: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for Oscillator {
+    fn rate<T: Number>(&self, _: &T, y: &[T]) -> Result<Vec<T>, ArithmeticError> {
         Ok(vec![y[1].clone(), -y[0].clone()])
     }
 }
@@ -13,8 +14,8 @@ impl SmoothLaw for Oscillator {
 /// `y' = y²`, with the solution `1/(c - t)`.
 struct Explosion;
 
-impl SmoothLaw for Explosion {
-    fn rate<T: Field>(&self, y: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for Explosion {
+    fn rate<T: Number>(&self, _: &T, y: &[T]) -> Result<Vec<T>, ArithmeticError> {
         Ok(vec![y[0].square()])
     }
 }
@@ -22,13 +23,22 @@ impl SmoothLaw for Explosion {
 /// `y' = 1/y`, with the solution `sqrt(c + 2t)`.
 struct Root;
 
-impl SmoothLaw for Root {
-    fn rate<T: Field>(&self, y: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for Root {
+    fn rate<T: Number>(&self, _: &T, y: &[T]) -> Result<Vec<T>, ArithmeticError> {
         Ok(vec![y[0].recip()?])
     }
 }
 
-fn follow<L: SmoothLaw>(law: L, start: Parallelepiped, until: f64) -> Result<Vec<FloatInterval>, ValidationError> {
+/// `y' = y cos t`, with the solution `c exp(sin t)`.
+struct Driven;
+
+impl System for Driven {
+    fn rate<T: Number>(&self, time: &T, y: &[T]) -> Result<Vec<T>, ArithmeticError> {
+        Ok(vec![time.cos()? * &y[0]])
+    }
+}
+
+fn follow<L: System>(law: L, start: Parallelepiped, until: f64) -> Result<Vec<FloatInterval>, ValidationError> {
     let (mut flow, mut set, mut time) = (Flow::new(law, 0.1), start, 0.0);
     while time < until {
         let step = flow.step(&set, time, until)?;
@@ -86,4 +96,14 @@ fn a_box_contains_the_solutions_from_its_points() {
     for x in [lo, 0.6, hi] {
         assert!(end[0].contains(1.0 / (1.0 / x - 1.0)), "{x}");
     }
+}
+
+#[test]
+fn right_hand_sides_may_depend_on_the_time() {
+    let end = follow(Driven, Parallelepiped::of_box(&[FloatInterval::between(1.0, 2.0)]), 10.0).expect("solutions");
+    let growth =
+        Interval::from_rational(&rational(10, 1), 120).sin().and_then(|sin| sin.exp()).expect("a value").to_f64();
+    assert!(end[0].contains(growth) && end[0].contains(2.0 * growth) && end[0].width() < 1.01 * growth, "{end:?}");
+    let end = follow(Driven, point(&[1.0]), 10.0).expect("a solution");
+    assert!(end[0].contains(growth) && end[0].width() < 1e-12, "{end:?}");
 }

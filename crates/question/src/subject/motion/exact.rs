@@ -3,13 +3,16 @@
 use super::MotionSubject;
 use super::numbers::Start;
 use crate::number::Number;
-use crate::subject::distances::{disagreement, least_distance};
+use crate::subject::measured::measured;
+use crate::timeline::Measured;
 use arithmetic::{Complex, Interval, Rational, rational};
-use models::double_integrator::{Coordinates, Pair, Potential, kinetic_energy, linked_within, potential_gradients};
-use models::oscillator::phase_potential;
+use expressions::Variable;
+use models::double_integrator::{Coordinates, Pair, Potential, linked_within, potential_gradients};
+use models::oscillator::{Neighbours, Orientation, Spacing, Steering};
 use models::platoon::Gains;
-use num_traits::{Signed, Zero};
-use scenario::ExactMotion;
+use num_traits::Zero;
+use scenario::{Amount, ExactMotion, Law, Links, Model, Rows, Sensing, View, measure};
+use std::borrow::Cow;
 
 /// How much of the start still holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,61 +52,73 @@ impl MotionSubject<'_> {
         }
     }
 
-    /// A quantity that is known exactly.
-    pub(super) fn exact(&self, name: &str, arguments: &[Number], holds: Holds, precision: u32) -> Option<Number> {
+    /// A quantity that is known exactly; of a list the entry with that index.
+    pub(super) fn exact(&self, name: &str, index: usize, holds: Holds, precision: u32) -> Option<Number> {
         if name == "momentum" {
-            return self.momentum(arguments, holds);
+            return self.momentum(index, holds);
         }
         if holds != Holds::All || !self.wide.is_empty() {
             return None;
         }
-        match (&self.motion, name) {
-            (ExactMotion::Velocities { positions, .. } | ExactMotion::Particles { positions, .. }, "min_distance") => {
-                least_distance(positions, precision)?.ok()
+        self.views(index).iter().find_map(|view| match measure(name, view).ok()?? {
+            // Counts are as good between enclosures.
+            Amount::Count(_) => None,
+            amount => match measured(amount, index, precision).ok()? {
+                Measured::Number(number) => Some(number),
+                Measured::Truth(_) => None,
+            },
+        })
+    }
+
+    /// What of the start is rational.
+    fn views(&self, orders: usize) -> Vec<View<'_, Rational>> {
+        let none = || Links::Everyone(0);
+        let places = |model: Model, list: &'_ [Vec<Rational>]| {
+            let list = list.to_vec();
+            View { positions: Rows::of(list.len(), move || list), ..View::new(model, none()) }
+        };
+        match &self.motion {
+            ExactMotion::Velocities { positions, velocities, headings, .. } => {
+                let model = if headings.is_some() { Model::Headings } else { Model::Velocities };
+                let velocities = Rows::of(velocities.len(), || velocities.clone());
+                vec![View { velocities, ..places(model, positions) }]
             }
-            (ExactMotion::Velocities { velocities, .. }, "disagreement") => disagreement(velocities, precision).ok(),
-            (ExactMotion::Velocities { velocities, .. }, "kinetic") => {
-                let velocities: Vec<[Rational; 2]> = velocities.iter().map(|row| vector(row)).collect();
-                kinetic_energy(&velocities, Coordinates::Cartesian).ok().map(Number::Exact)
+            ExactMotion::Phases { phases, gain, network, .. } => alike(phases, gain, network, orders),
+            ExactMotion::Particles { positions, phases, gain, network, .. } => {
+                let mut all = vec![places(Model::Particles, positions)];
+                all.extend(alike(phases, gain, network, orders));
+                all
             }
-            (ExactMotion::Platoon { rates, .. }, "disagreement") => disagreement(&rows(rates.clone()), precision).ok(),
-            (ExactMotion::Platoon { spacing, .. }, _) => self.of_platoon(name, spacing, precision),
-            (ExactMotion::Phases { phases, gain, network, .. }, _)
-            | (ExactMotion::Particles { phases, gain, network, .. }, _)
-                if are_equal(phases) =>
-            {
-                let alike = vec![Complex { re: rational(1, 1), im: rational(0, 1) }; phases.len()];
-                match name {
-                    "order" => {
-                        let order = arguments.first().map_or(Some(1.into()), Number::as_integer)?;
-                        (order.is_positive() && order <= 64.into())
-                            .then(|| Number::Exact(Rational::new(1.into(), order)))
-                    }
-                    "phase_potential" => phase_potential(network, &alike, 1).ok().map(Number::Exact),
-                    "orientation_potential" => {
-                        phase_potential(network, &alike, 1).ok().map(|own| Number::Exact(-(own * gain)))
-                    }
-                    _ => None,
-                }
+            ExactMotion::Platoon { rates, spacing, .. } => {
+                let deviations = self.deviations();
+                let place = |(y, k): (&Rational, i64)| y - spacing * rational(k, 1);
+                let places = places(Model::Platoon, &rows(deviations.iter().zip(0..).map(place).collect()));
+                let velocities = Rows::of(rates.len(), || rows(rates.clone()));
+                let law = Law::Cars { deviations, leader: 0, spacing: spacing.clone() };
+                vec![View { velocities, law, ..places }]
             }
-            _ => None,
+            ExactMotion::Own(own) => {
+                let rows = |part: Option<&Variable>| {
+                    let rows = part.map_or_else(Vec::new, |part| own.rows(part));
+                    Rows::of(rows.len(), || rows)
+                };
+                let (positions, velocities) = (rows(own.position()), rows(own.velocity()));
+                vec![View { positions, velocities, ..View::new(Model::Own, own.links()) }]
+            }
+            ExactMotion::Other(_) => Vec::new(),
         }
     }
 
     /// Velocity alignment conserves the sum of the velocities, link by link: what one agent of a link gains the other one loses, whether links switch or not.
-    fn momentum(&self, arguments: &[Number], holds: Holds) -> Option<Number> {
-        let axis = match arguments.first()?.as_integer()?.try_into() {
-            Ok(1) => 0,
-            Ok(2) => 1,
-            _ => return None,
-        };
+    fn momentum(&self, index: usize, holds: Holds) -> Option<Number> {
+        let axis = index.checked_sub(1)?;
         let ExactMotion::Velocities { velocities, headings, .. } = &self.motion else { return None };
         if headings.is_some() && holds != Holds::All {
             return None;
         }
         let (mut lo, mut hi) = (rational(0, 1), rational(0, 1));
         for (agent, row) in velocities.iter().enumerate() {
-            let own = self.wide.iter().find(|(list, a, c, ..)| (*list, *a, *c) == (Start::Velocities, agent, axis));
+            let own = self.wide.iter().find(|(list, a, c, ..)| (list, *a, *c) == (&Start::Velocities, agent, axis));
             let (least, most) = own.map_or((&row[axis], &row[axis]), |(.., lo, hi)| (lo, hi));
             lo += least;
             hi += most;
@@ -123,23 +138,24 @@ impl MotionSubject<'_> {
         }
         all
     }
+}
 
-    fn of_platoon(&self, name: &str, spacing: &Rational, precision: u32) -> Option<Number> {
-        let deviations = self.deviations();
-        let (leader, followers) = deviations.split_first()?;
-        let gaps = || deviations.windows(2).map(|pair| &pair[0] - &pair[1] + spacing);
-        match name {
-            "min_gap" => gaps().min().map(Number::Exact),
-            "max_gap" => gaps().max().map(Number::Exact),
-            "last_deviation" => followers.last().map(|y| Number::Exact(y - leader)),
-            "largest_deviation" => followers.iter().map(|y| (y - leader).abs()).max().map(Number::Exact),
-            "min_distance" => {
-                let places = deviations.iter().zip(0..).map(|(y, k)| y - spacing * rational(k, 1));
-                least_distance(&rows(places.collect()), precision)?.ok()
-            }
-            _ => None,
-        }
+/// Phases that are all equal, turned to 0: what is measured on phases alone does not change with that.
+fn alike<'a>(phases: &[Rational], gain: &Rational, network: &'a Neighbours, orders: usize) -> Vec<View<'a, Rational>> {
+    if !are_equal(phases) {
+        return Vec::new();
     }
+    let zero = rational(0, 1);
+    let phasors = vec![Complex { re: rational(1, 1), im: zero.clone() }; phases.len()];
+    let steering =
+        Steering { frequency: zero, orientation: Orientation::Laplacian(gain.clone()), spacing: Spacing::None };
+    vec![View {
+        phasors,
+        orders: orders as u32,
+        sensing: Sensing::These(Cow::Borrowed(network)),
+        law: Law::Turning(steering, None),
+        ..View::new(Model::Phase, Links::Everyone(0))
+    }]
 }
 
 fn is_without_force(places: &[[Rational; 2]], potential: &Potential, pairs: &[Pair]) -> bool {

@@ -1,13 +1,12 @@
 //! The laws that are enclosed, over any scalar.
 
-use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring};
+use arithmetic::{ArithmeticError, Complex, Number, Rational, Ring};
 use models::double_integrator::{
     Coordinates, Pair, Potential, State as Flock, gyroscopic, heading_rate, potential_gradients,
 };
-use models::oscillator::{Neighbours, State, beacon_control, laplacian_control, spacing_control};
+use models::oscillator::{Neighbours, State, Steering, laplacian_control};
 use models::platoon::{CommunicationGraph, Gains};
-use motion::validated::SmoothLaw;
-use scenario::ExactSpacing;
+use motion::System;
 
 /// The phase model as phasors: `z' = i (omega_0 + u) z`, real parts and imaginary parts by turns.
 pub(super) struct PhaseLaw<'a> {
@@ -16,8 +15,8 @@ pub(super) struct PhaseLaw<'a> {
     pub network: &'a Neighbours,
 }
 
-impl SmoothLaw for PhaseLaw<'_> {
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for PhaseLaw<'_> {
+    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let Some(like) = state.first() else { return Ok(Vec::new()) };
         let phasors = phasors_of(state);
         let (frequency, gain) = (like.rational(self.frequency), like.rational(self.gain));
@@ -36,8 +35,8 @@ pub(super) struct HeadingLaw<'a> {
     pub edges: &'a [Pair],
 }
 
-impl SmoothLaw for HeadingLaw<'_> {
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for HeadingLaw<'_> {
+    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let agents = state.len() / 5;
         let (list, headings) = state.split_at(4 * agents);
         let (Some(like), Some(moving)) = (list.first(), Flock::from_list(agents, list)) else { return Ok(Vec::new()) };
@@ -58,32 +57,20 @@ pub(super) fn phasors_of<T: Ring>(state: &[T]) -> Vec<Complex<T>> {
 
 /// Steered particles: positions, then phasors.
 pub(super) struct ParticleLaw<'a> {
-    pub frequency: &'a Rational,
-    pub gain: &'a Rational,
-    pub spacing: &'a ExactSpacing,
+    pub steering: Steering<Rational>,
     pub drift: &'a [Rational; 2],
     pub network: &'a Neighbours,
 }
 
-impl SmoothLaw for ParticleLaw<'_> {
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for ParticleLaw<'_> {
+    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let Some(like) = state.first() else { return Ok(Vec::new()) };
         let mut positions = phasors_of(state);
         let phasors = positions.split_off(positions.len() / 2);
         let state = State { positions, phasors };
-        let number = |q: &Rational| like.rational(q);
-        let (frequency, gain) = (number(self.frequency), number(self.gain));
-        let spacing = match self.spacing {
-            ExactSpacing::None => vec![like.zero(); state.phasors.len()],
-            ExactSpacing::Circle(strength) => spacing_control(&frequency, &number(strength), self.network, &state)?,
-            ExactSpacing::Beacon(strength, [x, y]) => {
-                beacon_control(&frequency, &number(strength), &Complex::new(number(x), number(y)), &state)?
-            }
-        };
-        let turning = laplacian_control(&gain, self.network, &state.phasors)?;
-        let steering: Vec<T> = turning.into_iter().zip(spacing).map(|(u, s)| u + s + &frequency).collect();
-        let drift = Complex::new(number(&self.drift[0]), number(&self.drift[1]));
-        let moving = state.moving(&steering, &vec![drift; steering.len()]);
+        let turning = self.steering.over(like).turning(self.network, None, &state)?;
+        let drift = Complex::new(like.rational(&self.drift[0]), like.rational(&self.drift[1]));
+        let moving = state.moving(&turning, &vec![drift; turning.len()]);
         let rates = moving.positions.into_iter().chain(moving.phasors);
         Ok(rates.flat_map(|z| [z.re.derivative, z.im.derivative]).collect())
     }
@@ -96,8 +83,8 @@ pub(super) struct PlatoonLaw<'a> {
     pub frequency: &'a Rational,
 }
 
-impl SmoothLaw for PlatoonLaw<'_> {
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+impl System for PlatoonLaw<'_> {
+    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let cars = self.graph.followers() + 1;
         let (Some(swing), Some(like)) = (state.get(2 * cars..), state.first()) else { return Ok(Vec::new()) };
         let w = like.rational(self.frequency);

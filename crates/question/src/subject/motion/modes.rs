@@ -2,7 +2,7 @@
 
 use super::numbers::{BITS, Start, narrowed, point, widened};
 use crate::failure::Failure;
-use arithmetic::{ArithmeticError, FloatInterval, Interval, Rational, Real, rational};
+use arithmetic::{ArithmeticError, FloatInterval, Interval, Number, Rational, rational};
 use models::platoon::time_domain::{Followers, Modes, SwingingStart};
 use models::platoon::{Communication, CommunicationGraph, Gains};
 use motion::validated::IntervalVector;
@@ -23,7 +23,7 @@ impl ModalPlatoon {
     /// The platoon, if it is the two-sided one with gains for which the sum over the modes is known. `start` gives the deviations and rates
     /// of all cars without the swing.
     pub fn new(
-        start: impl Fn(Start, usize) -> FloatInterval,
+        start: impl Fn(&Start, usize) -> FloatInterval,
         gains: &(Rational, Rational),
         graph: &CommunicationGraph,
         swing: &(Rational, Rational),
@@ -39,13 +39,13 @@ impl ModalPlatoon {
         let modes = Modes::new(&exact, followers as u64).ok()?;
         let (amplitude, w) = (number(&swing.0), number(&swing.1));
         // The swing begins at its largest deviation, at rest.
-        let relative = |list: Start, own: &Interval| -> Vec<Interval> {
+        let relative = |list: &Start, own: &Interval| -> Vec<Interval> {
             let leader = widened(&start(list, 0)) + own;
             (1..=followers).map(|k| widened(&start(list, k)) - &leader).collect()
         };
         let first = Followers {
-            positions: relative(Start::Positions, &amplitude),
-            velocities: relative(Start::Velocities, &number(&zero)),
+            positions: relative(&Start::Positions, &amplitude),
+            velocities: relative(&Start::Velocities, &number(&zero)),
         };
         let start = modes.behind_swinging_leader(&first, &amplitude, &w).ok()?;
         let gains = Gains { f: point(&gains.0), g: point(&gains.1) };

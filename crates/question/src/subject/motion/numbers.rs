@@ -4,11 +4,13 @@
 use arithmetic::{Dyadic, FloatInterval, Interval, Rational};
 
 /// Which list of the start.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Start {
     Positions,
     Velocities,
     Phases,
+    /// A part of the state of a law of one's own.
+    Own(String),
 }
 
 /// Bits of what is measured.

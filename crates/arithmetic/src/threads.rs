@@ -1,4 +1,4 @@
-//! Independent pieces of work on all threads.
+//! Independent pieces of work on all threads of the caller's pool.
 
 use rayon::prelude::*;
 use std::hint::spin_loop;
@@ -8,14 +8,24 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Looks at whether work is over before other programs are let in.
 const LOOKS: usize = 64;
 
-/// What `of` gives for each item, in their order, whatever the number of threads. The threads are started and joined by code that is compiled once,
-/// not for each kind of item.
-pub fn side_by_side<T: Sync, R: Send + Sync>(items: &[T], of: impl Fn(&T) -> R + Sync) -> Vec<R> {
-    let places: Vec<OnceLock<R>> = items.iter().map(|_| OnceLock::new()).collect();
-    each(items.len(), &|k| {
-        places[k].get_or_init(|| of(&items[k]));
+/// What `of` gives for `0..count`, in this order, whatever the number of threads. The threads are started and joined by code that is compiled once,
+/// not for each kind of work.
+pub fn map<R: Send + Sync>(count: usize, of: impl Fn(usize) -> R + Sync) -> Vec<R> {
+    let places: Vec<OnceLock<R>> = (0..count).map(|_| OnceLock::new()).collect();
+    each(count, &|k| {
+        places[k].get_or_init(|| of(k));
     });
     places.into_iter().filter_map(OnceLock::into_inner).collect()
+}
+
+/// What `of` gives for each item, in their order.
+pub fn side_by_side<T: Sync, R: Send + Sync>(items: &[T], of: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    map(items.len(), |k| of(&items[k]))
+}
+
+/// What `of` gives for parts of `size` items, the last of which may be shorter.
+pub fn map_chunks<T: Sync, R: Send + Sync>(items: &[T], size: usize, of: impl Fn(&[T]) -> R + Sync) -> Vec<R> {
+    map(items.len().div_ceil(size), |k| of(&items[k * size..items.len().min((k + 1) * size)]))
 }
 
 /// Does long work with many small parts that are shared out, as a whole on one of the threads: from any other thread, each time that parts are

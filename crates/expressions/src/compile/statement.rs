@@ -1,0 +1,128 @@
+//! A property of states as comparisons with zero: each clause has one that is true, at every state for which the property is claimed.
+
+use super::{Compiler, Made, Scope, Value};
+use crate::evaluate::{Evaluator, Hearing};
+use crate::law::{LawError, LawText};
+
+use crate::problem::Problem;
+use crate::program::{FLOCK, Id, Op, Program};
+use crate::syntax::{Node, NodeKind, Relation};
+use arithmetic::{ArithmeticError, Number, Rational};
+use std::sync::Arc;
+
+/// Clauses, or comparisons in one, beyond which a property is not taken apart.
+const MOST: usize = 64;
+
+/// A number that is compared with zero.
+#[derive(Debug, Clone)]
+pub struct Comparison {
+    program: Arc<Program>,
+    lists: Arc<Vec<Vec<Rational>>>,
+    /// How it is compared.
+    pub relation: Relation,
+}
+
+impl Comparison {
+    /// The number at a state, laid out as that of the law ([`crate::Law::variables`]).
+    ///
+    /// # Errors
+    /// [`ArithmeticError`] where it has no value, or the scalar cannot hold it.
+    pub fn value<T: Number>(&self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<T, ArithmeticError> {
+        let mut evaluator = Evaluator::new(&self.program, &self.lists, time);
+        let numbers = evaluator.flock(time, state, hearing).map_err(|fault| fault.error)?;
+        numbers.into_iter().next().ok_or(ArithmeticError::Domain("a number"))
+    }
+}
+
+/// Some comparison of each clause is true.
+pub type Clauses = Vec<Vec<Comparison>>;
+
+type Drafts = Vec<Vec<(Id, Relation)>>;
+
+impl LawText {
+    /// A property of a flock of so many agents, with `rate(e)` and the observables by their names.
+    ///
+    /// # Errors
+    /// [`LawError`]; its table is `property` where the property is at fault.
+    pub fn statement(&self, agents: usize, property: &str) -> Result<Clauses, LawError> {
+        let mut text = self.clone();
+        text.define.append(&mut text.observables.clone());
+        text.observables.clear();
+        let mut compiler = Compiler::new(&text, agents)?;
+        compiler.list_parameters();
+        compiler.reading.push(("property", ""));
+        let node = compiler.parse(property)?;
+        let drafts = compiler.clauses(&node, true)?;
+        let lists = Arc::new(compiler.lists.clone());
+        let comparison = |(id, relation): (Id, Relation)| Comparison {
+            program: Arc::new(compiler.things.program(vec![id])),
+            lists: lists.clone(),
+            relation,
+        };
+        Ok(drafts.into_iter().map(|clause| clause.into_iter().map(comparison).collect()).collect())
+    }
+}
+
+impl Compiler<'_> {
+    fn clauses(&mut self, node: &Node, positive: bool) -> Made<Drafts> {
+        let parts: Vec<(&Node, bool)> = match &node.kind {
+            NodeKind::Not(body) => return self.clauses(body, !positive),
+            NodeKind::And(nodes) | NodeKind::Or(nodes) => nodes.iter().map(|node| (node, positive)).collect(),
+            NodeKind::Implies(first, second) => vec![(first, !positive), (second, positive)],
+            NodeKind::Relation(first, others) => return self.chain(first, others, positive),
+            _ => {
+                let why = "a comparison is expected here, or comparisons joined by `and`, `or`, `not`, `implies`";
+                return self.refuse(node.at, Problem::Other(why.to_string()));
+            }
+        };
+        let all = parts.into_iter().map(|(node, positive)| self.clauses(node, positive)).collect::<Made<Vec<_>>>()?;
+        let together = matches!(node.kind, NodeKind::And(_)) == positive;
+        self.joined(node, all, together)
+    }
+
+    fn joined(&self, node: &Node, lists: Vec<Drafts>, together: bool) -> Made<Drafts> {
+        if together {
+            return Ok(lists.concat());
+        }
+        let mut all: Drafts = vec![Vec::new()];
+        for list in lists {
+            all = all.iter().flat_map(|a| list.iter().map(move |b| [a.clone(), b.clone()].concat())).collect();
+            if all.len() > MOST || all.iter().any(|clause| clause.len() > MOST) {
+                return self.refuse(node.at, Problem::Other("the property has too many cases".to_string()));
+            }
+        }
+        Ok(all)
+    }
+
+    fn chain(&mut self, first: &Node, others: &[(Relation, Node)], positive: bool) -> Made<Drafts> {
+        let scope = Scope { own: None, innermost: FLOCK, hears: None, agents: Vec::new() };
+        let mut left = self.value(first, &scope)?;
+        let mut all = Vec::new();
+        for (relation, node) in others {
+            let right = self.value(node, &scope)?;
+            let relation = if positive { *relation } else { relation.turned() };
+            all.push(self.compared(node, left.clone(), right.clone(), relation)?);
+            left = right;
+        }
+        self.joined(first, all, positive)
+    }
+
+    /// Numbers are compared; vectors are equal or not, also with 0.
+    fn compared(&mut self, node: &Node, left: Value, right: Value, relation: Relation) -> Made<Drafts> {
+        let is_zero =
+            |this: &Self, id: Id| matches!(&this.things.ops[id], Op::Number(q) if *q == arithmetic::rational(0, 1));
+        let pairs = match (left, right) {
+            (Value::Number(a) | Value::Angle(a), Value::Number(b) | Value::Angle(b)) => vec![(a, b)],
+            (Value::Vector(a), Value::Vector(b)) => a.into_iter().zip(b).collect(),
+            (Value::Vector(a), Value::Number(b)) if is_zero(self, b) => a.into_iter().map(|a| (a, b)).collect(),
+            (first, second) => return self.refuse(node.at, Problem::expected(first.words(), second.words())),
+        };
+        if pairs.len() > 1 && !matches!(relation, Relation::Equal | Relation::Different) {
+            return self.refuse(node.at, Problem::expected("a number", "a vector"));
+        }
+        let numbers: Vec<_> =
+            pairs.into_iter().map(|(a, b)| (self.things.add(Op::Difference(a, b)), relation)).collect();
+        let together = relation == Relation::Equal;
+        Ok(if together { numbers.into_iter().map(|one| vec![one]).collect() } else { vec![numbers] })
+    }
+}

@@ -1,0 +1,39 @@
+//! Laws of one's own in continuous time.
+
+use super::motions::answered;
+use question::Verdict;
+
+/// Two agents on a line whose relative velocity decays as `exp(-t)`: `x_2 - x_1 = 1 + 2 (1 - exp(-t))`.
+const PAIR: &str = "model = \"own\"\n[law]\ntime = \"continuous\"\ndimension = 1\nstate = { x = \"number\", v = \"number\" }\n\
+    [law.rates]\nx = \"v\"\nv = \"mean(j, v[j] - v)/2\"\n[state]\nx = [0, 1]\nv = [-1, 1]\n[run]\nuntil = 4\n";
+
+#[test]
+fn a_law_of_ones_own_is_enclosed() {
+    // The least distance is 1, at the start, the largest 3 - 2 exp(-4) = 2.9634 at the end; sqrt 2 of disagreement decays.
+    let property =
+        "always[0, 4](min_distance > 99/100 and min_distance < 297/100) and eventually[0, 4](disagreement < 27/1000)";
+    for control in ["always[0, 4](min_distance < 296/100)", "eventually[0, 4](disagreement < 25/1000)"] {
+        let answer = answered(PAIR, "n = 1", property, control);
+        assert_eq!(answer.verdict, Verdict::Holds, "{}", answer.why);
+        assert_eq!(answer.controls, [true], "{control}");
+    }
+}
+
+#[test]
+fn numbers_of_its_start_may_be_intervals() {
+    let place = "\"state.v[2]\" = \"[1, 3/2]\"";
+    // The distance at t = 4 is 1 + (1 + v)(1 - exp(-4)): 2.96 to 3.46.
+    assert_eq!(answered(PAIR, place, "always[0, 4](min_distance < 347/100)", "1 < 0").verdict, Verdict::Holds);
+    assert_eq!(answered(PAIR, place, "always[0, 4](min_distance < 344/100)", "1 < 0").verdict, Verdict::False);
+}
+
+#[test]
+fn what_is_not_enclosed_says_so() {
+    let discrete = PAIR.replace("continuous", "discrete").replace("law.rates", "law.next");
+    let within = PAIR.replace("[state]", "[graph]\nkind = \"within\"\nradius = 2\n[state]");
+    for (scenario, why) in [(discrete, "discrete time"), (within, "do not depend on the distances")] {
+        let answer = answered(&scenario, "n = 1", "always[0, 1](min_distance > 0)", "1 < 0");
+        assert_eq!(answer.verdict, Verdict::Undecided);
+        assert!(answer.why.contains(why), "{}", answer.why);
+    }
+}

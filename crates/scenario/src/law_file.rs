@@ -1,0 +1,83 @@
+//! Laws in files of their own: `law = "FILE"` in the place of the tables `[law]` and `[law.*]`.
+
+use super::document::{line_of, parse_toml};
+use super::error::{ConfigError, Problem};
+use super::source::Source;
+
+/// A scenario with its law in one text. Lines of the scenario keep their numbers; those of the law come after them.
+#[derive(Debug, Clone)]
+pub struct WithLaw {
+    text: String,
+    /// The name of the law's file, and how many lines come before it.
+    law: Option<(String, usize)>,
+}
+
+/// Puts the law of a file into the scenario that names it; a scenario that names none stays as it is. `read` gives the text of a file. Of the law's file
+/// only the tables `[law]` and `[law.*]` count, so that another scenario can serve as one.
+///
+/// # Errors
+/// [`ConfigError`], also where the file is not there or has no law.
+pub fn with_law(text: &str, read: &dyn Fn(&str) -> Result<String, String>) -> Result<WithLaw, ConfigError> {
+    let source = Source::parse(text)?;
+    let top = source.top();
+    let Some(entry) = top.get("law").filter(|entry| !entry.is_table()) else {
+        return Ok(WithLaw::alone(text));
+    };
+    let name = entry.word()?.to_string();
+    let file = read(&name).map_err(|error| entry.problem(Problem::LawFile(error)))?;
+    let tables = tables_of(&file);
+    parse_toml(&tables).map_err(|error| {
+        let line = line_of(&tables, error.at);
+        entry.problem(Problem::LawFile(format!("{name}: line {line}: {error}")))
+    })?;
+    if tables.trim().is_empty() {
+        return Err(entry.problem(Problem::LawFile(format!("{name}: the table [law] is missing"))));
+    }
+    let span = top.key_and_value("law").unwrap_or_default();
+    let (before, after) = (text.get(..span.start).unwrap_or(text), text.get(span.end..).unwrap_or_default());
+    let own = format!("{before}{after}\n");
+    let lines = own.matches('\n').count();
+    Ok(WithLaw { text: own + &tables, law: Some((name, lines)) })
+}
+
+/// The lines of the tables `[law]` and `[law.*]`, the other lines empty.
+fn tables_of(text: &str) -> String {
+    let mut inside = false;
+    let mut kept = String::new();
+    for line in text.lines() {
+        let head = line.trim_start().strip_prefix('[').map(str::trim_start);
+        if let Some(head) = head.filter(|head| head.starts_with(|c: char| c.is_ascii_alphabetic())) {
+            let name = head.split([']', '.']).next().unwrap_or_default().trim();
+            inside = name == "law";
+        }
+        if inside {
+            kept += line;
+        }
+        kept.push('\n');
+    }
+    kept
+}
+
+impl WithLaw {
+    /// A text without a law elsewhere.
+    pub fn alone(text: &str) -> Self {
+        WithLaw { text: text.to_string(), law: None }
+    }
+
+    /// The whole text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// An error of the whole text in words: with the name of the law's file where it is in there.
+    pub fn told(&self, error: &ConfigError) -> String {
+        let (mut error, mut name) = (error.clone(), None);
+        if let (Some((file, lines)), Some(line)) = (&self.law, error.line_mut())
+            && *line > *lines
+        {
+            *line -= lines;
+            name = Some(file);
+        }
+        name.map_or_else(|| error.to_string(), |name| format!("{name}: {error}"))
+    }
+}

@@ -1,0 +1,83 @@
+//! A law of one's own in continuous time on a network that stays as it is, over any scalar.
+
+use super::measured::Heard;
+use super::read::Described;
+use crate::network::Network;
+use crate::view::Links;
+use arithmetic::{ArithmeticError, Number, Rational};
+use expressions::{Kind, Law, Time, Variable};
+use motion::System;
+use std::sync::Arc;
+
+/// A law of one's own with its network and its start, all exact.
+#[derive(Debug, Clone)]
+pub struct OwnMotion {
+    law: Arc<Law>,
+    network: Network,
+    /// The start, in the order of the law's state.
+    pub start: Vec<Rational>,
+}
+
+impl OwnMotion {
+    /// Of a law in continuous time on a fixed network; why it is not enclosed otherwise.
+    pub(crate) fn of(own: Described) -> Result<Self, &'static str> {
+        let Described { law, state, network, time, .. } = own;
+        if time == Time::Discrete {
+            Err("laws in discrete time are not enclosed")
+        } else if network.switches() {
+            Err("laws of one's own are enclosed on networks that do not depend on the distances")
+        } else if network.next_time().is_some() {
+            Err("links that are replaced at given times are not enclosed")
+        } else {
+            Ok(OwnMotion { law, network, start: state })
+        }
+    }
+
+    /// The number of agents.
+    pub fn agents(&self) -> usize {
+        self.law.agents()
+    }
+
+    /// The part of the state that says where agents are.
+    pub fn position(&self) -> Option<&Variable> {
+        self.law.position()
+    }
+
+    /// The part of the state of that name.
+    pub fn part(&self, name: &str) -> Option<&Variable> {
+        self.law.variables().iter().find(|variable| variable.name == name)
+    }
+
+    /// The first part that is an angle.
+    pub fn angle(&self) -> Option<&Variable> {
+        self.law.variables().iter().find(|variable| variable.kind == Kind::Angle)
+    }
+
+    /// The part that is called `v`, where it is no angle.
+    pub fn velocity(&self) -> Option<&Variable> {
+        self.part("v").filter(|part| part.kind != Kind::Angle)
+    }
+
+    /// The start of a part, a row for each agent.
+    pub fn rows(&self, part: &Variable) -> Vec<Vec<Rational>> {
+        let row = |agent: usize| self.start[part.start + agent * part.stride..][..part.width].to_vec();
+        (0..self.agents()).map(row).collect()
+    }
+
+    /// Where a number of an agent stands in the state, all from 0.
+    pub fn place(&self, part: &str, agent: usize, coordinate: usize) -> Option<usize> {
+        let part = self.part(part).filter(|part| agent < self.agents() && coordinate < part.width)?;
+        Some(part.start + agent * part.stride + coordinate)
+    }
+
+    /// The links.
+    pub fn links(&self) -> Links<'_> {
+        self.network.shown()
+    }
+}
+
+impl System for OwnMotion {
+    fn rate<T: Number>(&self, time: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+        self.law.rates(time, state, &Heard(&self.network)).map_err(|fault| fault.error)
+    }
+}
