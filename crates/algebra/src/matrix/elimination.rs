@@ -112,11 +112,16 @@ mod tests {
             let mut random = generator("test", "elimination", case);
             let n = 1 + (random.next_u32() % 9) as usize;
             let mut dense = vec![vec![rational(0, 1); n]; n];
+            let mut set = |i: usize, j: usize, value: Rational| {
+                dense[i][j] = value.clone();
+                dense[j][i] = value;
+            };
             for i in 0..n {
-                dense[i][i] = rational(i64::from(random.next_u32() % 9) - 3, 1);
-                for j in (0..i).filter(|_| random.next_u32() % 3 == 0).collect::<Vec<_>>() {
-                    let value = rational(i64::from(random.next_u32() % 7) - 3, 1);
-                    (dense[i][j], dense[j][i]) = (value.clone(), value);
+                set(i, i, rational(i64::from(random.next_u32() % 9) - 3, 1));
+                for j in 0..i {
+                    if random.next_u32().is_multiple_of(3) {
+                        set(i, j, rational(i64::from(random.next_u32() % 7) - 3, 1));
+                    }
                 }
             }
             let zero = rational(0, 1);

@@ -189,8 +189,7 @@ impl<'a> Ahead<'a> {
         }
         let gap = (now - 1.0).abs() - self.error;
         let joined = self.part.near[i as usize].binary_search(&j).is_ok();
-        // Not a number either.
-        if !(gap > 0.0) || (now < 1.0) != joined {
+        if gap.is_nan() || gap <= 0.0 || (now < 1.0) != joined {
             return Look::Doubt;
         }
         // In s steps the distance changes by at most s (speed + s change), and by 2 s times the speed of all.
