@@ -3,10 +3,10 @@
 From mathcomp Require all_ssreflect all_algebra.
 From Coq Require Reals QArith Qabs.
 From Coquelicot Require Coquelicot.
-From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_sharp
+From Flockproof Require RealSums chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_sharp
   chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked chazelle_angle
   chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits chazelle_reals
-  chazelle_entries chazelle_switches chazelle_losses.
+  chazelle_entries chazelle_switches chazelle_losses chazelle_lower.
 
 Module NumbersAndBirds.
 Import Coq.QArith.QArith Coq.QArith.Qabs Coq.Reals.Reals Coquelicot.Coquelicot.
@@ -123,10 +123,6 @@ Check (@chazelle_birds.last_switch :
    (i < 4)%nat ->
    (j < 4)%nat ->
    chazelle_birds.G (chazelle_birds.hysteresis chazelle_birds.eps) t i j = chazelle_birds.path4 i j)).
-(* chazelle.lem3.6.i (part) *)
-Check (@chazelle_birds.within_distance_joined :
-  forall (e : Q) (H : chazelle_birds.network) (y : chazelle_birds.vec) (z : nat -> Q) (i j : nat),
-  i <> j -> (Qabs (z i - z j) <= 1)%Q -> chazelle_birds.hysteresis e H y z i j = true).
 End NumbersAndBirds.
 
 Module Matrices.
@@ -564,6 +560,10 @@ Check (@chazelle_losses.lemma_3_6_ii :
   (forall t i, w t i = 2%:R / (3 * degree (G t) i)%:R) \/ (forall t i, w t i = (degree (G t) i).+1%:R^-1) ->
   (forall i, norm2 (row i (v 1%N)) <= n%:R) ->
   forall t i j, 1 + n%:R ^- (n ^ 3) < norm2 (row i (x t) - row j (x t)) -> ~~ G t i j).
+(* chazelle.lem3.6.i: any threshold, any dimension *)
+Check (@chazelle_losses.within_unit :
+  forall (R : rcfType) (n d : nat) (eps : R) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  chazelle_switches.flock eps x v G w -> forall t i j, i != j -> norm2 (row i (x t) - row j (x t)) <= 1 -> G t i j).
 (* chazelle.lem3.1.count (corrected) *)
 Check (@chazelle_switches.count_corrected :
   forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (b : 'I_n) (T : nat -> nat)
@@ -834,3 +834,34 @@ Check (@chazelle_spectral.xi_closed :
   x (t1 + tau)%N i q =
   x t1 i q + drift c v t1 q *+ tau + \sum_(k | k != 0) (1 - lam k ^+ tau) / (1 - lam k) * Phi c U v t1 i k q).
 End Matrices.
+
+(* chazelle.lower_bound (corrected), chazelle.lower_paths: groups of four on the line, the hysteresis threshold eps (none for eps <= 0) *)
+Module LowerBound.
+Import Coq.Reals.Reals RealSums.
+Local Open Scope R_scope.
+Check (eq_refl : chazelle_lower.joined = fun G n i => Sum n (fun j => if G i j then 1 else 0)).
+Check (eq_refl : chazelle_lower.heard = fun G n v i => Sum n (fun j => if G i j then v j else 0)).
+Check (eq_refl : chazelle_lower.flock_line = fun n eps x v G =>
+  (forall i j, (i < n)%nat -> (j < n)%nat -> (G 0%nat i j = true <-> i <> j /\ Rabs (x 0%nat i - x 0%nat j) <= 1)) /\
+  (forall t i j, (i < n)%nat -> (j < n)%nat -> (G (S t) i j = true <-> i <> j /\ (Rabs (x (S t) i - x (S t) j) <= 1 \/
+    (G t i j = true /\ Rabs (Rabs (x (S t) i - x (S t) j) - Rabs (x t i - x t j)) < eps)))) /\
+  (forall t i, (i < n)%nat -> x (S t) i = x t i + v (S t) i) /\
+  (forall t i, (1 <= t)%nat -> (i < n)%nat -> chazelle_lower.joined (G t) n i = 0 -> v (S t) i = v t i) /\
+  (forall t i, (1 <= t)%nat -> (i < n)%nat -> chazelle_lower.joined (G t) n i <> 0 ->
+    v (S t) i = v t i / 3 + 2 / (3 * chazelle_lower.joined (G t) n i) * chazelle_lower.heard (G t) n (v t) i)).
+Check (eq_refl : chazelle_lower.place0 = fun i => INR (2 * (i / 2)) + (if Nat.even i then 0 else 2 / 3)).
+Check (eq_refl : chazelle_lower.speed0 = fun u i => if Nat.even i then (if Nat.even (i / 2) then u else - u) else 0).
+Check (eq_refl : chazelle_lower.row_net = fun four i j => (Nat.eqb (i / 4) (j / 4) && (Nat.eqb (S i) j || Nat.eqb (S j) i) && (four || Nat.eqb (i / 2) (j / 2)))%bool).
+Check (chazelle_lower.lower_bound : forall (m c : nat) (eps : R) (x v : nat -> nat -> R) (G : nat -> nat -> nat -> bool) (T : nat), (1 <= m)%nat -> (8 <= (4 * m) ^ c)%nat ->
+  chazelle_lower.flock_line (4 * m) eps x v G ->
+  (forall i, (i < 4 * m)%nat -> x 0%nat i = chazelle_lower.place0 i) -> (forall i, (i < 4 * m)%nat -> v 1%nat i = chazelle_lower.speed0 (/ INR (4 * m) ^ c) i) ->
+  ((4 * m) ^ c <= 3 * T)%nat -> (3 * T < (4 * m) ^ c + 3)%nat ->
+  (forall t i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> (t < T)%nat -> G t i j = chazelle_lower.row_net false i j) /\
+  (forall t i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> (T <= t)%nat -> G t i j = chazelle_lower.row_net true i j) /\
+  (1 <= T)%nat /\ (exists i j, (i < 4 * m)%nat /\ (j < 4 * m)%nat /\ G T i j <> G (T - 1)%nat i j) /\
+  forall t, (S t <> T)%nat -> forall i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> G (S t) i j = G t i j).
+Check (chazelle_lower.lower_paths : forall (m c : nat) (eps : R) (x v : nat -> nat -> R) (G : nat -> nat -> nat -> bool), (1 <= m)%nat -> (8 <= (4 * m) ^ c)%nat ->
+  chazelle_lower.flock_line (4 * m) eps x v G ->
+  (forall i, (i < 4 * m)%nat -> x 0%nat i = chazelle_lower.place0 i) -> (forall i, (i < 4 * m)%nat -> v 1%nat i = chazelle_lower.speed0 (/ INR (4 * m) ^ c) i) ->
+  forall t, exists w, (w = 2 \/ w = 4)%nat /\ forall i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> (G t i j = true <-> (i / w)%nat = (j / w)%nat /\ (S i = j \/ S j = i))).
+End LowerBound.

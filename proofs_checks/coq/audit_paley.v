@@ -101,11 +101,6 @@ Check (paley_patterns.Wm_corrected :
   forall (n m : nat) (th : nat -> R),
        (1 <= n)%nat -> (1 <= m)%nat -> Wm n complete m th = INR n / (2 * INR m ^ 2) - Um n m th).
 
-(* paley.balexist *)
-Check (paley_fourier.balanced_exists :
-  forall (n : nat) (adj : graph) (s : nat -> bool),
-       (2 <= n)%nat ->
-       undirected adj -> circulant n adj s -> exists th : nat -> R, balanced n th /\ stationary n (W1 n adj) th).
 
 (* paley.balexist *)
 Check (paley_fourier.balanced_needs_two :
@@ -690,26 +685,7 @@ Check (paley_fish.sync_par_printed_fails :
         (forall t : R, synchronized n (fun k : nat => th k t)) ->
         (forall j k : nat, (j < n)%nat -> (k < n)%nat -> om k - om j = 0) -> forall k : nat, (k < n)%nat -> om k = 0)).
 
-(* paley.thm1.bal *)
-Check (paley_stability.thm1_balance :
-  forall (n : nat) (w0 K1 : R) (th : nat -> R -> R),
-       (1 <= n)%nat ->
-       K1 <> 0 ->
-       (forall (t : R) (k : nat),
-        0 <= t -> (k < n)%nat -> is_derive (th k) t (w0 + - K1 * g1 n (fun j : nat => th j t) k)) ->
-       0 < K1 ->
-       INR n * Cmod (order n (fun j : nat => th j 0)) < 1 ->
-       forall e : R,
-       0 < e -> exists T : R, 0 <= T /\ (forall t : R, T <= t -> Cmod (order n (fun j : nat => th j t)) < e)).
 
-(* paley.thm1.conv *)
-Check (paley_stability.thm1_gradient_to_0 :
-  forall (n : nat) (w0 K1 : R) (th : nat -> R -> R),
-       (1 <= n)%nat ->
-       K1 <> 0 ->
-       (forall (t : R) (k : nat),
-        0 <= t -> (k < n)%nat -> is_derive (th k) t (w0 + - K1 * g1 n (fun j : nat => th j t) k)) ->
-       forall e : R, 0 < e -> exists T : R, 0 <= T /\ (forall t : R, T <= t -> G n th t < e)).
 
 (* paley.thm1.saddle *)
 Check (paley_phase.thm1_saddle :

@@ -84,18 +84,7 @@ Check (tanner2_facts.Q_rate :
        is_derive (fun s : R_AbsRing => Qsat n V R0 (fun i : nat => r i s) (fun i : nat => v i s)) t
          (- qform (2 * n) (kron2 (lap n (near (fun i : nat => r i t) R0))) (stack (fun i : nat => v i t)))).
 
-(* tanner2.Qjump *)
-Check (tanner_nonsmooth.saturated_continuous :
-  forall (V V' : R -> R) (R0 : R),
-       0 < R0 ->
-       (forall s : R, 0 < s -> is_derive V s (V' s)) -> forall s : R, 0 < s -> continuity_pt (saturated V R0) s).
 
-(* tanner2.Qjump *)
-Check (tanner_nonsmooth.saturated_not_differentiable :
-  forall (V V' : R -> R) (R0 c : R),
-       0 < R0 ->
-       (forall s : R, 0 < s -> is_derive V s (V' s)) ->
-       continuity_pt V' R0 -> V' R0 = c -> 0 < c -> ~ ex_derive (saturated V R0) R0).
 
 (* tanner2.S_config *)
 Check (tanner2_facts.S_config_fails :
@@ -430,18 +419,6 @@ Check (tanner_graph.range_B :
        strongly_connected n adj ->
        (exists y : nat * nat -> R, forall k : nat, (k < n)%nat -> applyB O0 y k = x k) <-> Sum n x = 0).
 
-(* tanner2.thm1a *)
-Check (tanner2_motion.motions_agree :
-  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
-       undirected adj -> no_loops adj ->
-       (forall i j, V i j = V j i) -> (forall i j, V' i j = V' j i) ->
-       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
-       distinct n adj (fun i => r i 0) ->
-       (1 <= n)%nat -> strongly_connected n adj ->
-       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
-       (forall t, 0 <= t -> moves n adj V' r v t) ->
-       forall i j, (i < n)%nat -> (j < n)%nat ->
-       forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> norm (v i t - v j t)%C < e).
 
 (* tanner2.thm1a *)
 Check (tanner2_motion.motions_to_mean :
@@ -617,13 +594,6 @@ Check (eq_refl : place2 = fun d i => match i with 0%nat => RtoC (2 + d / 2) | 1%
 Check (eq_refl : speed2 = fun e i => match i with 0%nat => RtoC (e / 2) | 1%nat => RtoC 0 | _ => RtoC (- e / 2) end).
 Check (eq_refl : apart = fun t => exp (- t / 2) * cos (t / 2)).
 
-(* tanner2.noninter *)
-Check (tanner2_path.unlinked_meet :
-  solution 3 path3 (fun _ _ : nat => VP) (fun _ _ : nat => VP') (fun (i : nat) (t : R) => place2 (apart t) i)
-         (fun (i : nat) (t : R) => speed2 (apart' t) i) /\
-       (forall s : R, 0 < s -> s <> 2 -> VP 2 < VP s) /\
-       path3 0 2 = false /\
-       norm (place2 (apart 0) 0 - place2 (apart 0) 2)%C = 1 /\ place2 (apart PI) 0 = place2 (apart PI) 2).
 
 (* tanner2.sec4.flocking *)
 Check (tanner2_path.unlinked_together :
@@ -639,38 +609,11 @@ Check (eq_refl : tanner_trees.tree = fun n adj => strongly_connected n adj /\
 Check (eq_refl : tanner_trees.tends = fun z l => is_lim_seq (fun k => fst (z k)) (fst l) /\ is_lim_seq (fun k => snd (z k)) (snd l)).
 Check (eq_refl : saturated = fun V R0 s => if Rlt_dec s R0 then V s else V R0).
 
-(* tanner2.cor1, corrected, clause 1 *)
-Check (tanner_trees.tree_distances :
-  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
-       undirected adj -> no_loops adj ->
-       (forall i j, V i j = V j i) -> (forall i j, V' i j = V' j i) ->
-       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
-       distinct n adj (fun i => r i 0) ->
-       (1 <= n)%nat -> strongly_connected n adj ->
-       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
-       (forall t, 0 <= t -> moves n adj V' r v t) ->
-       tanner_trees.tree n adj ->
-       forall m : nat -> nat -> R,
-       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> V' i j s = 0 -> s = m i j) ->
-       forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
-       forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (norm (r i t - r j t)%C - m i j) < e).
 
 (* tanner2.cor1, corrected, clause 2 *)
 Check (tanner_graph.tree_columns :
   forall (n : nat) (adj : graph) (O : list (nat * nat)) (y : nat * nat -> R), undirected adj -> tanner_trees.tree n adj -> oriented n adj O ->
        (forall k, (k < n)%nat -> lsum O (fun f => inc k f * y f) = 0) -> forall f, In f O -> y f = 0).
-Check (tanner_trees.tree_forces_vanish :
-  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
-       undirected adj -> no_loops adj ->
-       (forall i j, V i j = V j i) -> (forall i j, V' i j = V' j i) ->
-       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
-       distinct n adj (fun i => r i 0) ->
-       (1 <= n)%nat -> strongly_connected n adj ->
-       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
-       (forall t, 0 <= t -> moves n adj V' r v t) ->
-       tanner_trees.tree n adj ->
-       forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
-       forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> norm (grad (V' i j) (r i t) (r j t)) < e).
 
 (* tanner2.cor1, corrected, clause 3 *)
 Check (tanner_trees.tree_equilibrium :
@@ -706,17 +649,6 @@ Check (tanner_saturated.derivatives_at_R :
   forall (V V' : R -> R) (R0 : R), 0 < R0 -> (forall s, 0 < s -> is_derive V s (V' s)) -> (forall s, 0 < s -> continuity_pt V' s) ->
        0 < V' R0 -> forall w, one_sided (saturated V R0) R0 w (Rmin 0 (V' R0 * w)) /\ clarke (saturated V R0) R0 w (Rmax 0 (V' R0 * w))).
 
-(* tanner2.thm1c, corrected *)
-Check (tanner_trees.forces_vanish :
-  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
-       undirected adj -> no_loops adj ->
-       (forall i j, V i j = V j i) -> (forall i j, V' i j = V' j i) ->
-       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
-       distinct n adj (fun i => r i 0) ->
-       (1 <= n)%nat -> strongly_connected n adj ->
-       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
-       (forall t, 0 <= t -> moves n adj V' r v t) ->
-       forall e, 0 < e -> exists T, 0 <= T /\ forall t i, T <= t -> (i < n)%nat -> norm (grad_i n adj V' (fun j => r j t) i) < e).
 
 (* tanner2.eq8, the product rule; dV i is whatever the rate of V_i is *)
 Check (tanner_rates.eq8_product :

@@ -3,7 +3,7 @@
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import veerman_complex veerman_matrices veerman_front veerman_chain veerman_stability veerman_lemma1.
-From Flockproof Require veerman_numbers veerman_rest veerman_amplitude veerman_theorem1 veerman_size_limit veerman_exponent veerman_lesser certificate_peaks veerman_resonances.
+From Flockproof Require veerman_numbers veerman_rest veerman_amplitude veerman_theorem1 veerman_size_limit veerman_exponent veerman_lesser veerman_root certificate_peaks veerman_resonances.
 From Flockproof Require Import veerman_settling veerman_rates veerman_unsettled.
 Open Scope R_scope.
 
@@ -486,3 +486,9 @@ Check (veerman_rest.unjoined_rest :
   forall (n N : nat) (f g : R) (rho : nat -> nat -> R) (z v : nat -> R -> R), veerman_rest.follows n N f g rho z v ->
        (forall k, (1 <= k <= S N)%nat -> ~ veerman_numbers.joined n N 0 k -> z k 0 = 0 /\ v k 0 = 0) ->
        forall k t, (1 <= k <= S N)%nat -> ~ veerman_numbers.joined n N 0 k -> 0 <= t -> z k t = 0 /\ v k t = 0).
+
+(* veerman.thm1_eps (corrected): the principal root of gamma^2 - 1 *)
+Check (eq_refl : veerman_root.eps_series = fun f g w => (Ci * RtoC (sqrt 2) * RtoC (w / sqrt (Rabs f)) *
+  ((RtoC 1 - Ci * RtoC (w * Rabs g / (2 * Rabs f))) + RtoC (w ^ 2 / 2 * (- (3 / 4) * (g ^ 2 / f ^ 2) - 1 / (2 * Rabs f)))))%C).
+Check (veerman_root.thm1_eps : forall f g : R, f < 0 -> g < 0 -> exists K w0, 0 < K /\ 0 < w0 /\ forall w, 0 < w < w0 ->
+  Cmod (Csqrt (gamma f g w * gamma f g w - 1) - veerman_root.eps_series f g w)%C <= K * w ^ 4).

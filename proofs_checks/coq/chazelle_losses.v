@@ -587,3 +587,7 @@ move=> n4 dn F W speed first t i j late; have [floor st] := usual_weights (@leq_
 apply: (losses n4 dn (isT : 1 <= 2 <= 2)%N F floor st speed first) => //; apply: leq_trans late.
 apply: leq_pexp2l; [exact: leq_trans n4 | move: (few_room' n4); rewrite /few; lia].
 Qed.
+(* chazelle.lem3.6.i: for every threshold, in every dimension *)
+Theorem within_unit (R : rcfType) n d (eps : R) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :
+  flock eps x v G w -> forall t i j, i != j -> norm2 (row i (x t) - row j (x t)) <= 1 -> G t i j.
+Proof. by move=> [G0 GS _ _ _] [|t] i j ij near; rewrite ?G0 ?GS ij near. Qed.

@@ -991,12 +991,11 @@ Proof.
     + exists (mkposreal (t - c) ltac:(lra)). intros u Hu. change (Rabs (u - t) < t - c) in Hu. apply Rabs_lt_between in Hu. rewrite Rmin_right, Rmax_left by lra. reflexivity.
     + auto_derive; [exact I|ring].
 Qed.
-(* tanner2.thm2_coll: all pairs keep a distance as long as a motion lasts, the same for every T; connected or not *)
-Theorem pairs_apart : forall n V V' R0 (r v : nat -> R -> C), 0 < R0 -> potentials n complete V V' -> apart_at n complete (fun i => r i 0) ->
-  exists d, 0 < d /\ forall T, motion10_until T n V' R0 r v -> forall t i j, 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> i <> j -> d < Cmod (r i t - r j t)%C.
+(* a motion until T is, until an earlier time c, one that goes on straight *)
+Lemma straightened n V' R0 (r v : nat -> R -> C) T c : motion10_until T n V' R0 r v -> 0 < c < T ->
+  exists q p : nat -> R -> C, (forall i u, u <= c -> q i u = r i u /\ p i u = v i u) /\ moves_while n V' R0 q p (fun u => u < c).
 Proof.
-  intros n V V' R0 r v HR P A0. destruct (start_allows n V V' R0 (fun i => r i 0) (fun i => v i 0) HR P A0) as (d & Al). exists d. split; [apply Al|].
-  intros T (_ & Mv & Ma & N & HN & Mz) t i j Ht Hi Hj Ne. set (c := (t + T) / 2). assert (Hc : t < c < T) by (unfold c; lra).
+  intros (A0 & Mv & Ma & N & HN & Mz) Hc.
   set (q := fun (i : nat) (u : R) => (r i (Rmin u c) + RtoC (Rmax (u - c) 0) * v i c)%C). set (p := fun (i : nat) (u : R) => v i (Rmin u c)).
   assert (Eq : forall i u, u <= c -> q i u = r i u /\ p i u = v i u).
   { intros k u Hu. unfold q, p. rewrite Rmin_left, Rmax_right by lra. split; [ring|reflexivity]. }
@@ -1023,6 +1022,14 @@ Proof.
       destruct (Vz k Hk) as [V1 V2]. split.
       + apply (is_derive_ext_loc (fun x => fst (v k x))); [|exact V1]. revert Lo. apply filter_imp. intros x Hx. now rewrite Hx.
       + apply (is_derive_ext_loc (fun x => snd (v k x))); [|exact V2]. revert Lo. apply filter_imp. intros x Hx. now rewrite Hx. }
+  exists q, p. split; [exact Eq|exact W].
+Qed.
+(* tanner2.thm2_coll: all pairs keep a distance as long as a motion lasts, the same for every T; connected or not *)
+Theorem pairs_apart : forall n V V' R0 (r v : nat -> R -> C), 0 < R0 -> potentials n complete V V' -> apart_at n complete (fun i => r i 0) ->
+  exists d, 0 < d /\ forall T, motion10_until T n V' R0 r v -> forall t i j, 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> i <> j -> d < Cmod (r i t - r j t)%C.
+Proof.
+  intros n V V' R0 r v HR P A0. destruct (start_allows n V V' R0 (fun i => r i 0) (fun i => v i 0) HR P A0) as (d & Al). exists d. split; [apply Al|].
+  intros T M t i j Ht Hi Hj Ne. set (c := (t + T) / 2). destruct (straightened n V' R0 r v T c M ltac:(unfold c; lra)) as (q & p & Eq & W). assert (Hc : t < c < T) by (unfold c; lra).
   assert (Al' : allows n V R0 (fun i => q i 0) (fun i => p i 0) d).
   { assert (E1 : (fun k => q k 0) = (fun k => r k 0)) by (apply FunctionalExtensionality.functional_extensionality; intros k; apply Eq; lra).
     assert (E2 : (fun k => p k 0) = (fun k => v k 0)) by (apply FunctionalExtensionality.functional_extensionality; intros k; apply Eq; lra). rewrite E1, E2. exact Al. }

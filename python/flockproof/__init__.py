@@ -12,17 +12,21 @@ from ._numbers import Enclosure, ExactMatrix, Undecided, exact
 from ._queries import (
     Eigenvalue,
     Ergodicity,
+    Peak,
     Prefix,
     Resonance,
     Spectrum,
     Stabiliser,
     Theorem1,
     ergodicity,
+    peak,
     resonance,
     spectrum,
+    system_peak,
 )
 from ._questions import Answer, Campaign, Failure, Invariant, Table, check, fuzz, invariants, sweep
 from ._runs import Event, Simulation, Tracks, simulate, tracks
+from .law import Law
 
 __all__ = [
     "Answer",
@@ -40,7 +44,9 @@ __all__ = [
     "Failure",
     "Flock",
     "Invariant",
+    "Law",
     "Ledger",
+    "Peak",
     "Prefix",
     "Resonance",
     "Run",
@@ -62,10 +68,12 @@ __all__ = [
     "fuzz",
     "invariants",
     "ledger",
+    "peak",
     "resonance",
     "simulate",
     "spectrum",
     "sweep",
+    "system_peak",
     "tracks",
     "verify",
 ]

@@ -28,14 +28,14 @@ class Given:
         if floats:
             float_seen(FLOATS)
 
-    def root(self, root: Any) -> int | None:
+    def root(self, root: Any, argument: str = "root") -> int | None:
         """The number of a vertex, from 1."""
         if root is None or self.labels is None:
             return root  # type: ignore[no-any-return]
         try:
             return self.labels.index(root) + 1
         except ValueError:
-            raise ValueError(f"root: {root!r} is not a vertex of the graph") from None
+            raise ValueError(f"{argument}: {root!r} is not a vertex of the graph") from None
 
 
 def given(graph: Any, zero_based: bool = False) -> Given:

@@ -25,6 +25,8 @@ __all__ = [
     "graph_name_problem",
     "invariants",
     "judge",
+    "law_file",
+    "peak",
     "question_needs",
     "ratio",
     "read_sequence",
@@ -32,6 +34,7 @@ __all__ = [
     "simulate",
     "spectrum",
     "sweep_table",
+    "system_peak",
     "theorem_1",
     "tracks",
     "verify",
@@ -41,6 +44,13 @@ __version__: str
 
 def ratio(name: str, value: Any) -> _Ratio: ...
 def resonance(followers: Any, f: Any, g: Any, digits: Any) -> tuple[_Ends, _Ends]: ...
+def peak(
+    graph: Any,
+    gains: tuple[Sequence[Any], Sequence[Any]],
+    vertices: tuple[Any | None, Any | None],
+    digits: Any,
+) -> tuple[_Ends | None, _Ends]: ...
+def system_peak(matrices: tuple[Any, Any, Any, Any | None], digits: Any) -> tuple[_Ends | None, _Ends]: ...
 def theorem_1(followers: int, f: Any, g: Any, digits: int) -> tuple[str, str]: ...
 def graph_name_problem(name: str) -> str | None: ...
 def spectrum(
@@ -55,7 +65,8 @@ def flock_run(
     text: str, until: Any, from_: Any, products: bool, state: bool, progress: _Progress
 ) -> dict[str, Any]: ...
 def flock_settle(text: str, steps: Any | None, switches: Any | None, progress: _Progress) -> dict[str, Any]: ...
-def simulate(text: str, member: Any | None, progress: _Progress) -> dict[str, Any]: ...
+def simulate(text: str, files: dict[str, str], member: Any | None, progress: _Progress) -> dict[str, Any]: ...
+def law_file(text: str) -> str | None: ...
 def tracks(
     text: str, source: str, chosen: dict[str, Any], null: Any, at: float | None, progress: _Progress
 ) -> tuple[str, list[tuple[str, bytes]]]: ...

@@ -147,6 +147,133 @@ def resonance(followers: int, f: Number, g: Number, digits: int = 15) -> Resonan
 
 
 @dataclass(frozen=True)
+class Peak:
+    """The largest response of a stable linear system over all frequencies.
+
+    Attributes
+    ----------
+    frequency : Enclosure or None
+        An angular frequency (rad/s) that has it. Where several are too close in height to be told apart, all of them;
+        nothing where it is approached at infinity only.
+    amplitude : Enclosure
+        Its height, for an amplitude 1 of the input.
+    digits : int
+    from_floats : tuple of str
+        A sentence for each argument that was given in floats.
+    """
+
+    frequency: Enclosure | None
+    amplitude: Enclosure
+    digits: int
+    from_floats: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        lines = [f"Peak of {self.amplitude} at {self.frequency}", *(f"  {sentence}" for sentence in self.from_floats)]
+        return "\n".join(lines)
+
+
+def _peak(
+    found: tuple[tuple[str, str] | None, tuple[str, str]], digits: int, floats: tuple[str, ...]
+) -> Peak:
+    omega, amplitude = found
+    frequency = None if omega is None else Enclosure._of(omega, bool(floats))
+    return Peak(frequency, Enclosure._of(amplitude, bool(floats)), int(digits), floats)
+
+
+def peak(
+    graph: Any,
+    f: Number | Iterable[Number],
+    g: Number | Iterable[Number],
+    leader: Any = None,
+    car: Any = None,
+    digits: int = 15,
+    *,
+    zero_based: bool = False,
+) -> Peak:
+    """Enclose the largest response of a car of a platoon on any communication graph to a leader that swings.
+
+    Parameters
+    ----------
+    graph
+        Who keeps track of whom, as :func:`spectrum` reads graphs: an arc from i to j says that i tracks j; weights are
+        scaled to a sum of one for each vertex. At most 100 followers.
+    f, g
+        Gains of the positions (1/s^2) and of the velocities (1/s), below 0: one, or one for each follower in order.
+    leader, car
+        The vertices that lead and that is looked at, as the graph names them; for names, files and matrices their
+        numbers from 1. Left out: the first one, and the last one of the others.
+    digits
+        Significant digits, up to 10 000.
+    zero_based
+        Whether the vertices of an edge list in a file are numbered from 0.
+
+    Returns
+    -------
+    Peak
+        Rigorous enclosures, with proof that no frequency is worse.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A platoon that is not stable, a car that the leader does not reach, gains that are not negative, what is no
+        graph.
+
+    Examples
+    --------
+    >>> found = peak([("a", "b"), ("b", "c")], -1, -1, leader="a", digits=6)
+    >>> print(found.amplitude, found.frequency)
+    [2.44321491, 2.44321492] [0.518144615, 0.518144616]
+    >>> print(resonance(2, -1, -1, digits=6).amplitude)
+    [2.44321491, 2.44321492]
+    """
+    read = given(graph, bool(zero_based))
+    gains = (_listed(f), _listed(g))
+    vertices = (read.root(leader, "leader"), read.root(car, "car"))
+    found = _native.peak(read.native, gains, vertices, digits)
+    told = floats_among(**{f"{name}[{k}]": x for name, own in zip("fg", gains, strict=True) for k, x in enumerate(own)})
+    return _peak(found, digits, (*read.from_floats, *told))
+
+
+def _listed(gains: Number | Iterable[Number]) -> list[Any]:
+    """One gain, or one for each follower."""
+    one = isinstance(gains, str) or not isinstance(gains, Iterable)
+    return [gains] if one else list(gains)
+
+
+def system_peak(a: Any, b: Any, c: Any, d: Any = None, digits: int = 15) -> Peak:
+    """Enclose the largest response of the linear system x' = A x + B u, y = C x + D u over all frequencies.
+
+    Parameters
+    ----------
+    a, b, c, d
+        Matrices as rows of numbers or arrays: A of n x n numbers, n up to 200, B with one column (the input) or two
+        (the position of the leader and its velocity), C with one row, D with one row or left out for 0.
+    digits
+        Significant digits, up to 10 000.
+
+    Returns
+    -------
+    Peak
+        Rigorous enclosures, with proof that no frequency is worse.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A system that is not stable, a response that grows without bound, matrices that do not fit.
+
+    Examples
+    --------
+    >>> print(system_peak([[0, 1], [-1, "-1/10"]], [[0], [1]], [[1, 0]], digits=6).amplitude)
+    [10.0125234, 10.0125235]
+    """
+    matrices = [exact_matrix(rows, name) for name, rows in zip("ABC", (a, b, c), strict=True)]
+    direct = None if d is None else exact_matrix(d, "D")
+    floats = tuple(sentence for matrix in [*matrices, *([direct] if direct else [])] for sentence in matrix.from_floats)
+    native = [None if m is None else _Matrix(*m.shape, list(m.numerators), m.denominator) for m in (*matrices, direct)]
+    return _peak(_native.system_peak((native[0], native[1], native[2], native[3]), digits), digits, floats)
+
+
+@dataclass(frozen=True)
 class Eigenvalue:
     """Part of a spectrum.
 

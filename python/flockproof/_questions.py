@@ -22,6 +22,7 @@ from ._ledger import _table
 from ._numbers import Enclosure, Known, exact, read_decimal
 from ._progress import Progress, callback
 from ._runs import toml
+from .law import Law
 
 if TYPE_CHECKING:
     import pandas
@@ -133,7 +134,12 @@ def _enclosed(margin: Mapping[str, str] | None) -> Enclosure | None:
 
 def _read(question: Question) -> tuple[str, dict[str, str], str | None]:
     """The text of a question, the files that it names, and the path that errors begin with."""
+    files: dict[str, str] = {}
     if isinstance(question, Mapping):
+        head = question.get("question")
+        if isinstance(head, Mapping) and isinstance(head.get("law"), Law):
+            files["law.toml"] = head["law"].to_toml()
+            question = {**question, "question": {**head, "law": "law.toml"}}
         text, folder, name = toml(question), Path(), None
     elif isinstance(question, (str, os.PathLike)):
         path = Path(question)
@@ -141,7 +147,6 @@ def _read(question: Question) -> tuple[str, dict[str, str], str | None]:
         folder, name = path.parent, os.fspath(question)
     else:
         raise TypeError(f"question should be a dictionary or a path, but it is `{str(question)[:60]}`")
-    files: dict[str, str] = {}
     while (missing := _native.question_needs(text, files)) is not None:
         inner = folder / missing
         files[missing] = _refused(inner, lambda inner=inner: inner.read_text(encoding="utf-8-sig"))

@@ -18,6 +18,7 @@ from . import _native
 from ._flock import _refused
 from ._numbers import float_seen, number_text
 from ._progress import Progress, callback
+from .law import Law
 
 if TYPE_CHECKING:
     import pandas
@@ -192,16 +193,20 @@ def simulate(
     """
     float_seen("a simulated run is in floating point")
     if isinstance(scenario, Mapping):
+        if isinstance(scenario.get("law"), Law):
+            scenario = {**scenario, "law": scenario["law"].table()}
         text, told = toml(scenario), callback(progress)
         try:
-            found = _native.simulate(text, member, told)
+            found = _native.simulate(text, _law_files(text, Path()), member, told)
         except ValueError as error:
             # The lines are of a text that nobody sees.
             raise ValueError(re.sub(r"^line \d+(, column \d+)?: ", "", str(error))) from None
     elif isinstance(scenario, (str, os.PathLike)):
         path: str | os.PathLike[str] = scenario
         watched = callback(progress)
-        found = _refused(path, lambda: _native.simulate(Path(path).read_text(encoding="utf-8-sig"), member, watched))
+        text = _refused(path, lambda: Path(path).read_text(encoding="utf-8-sig"))
+        files = _law_files(text, Path(path).parent)
+        found = _refused(path, lambda: _native.simulate(text, files, member, watched))
     else:
         raise TypeError(f"scenario should be a dictionary or a path, but it is `{str(scenario)[:60]}`")
     events = tuple(Event(t, "link" if gained else "unlink", tuple(pair)) for t, gained, pair in found["events"])
@@ -215,6 +220,14 @@ def simulate(
         found["declaration"],
         tuple(found["remarks"]),
     )
+
+
+def _law_files(text: str, folder: Path) -> dict[str, str]:
+    """The file of the law that a scenario names, if it names one."""
+    name = _native.law_file(text)
+    if name is None:
+        return {}
+    return {name: _refused(folder / name, lambda: (folder / name).read_text(encoding="utf-8-sig"))}
 
 
 def toml(table: Mapping[str, Any]) -> str:

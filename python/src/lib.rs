@@ -26,13 +26,15 @@ mod _native {
     #[pymodule_export]
     use super::ledger::{claims, explain, judge, verify};
     #[pymodule_export]
-    use super::queries::{ergodicity, graph_name_problem, read_sequence, resonance, spectrum, theorem_1};
+    use super::queries::{
+        ergodicity, graph_name_problem, peak, read_sequence, resonance, spectrum, system_peak, theorem_1,
+    };
     #[pymodule_export]
     use super::questions::{
         campaign_merge, campaign_shard, campaign_size, check, fuzz_summary, invariants, question_needs, sweep_table,
     };
     #[pymodule_export]
-    use super::runs::{simulate, tracks};
+    use super::runs::{law_file, simulate, tracks};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

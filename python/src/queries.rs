@@ -3,12 +3,16 @@
 use super::convert::{Ends, Matrix, Ratio, count, digits as digits_of, ends, exact, matrix, optional_count, pair};
 use super::refuse;
 use super::watch::{briefly, watched};
-use flockproof::arithmetic::{ArithmeticError, Interval, Number, Rational, decimal};
+use flockproof::arithmetic::{ArithmeticError, Interval, Number, Progress, Rational, Signed, decimal};
 use flockproof::graph::read::read_graph_file;
 use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
 use flockproof::matrix::read::read_normalised;
 use flockproof::matrix::{MatrixError, StochasticMatrix, prefix_products, stabilisers, tau_2_squared};
-use flockproof::platoon::{Gains, ResonanceError, resonance as main_resonance, theorem1};
+use flockproof::platoon::state_space::StateSpace;
+use flockproof::platoon::{
+    CommunicationGraph, Gains, MOST_FOLLOWERS_PROVED, MOST_STATES_PROVED, Peak, PeakError, ResonanceError,
+    peak_of_system, peak_on_graph, resonance as main_resonance, theorem1,
+};
 use flockproof::spectrum::{Eigenvalue, Method, graph_spectrum, named_spectrum};
 use num_bigint::BigInt;
 use pyo3::prelude::*;
@@ -51,6 +55,103 @@ pub fn theorem_1(
         Ok::<_, ArithmeticError>((leading(frequency), leading(theorem1::amplitude(&intervals, followers)?)))
     };
     if digits <= QUICK { briefly(py, work)? } else { watched(py, None, move |_| work())? }.map_err(refuse)
+}
+
+/// Frequency, where there is one, and amplitude of a peak.
+type PeakEnds = (Option<Ends>, Ends);
+
+fn peak_ends(found: Result<Peak, PeakError>, digits: u32) -> Result<PeakEnds, String> {
+    let Peak { omega, amplitude } = found.map_err(|error| error.to_string())?;
+    Ok((omega.map(|omega| ends(&omega, digits + 3)), ends(&amplitude, digits + 3)))
+}
+
+/// The peak of a car of a platoon on a graph; vertices are counted from 1, by default the first leads and the last one that does not is looked at.
+#[pyfunction]
+pub fn peak(
+    py: Python<'_>,
+    graph: GraphInput,
+    gains: (Vec<Bound<'_, PyAny>>, Vec<Bound<'_, PyAny>>),
+    vertices: (Option<Bound<'_, PyAny>>, Option<Bound<'_, PyAny>>),
+    digits: &Bound<'_, PyAny>,
+) -> PyResult<PeakEnds> {
+    let numbers = |name: &str, list: &[Bound<'_, PyAny>]| -> PyResult<Vec<Rational>> {
+        list.iter().map(|value| exact(name, value)).collect()
+    };
+    let (f, g) = (numbers("f", &gains.0)?, numbers("g", &gains.1)?);
+    let leader = optional_count("leader", vertices.0.as_ref())?;
+    let car = optional_count("car", vertices.1.as_ref())?;
+    let digits = digits_of(digits)?;
+    watched(py, None, move |watch| found_peak(graph, (&f, &g), (leader, car), digits, watch.as_ref()))?.map_err(refuse)
+}
+
+fn found_peak(
+    graph: GraphInput,
+    (f, g): (&[Rational], &[Rational]),
+    (leader, car): (Option<u64>, Option<u64>),
+    digits: u32,
+    progress: &dyn Progress,
+) -> Result<PeakEnds, String> {
+    let graph = stored(graph)?;
+    let order = graph.order();
+    let vertex = |name: &str, number: u64| {
+        let found = usize::try_from(number).ok().filter(|vertex| (1..=order).contains(vertex));
+        found.ok_or_else(|| {
+            format!("{name}: vertex {number} is not one of the {order} vertices, which are counted from 1")
+        })
+    };
+    let leader = vertex("leader", leader.unwrap_or(1))?;
+    let last = if leader == order { order.saturating_sub(1) } else { order };
+    let car = car.map_or(Ok(last), |car| vertex("car", car))?;
+    if car == leader {
+        return Err(format!("car: vertex {car} leads; another one is to be looked at"));
+    }
+    let followers = order.saturating_sub(1);
+    if followers > MOST_FOLLOWERS_PROVED {
+        return Err(format!(
+            "graph: {followers} followers are more than the {MOST_FOLLOWERS_PROVED} of which the peak is proved"
+        ));
+    }
+    let platoon = CommunicationGraph::behind(&graph, leader - 1).map_err(|error| format!("graph: {error}"))?;
+    let place = car - usize::from(car > leader);
+    if !platoon.reached_by_leader()[place] {
+        return Err(format!("the leader {leader} does not reach car {car}, which stays at rest"));
+    }
+    for (name, list) in [("f", f), ("g", g)] {
+        if ![1, followers].contains(&list.len()) {
+            return Err(format!("{name}: there are {} gains for {followers} followers", list.len()));
+        }
+        if let Some(value) = list.iter().find(|value| !value.is_certainly_negative()) {
+            return Err(format!("{name} must be negative, but it is {value}"));
+        }
+    }
+    let gain = |list: &[Rational], k: usize| list[k.min(list.len() - 1)].clone();
+    let gains: Vec<Gains<Rational>> = (0..followers).map(|k| Gains { f: gain(f, k), g: gain(g, k) }).collect();
+    peak_ends(peak_on_graph(&platoon, &gains, place, digits, progress), digits)
+}
+
+/// The peak of `x' = A x + B u, y = C x + D u`.
+#[pyfunction]
+pub fn system_peak(
+    py: Python<'_>,
+    matrices: (Matrix, Matrix, Matrix, Option<Matrix>),
+    digits: &Bound<'_, PyAny>,
+) -> PyResult<PeakEnds> {
+    let digits = digits_of(digits)?;
+    let work = move |progress: &dyn Progress| {
+        let rows =
+            |matrix: Matrix| matrix.into_matrix().map(|matrix| matrix.to_rows()).map_err(|error| error.to_string());
+        let (a, b, c, d) = matrices;
+        let (a, b, c, d) = (rows(a)?, rows(b)?, rows(c)?, d.map(rows).transpose()?);
+        if a.len() > MOST_STATES_PROVED {
+            return Err(format!(
+                "A: {} states are more than the {MOST_STATES_PROVED} of which the peak is proved",
+                a.len()
+            ));
+        }
+        let system = StateSpace::new(&a, &b, &c, d.as_deref()).map_err(|error| error.to_string())?;
+        peak_ends(peak_of_system(&system, digits, progress), digits)
+    };
+    watched(py, None, move |watch| work(watch.as_ref()))?.map_err(refuse)
 }
 
 /// A graph as Python gives it.

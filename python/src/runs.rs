@@ -4,17 +4,22 @@ use super::convert::{count, optional_count};
 use super::refuse;
 use super::watch::{Watch, watched};
 use flockproof::report::{Provenance, TracksReport, digest};
-use flockproof::scenario::{End, Ensemble, Outcome, Row, Scenario};
+use flockproof::scenario::{End, Ensemble, Outcome, Row, Scenario, with_law};
 use flockproof::tracks::{Choices, NearestRule, PositionsUsed, Tracks, analyse, null_models};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use serde_json::json;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The scenario of a text: of many runs the member, from 1, which has to be named.
-fn scenario(text: &str, member: Option<u64>) -> Result<Scenario, String> {
-    let told = |error: flockproof::scenario::ConfigError| error.to_string();
+/// The scenario of a text, with the files that it may name: of many runs the member, from 1, which has to be named.
+fn scenario(text: &str, files: &BTreeMap<String, String>, member: Option<u64>) -> Result<Scenario, String> {
+    let file = |name: &str| files.get(name).cloned().ok_or_else(|| format!("there is no file `{name}`"));
+    let whole = with_law(text, &file).map_err(|error| error.to_string())?;
+    let told = |error: flockproof::scenario::ConfigError| whole.told(&error);
+    let text = whole.text();
     match (Ensemble::read(text).map_err(told)?, member) {
         (None, None) => Scenario::read(text).map_err(told),
         (None, Some(_)) => {
@@ -31,17 +36,31 @@ fn scenario(text: &str, member: Option<u64>) -> Result<Scenario, String> {
     }
 }
 
+/// The file of the law that a scenario names, if it names one.
+#[pyfunction]
+pub fn law_file(text: &str) -> Option<String> {
+    let named = RefCell::new(None);
+    let file = |name: &str| {
+        named.borrow_mut().get_or_insert_with(|| name.to_string());
+        Err(String::new())
+    };
+    // What else is wrong is told when it is read.
+    let _ = with_law(text, &file);
+    named.into_inner()
+}
+
 /// Runs a scenario that is given as TOML; arrays over all times that are written.
 #[pyfunction]
 pub fn simulate<'py>(
     py: Python<'py>,
     text: &str,
+    files: BTreeMap<String, String>,
     member: Option<&Bound<'py, PyAny>>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let text = text.to_string();
     let member = optional_count("member", member)?;
-    let run = move |watch: &Arc<Watch>| scenario(&text, member).map(|scenario| scenario.run(&**watch));
+    let run = move |watch: &Arc<Watch>| scenario(&text, &files, member).map(|scenario| scenario.run(&**watch));
     let outcome = watched(py, progress, run)?.map_err(refuse)?;
     if let End::Failed(error) = &outcome.end {
         return Err(refuse(format!("{error}; t = {} was reached", outcome.reached())));

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from typing import Any
 
@@ -81,3 +82,60 @@ def test_edges_are_tuples_and_rows_are_lists() -> None:
     for wrong, sentence in [([(1, 1)], "itself"), ([(1, 2), (2, 1)], "given twice"), ([[0, 1]], "not square")]:
         with pytest.raises(ValueError, match=sentence):
             flockproof.spectrum(wrong)
+
+
+#: Who tracks whom: sharp peaks that a grid of frequencies passes over.
+SEVEN = [(2, 6, 10), (3, 5, 1), (4, 7, 1), (4, 3, 100), (5, 6, 1), (5, 3, 100), (6, 4, 10), (7, 1, 100), (7, 5, 1)]
+GAINS = ([-10, -1, -1, -2, -2, -2], ["-1/10", -1, "-1/100", "-1/2", "-1/10", -1])
+
+
+def seven() -> Any:
+    graph = nx.DiGraph()
+    graph.add_nodes_from(range(1, 8))
+    graph.add_weighted_edges_from(SEVEN)
+    return graph
+
+
+def test_peaks_on_graphs_are_those_of_their_matrices() -> None:
+    found = flockproof.peak(seven(), *GAINS, leader=1, car=5, digits=8)
+    assert found.frequency is not None
+    assert abs(found.amplitude.mid - Fraction("168.164")) < Fraction(1, 1000)
+    assert abs(found.frequency.mid - Fraction("0.0080049")) < Fraction(1, 10**6)
+    # The same system by its matrices: y'' = f e + g e', e the deviation from the weighted mean of what is tracked.
+    sums = {i: sum(w for k, _, w in SEVEN if k == i) for i in range(2, 8)}
+    a = [[Fraction(0)] * 12 for _ in range(12)]
+    b = [[Fraction(0)] * 2 for _ in range(12)]
+    for k, (f, g) in enumerate(zip(*GAINS, strict=True)):
+        f, g = Fraction(f), Fraction(g)
+        a[2 * k][2 * k + 1] = Fraction(1)
+        a[2 * k + 1][2 * k] += f
+        a[2 * k + 1][2 * k + 1] += g
+        for tail, head, weight in SEVEN:
+            if tail != k + 2:
+                continue
+            share = Fraction(weight, sums[tail])
+            if head == 1:
+                b[2 * k + 1] = [-f * share, -g * share]
+            else:
+                a[2 * k + 1][2 * (head - 2)] -= f * share
+                a[2 * k + 1][2 * (head - 2) + 1] -= g * share
+    c = [[Fraction(int(j == 2 * 3)) for j in range(12)]]
+    other = flockproof.system_peak(a, b, c, digits=8)
+    assert abs(other.amplitude.mid - found.amplitude.mid) < Fraction(1, 10**5)
+
+
+def test_peaks_say_what_is_wrong() -> None:
+    line = [("a", "b"), ("b", "c")]
+    assert flockproof.peak("path:4", -1, -1).amplitude > 1
+    for sentence, call in [
+        ("leader: 'x' is not a vertex", lambda: flockproof.peak(line, -1, -1, leader="x")),
+        ("car: vertex 1 leads", lambda: flockproof.peak(line, -1, -1, car="a")),
+        ("f must be negative", lambda: flockproof.peak(line, 1, -1)),
+        ("there are 3 gains for 2 followers", lambda: flockproof.peak(line, [-1, -1, -1], -1)),
+        ("not stable", lambda: flockproof.system_peak([[1]], [[1]], [[1]])),
+        ("without bound", lambda: flockproof.system_peak([[-1]], [[0, 1]], [[1]], [[0, 1]])),
+        ("more than the 100", lambda: flockproof.peak("path:200", -1, -1)),
+        ("A has", lambda: flockproof.system_peak([[1, 2]], [[1]], [[1]])),
+    ]:
+        with pytest.raises(ValueError, match=re.escape(sentence)):
+            call()

@@ -88,9 +88,13 @@ fn a_file_that_says_the_same_has_the_same_peak() {
     let other = json(&["--graph", "front-and-back", "--followers", "3", "--f=-1,-2,-3", "--g", "-2"]);
     assert!((amplitude(&other) / lo - 1.0).abs() > 1e-3);
     // Margins of gains of their own are those of the loop turned as a whole.
-    assert!(float(&other["margins"]["phase"]) > 0.5 && other["margins"]["critical_factor"].is_null());
+    let phase = &other["margins"]["phase"];
+    assert!(float(&phase["hi"]) > 0.5 && phase["lo"].is_null() && phase["decided"] == false, "{phase}");
+    assert!(other["margins"]["critical_factor"].is_null());
     assert_eq!(other["margins"]["gain"]["decided"], true);
-    assert!(json(&["--graph", "circulant:9:1,2", "--f", "-1", "--g", "-1"])["margins"]["phase"].is_string());
+    let phase = &json(&["--graph", "circulant:9:1,2", "--f", "-1", "--g", "-1"])["margins"]["phase"];
+    let (lo, hi) = (float(&phase["lo"]), float(&phase["hi"]));
+    assert!(phase["decided"] == true && lo <= hi && hi - lo < 1e-9 && lo > 0.0, "{phase}");
     // A car that nobody leads stays at rest.
     let cut = file(&folder, "cut.txt", b"directed\n2 1\n3 4\n4 3\n");
     assert_refused(&["resonance", "--graph", &cut, "--f", "-1", "--g", "-1"], "does not reach car 4");

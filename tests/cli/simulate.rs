@@ -392,7 +392,7 @@ fn the_gallery_of_laws_runs() {
         .map(|entry| entry.expect("a file").path().file_stem().expect("a name").to_string_lossy().into_owned())
         .collect();
     names.sort();
-    assert!(names.len() >= 9, "{names:?}");
+    assert!(names.len() >= 19, "{names:?}");
     let runs: std::collections::BTreeMap<String, Value> =
         names.iter().map(|name| (name.clone(), simulate(&folder, name, &read(name)))).collect();
     for (name, summary) in &runs {

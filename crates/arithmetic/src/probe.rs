@@ -2,7 +2,8 @@
 
 use super::operators::operators;
 use super::residue::Residue;
-use super::{ArithmeticError, DegreeBound, Field, Rational, Ring};
+use super::{ArithmeticError, DegreeBound, Field, Number, Rational, Ring, Sign, Signed};
+use sha2::{Digest, Sha256};
 
 /// What the two sides of an identity are run over. All scalars of one evaluation are of one kind.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,6 +75,101 @@ impl Field for Probe {
         match self {
             Probe::Residue(a) => Probe::Residue(a.ratio(p, q)),
             _ => self.rational(&super::rational(p, q)),
+        }
+    }
+}
+
+impl Signed for Probe {
+    /// Known of exact numbers only: what an identity says must not depend on signs.
+    fn sign(&self) -> Option<Sign> {
+        self.exact().and_then(Signed::sign)
+    }
+}
+
+impl Probe {
+    /// A new variable for a function of these numbers: equal arguments have equal values, and nothing else is known of the function. An identity
+    /// that holds so holds for every function, and so for the one that is meant, wherever it has values.
+    fn unknown(&self, function: &str, arguments: &[&Self]) -> Result<Self, ArithmeticError> {
+        match self {
+            Probe::Degree(_) => Ok(Probe::Degree(DegreeBound::VARIABLE)),
+            Probe::Exact(_) => Err(ArithmeticError::Domain("numbers that are not rational")),
+            Probe::Residue(own) => {
+                let mut hash = Sha256::new();
+                hash.update(function.as_bytes());
+                hash.update(own.prime().to_le_bytes());
+                for argument in arguments {
+                    if let Probe::Residue(residue) = argument {
+                        hash.update(residue.value().to_le_bytes());
+                    }
+                }
+                let bytes = hash.finalize();
+                let drawn = bytes.iter().take(8).fold(0u64, |sum, byte| sum << 8 | u64::from(*byte));
+                Ok(Probe::Residue(Residue::modulo(drawn, own.prime())))
+            }
+        }
+    }
+
+    fn function(
+        &self,
+        name: &str,
+        exact: impl Fn(&Rational) -> Result<Rational, ArithmeticError>,
+    ) -> Result<Self, ArithmeticError> {
+        match self {
+            Probe::Exact(q) => Ok(Probe::Exact(exact(q)?)),
+            _ => self.unknown(name, &[self]),
+        }
+    }
+}
+
+impl Number for Probe {
+    fn circle(&self) -> Result<Self, ArithmeticError> {
+        self.unknown("pi", &[])
+    }
+
+    fn sqrt(&self) -> Result<Self, ArithmeticError> {
+        self.function("sqrt", Number::sqrt)
+    }
+
+    fn exp(&self) -> Result<Self, ArithmeticError> {
+        self.function("exp", Number::exp)
+    }
+
+    fn ln(&self) -> Result<Self, ArithmeticError> {
+        self.function("log", Number::ln)
+    }
+
+    /// A point of the circle, of which nothing else is known.
+    fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
+        if let Probe::Exact(q) = self {
+            let (sine, cosine) = q.sin_cos()?;
+            return Ok((Probe::Exact(sine), Probe::Exact(cosine)));
+        }
+        let t = self.unknown("angle", &[self])?;
+        let (one, square) = (t.one(), t.square());
+        let below = (one.clone() + &square).recip()?;
+        Ok(((t.integer(2) * &t) * &below, (one - &square) * &below))
+    }
+
+    fn atan(&self) -> Result<Self, ArithmeticError> {
+        self.function("atan", Number::atan)
+    }
+
+    /// A point of the hyperbola, of which nothing else is known.
+    fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
+        if let Probe::Exact(q) = self {
+            let (sine, cosine) = q.sinh_cosh()?;
+            return Ok((Probe::Exact(sine), Probe::Exact(cosine)));
+        }
+        let t = self.unknown("rapidity", &[self])?;
+        let (one, square) = (t.one(), t.square());
+        let below = (one.clone() - &square).recip()?;
+        Ok(((t.integer(2) * &t) * &below, (one + &square) * &below))
+    }
+
+    fn angle(y: &Self, x: &Self) -> Result<Self, ArithmeticError> {
+        match (y, x) {
+            (Probe::Exact(y), Probe::Exact(x)) => Ok(Probe::Exact(Number::angle(y, x)?)),
+            _ => y.unknown("heading", &[y, x]),
         }
     }
 }

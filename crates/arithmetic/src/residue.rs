@@ -60,6 +60,11 @@ impl Residue {
         Residue { value: value % prime, prime }
     }
 
+    /// The prime.
+    pub(crate) fn prime(&self) -> u64 {
+        self.prime
+    }
+
     /// The representative from 0 to `prime - 1`.
     pub fn value(&self) -> u64 {
         self.value

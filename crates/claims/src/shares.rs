@@ -15,8 +15,9 @@ pub(crate) fn judged(share: Share, above: f64, what: String, evidence: Evidence)
     }
 }
 
-/// How many runs show something, under one reading.
+/// How many runs show something, under one reading; `part` names the line of evidence and does not depend on the runs.
 pub(crate) struct Seen {
+    pub part: String,
     pub what: String,
     pub share: Share,
 }
@@ -29,14 +30,13 @@ pub(crate) fn report(seen: Vec<Seen>, can: bool) -> Outcome {
     let count = |wanted: Option<bool>| seen.iter().filter(|seen| above(seen.share) == wanted).count();
     let (shown, refuted) = (count(Some(true)), count(Some(false)));
     let all = seen.iter().map(|seen| seen.what.as_str()).collect::<Vec<_>>().join("; ");
+    let evidence = |seen: &Seen| Evidence::new(Grade::Simulated, &seen.part, &seen.what).cases(seen.share.of);
+    let evidence: Vec<Evidence> = seen.iter().map(evidence).collect();
     if shown == seen.len() || can && shown > 0 {
-        let evidence = |seen: &Seen| Evidence::new(Grade::Simulated, "end of the run", &seen.what).cases(seen.share.of);
-        return Outcome::Holds(seen.iter().map(evidence).collect());
+        return Outcome::Holds(evidence);
     }
     if refuted == seen.len() {
-        let runs = seen.iter().map(|seen| seen.share.of).sum();
-        let evidence = Evidence::new(Grade::Simulated, "end of the run", "runs under each reading").cases(runs);
-        return Outcome::fails(format!("{all}: not above {least}"), evidence);
+        return Outcome::failure(format!("{all}: not above {least}"), evidence);
     }
     let why = if shown > 0 { "the readings disagree" } else { "too few runs to tell" };
     Outcome::Undecided(format!("{why}, and a finite run refutes no limit: {all}"))

@@ -157,6 +157,11 @@ impl Law {
         &self.observables
     }
 
+    /// Whether the rates, or the next state, do not depend on the time.
+    pub fn is_autonomous(&self) -> bool {
+        self.rates.is_autonomous()
+    }
+
     /// What is drawn for every step, each once for every agent, in the order of [`Evaluator::set_drawn`] and [`crate::Blocks::set_drawn`].
     pub fn drawn(&self) -> &[Drawn] {
         &self.drawn

@@ -359,6 +359,35 @@ impl Things {
 }
 
 impl Program {
+    /// Whether the time does not occur.
+    pub(crate) fn is_autonomous(&self) -> bool {
+        !self.ops.iter().any(|op| matches!(op, Op::Time))
+    }
+
+    /// How many functions stand in it.
+    pub(crate) fn functions(&self) -> usize {
+        self.ops.iter().filter(|op| matches!(op, Op::Function(..) | Op::Angle(..) | Op::Pi)).count()
+    }
+
+    /// How many loops stand inside each other at most.
+    pub(crate) fn depth(&self) -> usize {
+        let depth = |mut slot: Slot| {
+            let mut depth = 0;
+            while slot != FLOCK {
+                slot = self.slots[slot].parent;
+                depth += 1;
+            }
+            depth
+        };
+        (0..self.slots.len()).map(depth).max().unwrap_or(0)
+    }
+
+    /// Whether no agent is named and no parameter has a value for each.
+    pub(crate) fn is_symmetric(&self) -> bool {
+        let own = |op: &Op| matches!(op, Op::Parameter(..) | Op::State { of: Of::Agent(_), .. });
+        !self.ops.iter().any(own) && !self.slots.iter().any(|slot| matches!(slot.hears, Some(Of::Agent(_))))
+    }
+
     /// Whether every number in it is rational where the state is.
     pub fn is_rational(&self) -> bool {
         let needed = |step: &Step| self.irrational(step);

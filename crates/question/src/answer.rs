@@ -262,6 +262,9 @@ impl Question {
         if let Some(scenario) = self.scenario() {
             let _ = writeln!(text, "scenario = {}", quoted(&scenario.name));
         }
+        if let Some(law) = self.law_name() {
+            let _ = writeln!(text, "law = {}", quoted(law));
+        }
         let property = found.property.node.to_string();
         let (mut controls, mut nodes) = (Vec::new(), vec![&found.property.node]);
         for control in &self.controls {
@@ -282,7 +285,7 @@ impl Question {
         }
         let _ = writeln!(text, "\n[for]");
         // Names that only made others are not needed here.
-        for (name, value) in found.bindings.iter().filter(|(name, _)| self.uses(&nodes, name)) {
+        for (name, value) in found.bindings.iter().filter(|(name, _)| self.law().is_some() || self.uses(&nodes, name)) {
             let key = if is_place(name) { quoted(name) } else { name.to_string() };
             let _ = writeln!(text, "{key} = {}", quoted(&value.text()));
         }

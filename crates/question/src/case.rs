@@ -12,6 +12,7 @@ use crate::subject::matrices;
 use crate::subject::motion::MotionSubject;
 use crate::subject::platoon::PlatoonSubject;
 use crate::subject::run::FloatRun;
+use crate::subject::steps::StepsSubject;
 use crate::timeline::{Measured, Timeline};
 use arithmetic::Progress;
 use std::cell::{Cell, OnceCell, RefCell};
@@ -33,6 +34,7 @@ pub(crate) struct Case<'q> {
 enum Moving<'q> {
     Flock(Box<FlockSubject<'q>>),
     Motion(Box<MotionSubject<'q>>),
+    Steps(Box<StepsSubject<'q>>),
     Floats(FloatRun),
 }
 
@@ -65,7 +67,7 @@ impl<'q> Case<'q> {
         match quantity.subject {
             Subject::Graph => self.graph(quantity, owner)?.measure(quantity.name, arguments, precision),
             Subject::Platoon => {
-                let platoon = PlatoonSubject::new(&self.bindings, self.question.communication())?;
+                let platoon = PlatoonSubject::new(&self.bindings, self.question.communication(), self.progress)?;
                 if platoon.is_of_points_only(quantity.name) {
                     self.points_only.set(true);
                 }
@@ -111,6 +113,10 @@ impl<'q> Case<'q> {
                 let start = scenario.flock(&self.bindings).map_err(refused)?;
                 return Ok(Moving::Flock(Box::new(FlockSubject::new(start, self.progress))));
             }
+            if let Some(flock) = scenario.steps(&self.bindings).map_err(refused)? {
+                let flock = flock.map_err(|why| Failure::open(why, None))?;
+                return Ok(Moving::Steps(Box::new(StepsSubject::new(flock, self.progress))));
+            }
             let (motion, wide) = scenario.motion(&self.bindings).map_err(refused)?;
             Ok(Moving::Motion(Box::new(MotionSubject::new(motion, wide, self.progress))))
         });
@@ -122,6 +128,7 @@ impl<'q> Case<'q> {
         Ok(match self.moving()? {
             Moving::Flock(flock) => flock.as_ref(),
             Moving::Motion(motion) => motion.as_ref(),
+            Moving::Steps(flock) => flock.as_ref(),
             Moving::Floats(run) => run,
         })
     }

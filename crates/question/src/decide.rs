@@ -13,6 +13,7 @@ use crate::outcome::{Decided, Judged, Outcome};
 use crate::point::FIRST_BITS;
 use crate::question::{Expression, Question};
 use crate::shrink::Shrunk;
+use crate::states;
 use crate::timeline::Measured;
 use crate::truth::{Margin, Truth};
 use arithmetic::Progress;
@@ -81,6 +82,9 @@ impl Question {
         most: u64,
         progress: &dyn Progress,
     ) -> Result<Decided, QuestionError> {
+        if let Some(law) = self.law() {
+            return states::decide(self, law, expression, bindings, progress);
+        }
         if !bindings.boxes().is_empty() {
             return Division { question: self, expression, progress, most }.decide(bindings);
         }
@@ -136,19 +140,31 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
     }
     let shrunk = match &outcome.counterexample {
         Some(found) => {
-            let simpler = Shrunk::of(question, property, found, progress)?;
+            let simpler = match question.law() {
+                // Simpler already.
+                Some(_) => Shrunk { bindings: found.clone(), property: property.clone() },
+                None => Shrunk::of(question, property, found, progress)?,
+            };
             let replay = question.replay(&simpler, progress)?;
             Some((simpler, replay))
         }
         None => None,
     };
     let decisive = match &shrunk {
-        Some((simpler, _)) => question.decisive(&simpler.property, &simpler.bindings, progress)?,
-        None => None,
+        Some((simpler, _)) if question.law().is_none() => {
+            question.decisive(&simpler.property, &simpler.bindings, progress)?
+        }
+        _ => None,
     };
     let mut answer = Answer::new(question, outcome, shrunk, refuted);
     answer.decisive = decisive.filter(|_| answer.counterexample.is_some());
+    if let Some(law) = question.law().filter(|_| answer.verdict == Verdict::Holds) {
+        let (grades, how) = law.told();
+        answer.grades = grades;
+        answer.why = format!("{} {how}", answer.why);
+    }
     if answer.verdict == Verdict::Undecided
+        && question.law().is_none()
         && let Some(first) = question.case(0, progress)?
         && let Some(opinion) = question.float_opinion(&first, progress)
     {

@@ -27,6 +27,7 @@ mod regions;
 mod scenario_file;
 mod shrink;
 mod source;
+mod states;
 mod subject;
 mod syntax;
 mod timeline;

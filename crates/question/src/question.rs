@@ -10,6 +10,7 @@ use crate::error::{Place, Problem, QuestionError};
 use crate::failure::Failure;
 use crate::names::{FUNCTIONS, Subject, quantities};
 use crate::scenario_file::ScenarioFile;
+use crate::states::LawFile;
 use crate::syntax::Node;
 use algebra::graph::LaplacianKind;
 use models::platoon::Communication;
@@ -38,6 +39,7 @@ pub struct Question {
     id: String,
     statement: Option<String>,
     scenario: Option<ScenarioFile>,
+    law: Option<LawFile>,
     kind: LaplacianKind,
     communication: Communication,
     budget: u64,
@@ -119,6 +121,21 @@ impl Question {
         self.scenario.as_ref().map(|scenario| scenario.name.as_str())
     }
 
+    /// The law whose states the question is about, where there is one.
+    pub(crate) fn law(&self) -> Option<&LawFile> {
+        self.law.as_ref()
+    }
+
+    /// The file of the law as the question names it, where there is one.
+    pub fn law_name(&self) -> Option<&str> {
+        self.law.as_ref().map(|law| law.name.as_str())
+    }
+
+    /// The byte where `[for]` binds its first name.
+    pub(crate) fn for_place(&self) -> usize {
+        self.bounds.first().map_or(0, |bound| bound.key_at)
+    }
+
     pub(crate) fn scenario(&self) -> Option<&ScenarioFile> {
         self.scenario.as_ref()
     }
@@ -195,7 +212,14 @@ impl Question {
         if let Some(scenario) = &self.scenario {
             let _ = writeln!(text, "scenario = {}", scenario.digest());
         }
+        if let Some(law) = &self.law {
+            let _ = writeln!(text, "law = {}", law.digest());
+        }
         let _ = writeln!(text, "budget = {}\n[for]", self.budget);
+        for range in self.law.iter().flat_map(|law| &law.ranges) {
+            let ends = range.ends.as_ref().map_or("any".to_string(), |(lo, hi)| format!("[{lo}, {hi}]"));
+            let _ = writeln!(text, "{} = {ends}", range.part);
+        }
         for bound in &self.bounds {
             let _ = writeln!(text, "{} = {}", bound.name, domain_text(&bound.domain));
         }

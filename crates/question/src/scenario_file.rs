@@ -6,7 +6,7 @@ use crate::subject::motion::Start as List;
 use arithmetic::{Rational, rational};
 use models::averaging::Start;
 use models::averaging::read::{Model, flock_of};
-use scenario::{ConfigError, ExactMotion, Path, Scenario, Source, Step, WithLaw, with_law};
+use scenario::{ConfigError, ExactMotion, OwnSteps, Path, Scenario, Source, Step, WithLaw, with_law};
 use serde_json::Value as Json;
 
 /// A scenario as its file has it.
@@ -82,6 +82,11 @@ impl ScenarioFile {
         matches!(self.file, File::Motion { is_drawn: true, .. })
     }
 
+    /// Whether it is a law of one's own in discrete time, whose future may be decided.
+    pub fn is_discrete(&self) -> bool {
+        matches!(&self.file, File::Motion { source, .. } if OwnSteps::are_of(source))
+    }
+
     fn no_place(&self, name: &str) -> String {
         self.problem(&format!("there is no number at `{name}`"))
     }
@@ -127,6 +132,16 @@ impl ScenarioFile {
     /// A run of it until a time.
     pub fn run(&self, bindings: &Bindings, until: &Rational) -> Result<Scenario, String> {
         Scenario::of(&self.source(bindings, until)?).map_err(|error| self.refused(&error))
+    }
+
+    /// The flock under a law of one's own in discrete time, where it is one: exact, or why it is not.
+    pub fn steps(&self, bindings: &Bindings) -> Result<Option<Result<OwnSteps, &'static str>>, String> {
+        let (source, wide) = self.bound(bindings, None)?;
+        let found = OwnSteps::of(&source).map_err(|error| self.refused(&error))?;
+        Ok(found.map(|flock| match wide.is_empty() {
+            true => flock,
+            false => Err("starts of laws in discrete time are single numbers"),
+        }))
     }
 
     /// The motion with the numbers that are bound, and those that are intervals.

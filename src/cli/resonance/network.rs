@@ -3,16 +3,15 @@
 use super::super::{CliError, output, progress, spectrum};
 use super::peak::Found;
 use super::{Arguments, followers};
-use flockproof::arithmetic::{ArithmeticError, Complex, Interval, Rational, Unwatched, decimals};
-use flockproof::graph::{NamedGraph, WeightedGraph};
-use flockproof::matrix::{RationalMatrix, SparseMatrix};
-use flockproof::platoon::gain_margin::{GainMargin, MOST_MODES, gain_margin};
+use flockproof::arithmetic::{ArithmeticError, Interval, Rational, Unwatched, decimals};
+use flockproof::graph::NamedGraph;
+use flockproof::matrix::RationalMatrix;
+use flockproof::platoon::gain_margin::{GainMargin, gain_margin};
 use flockproof::platoon::growth::peak_of_car;
-use flockproof::platoon::margins::{margins, phase_margin_of_cars};
+use flockproof::platoon::phase_margin::{PhaseMargin, STEPS, phase_margin};
 use flockproof::platoon::vector_form::motion_rows_of_cars;
-use flockproof::platoon::{Communication, CommunicationGraph, Gains, peak_on_graph};
+use flockproof::platoon::{Communication, CommunicationGraph, Gains, MOST_FOLLOWERS_PROVED, peak_on_graph};
 use flockproof::report::{NamedMatrix, Provenance, matrix_files};
-use flockproof::spectrum::matrix_spectrum;
 use num_traits::{Signed, ToPrimitive};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -20,11 +19,7 @@ use std::process::ExitCode;
 
 /// Most followers: a response costs their number times the square of how far they look.
 const MOST: u64 = 2000;
-/// Most followers of which the peak is enclosed over all frequencies; the cost grows like the fourth power of their number.
-const MOST_PROVED: usize = 100;
-/// Most followers with gains of their own of which the phase margin is computed.
-const MOST_OWN_MARGINS: usize = 12;
-/// Digits of gain margins.
+/// Digits of margins.
 const DIGITS: u32 = 15;
 
 /// A platoon with the car that is looked at.
@@ -42,7 +37,7 @@ pub(super) struct Platoon {
 impl Platoon {
     /// Whether peaks are proved for so many followers.
     pub fn is_proved(&self) -> bool {
-        self.graph.followers() <= MOST_PROVED
+        self.graph.followers() <= MOST_FOLLOWERS_PROVED
     }
 }
 
@@ -112,22 +107,10 @@ fn on_a_graph(arguments: &Arguments) -> Result<Platoon, CliError> {
     if order as u64 > MOST + 1 {
         return Err(CliError::Use(format!("--graph: {order} vertices are more than {}", MOST + 1)));
     }
-    let graph = behind(&weighted, leader).map_err(|error| CliError::Use(format!("--graph: {error}")))?;
+    let graph =
+        CommunicationGraph::behind(&weighted, leader).map_err(|error| CliError::Use(format!("--graph: {error}")))?;
     let place = car + usize::from(car < leader);
     Ok(Platoon { graph, car: place, leader: called(leader), name: called(car), file, line: None })
-}
-
-/// Each vertex but the leader follows those that its arcs lead to, weighted to a sum of one.
-fn behind(graph: &WeightedGraph, leader: usize) -> Result<CommunicationGraph, flockproof::platoon::CommunicationError> {
-    let agent = |vertex: usize| if vertex == leader { 0 } else { vertex + usize::from(vertex < leader) };
-    let row = |vertex: usize| {
-        let arcs = graph.adjacency().row(vertex);
-        let sum: Rational = arcs.iter().map(|(_, weight)| weight).sum();
-        // A sum of zero is refused with the weights.
-        let share = |weight: &Rational| if sum.is_positive() { weight / &sum } else { weight.clone() };
-        arcs.iter().map(|(to, weight)| (agent(*to), share(weight))).collect()
-    };
-    CommunicationGraph::new((0..graph.order()).filter(|&vertex| vertex != leader).map(row).collect())
 }
 
 /// One pair of gains for each follower, below zero.
@@ -164,7 +147,7 @@ pub(super) fn response(platoon: &Platoon, gains: &[Gains<Rational>], digits: u32
         CliError::Use("a mode is too slow for floats, or some followers are not reached by the leader".to_string())
     })?;
     let how = format!(
-        "48 frequencies for each factor of 10 and around the slowest mode, in floating point ({followers} followers are more than the {MOST_PROVED} \
+        "48 frequencies for each factor of 10 and around the slowest mode, in floating point ({followers} followers are more than the {MOST_FOLLOWERS_PROVED} \
          of which the peak is proved)"
     );
     Ok(Found::Searched { peak, how })
@@ -180,14 +163,13 @@ fn is_stable_line(platoon: &Platoon, gains: &[Gains<Rational>]) -> Option<bool> 
 
 /// How far a stable platoon is from instability.
 struct Margins {
-    /// Radians.
-    phase: Option<f64>,
+    phase: PhaseMargin,
     gain: GainMargin,
 }
 
 impl Margins {
     fn of(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Option<Self> {
-        Some(Margins { phase: phase_margin(reduced, gains), gain: gain_margin(reduced, gains).ok()? })
+        Some(Margins { phase: phase_margin(reduced, gains).ok()?, gain: gain_margin(reduced, gains).ok()? })
     }
 
     fn document(&self) -> Value {
@@ -204,11 +186,25 @@ impl Margins {
             GainMargin::Ends { below: Some(k), .. } => Some(format!("~{:?}", k.to_f64())),
             _ => None,
         };
-        json!({"phase": self.phase.map(|phase| format!("~{phase:?}")), "critical_factor": critical, "gain": gain})
+        let phase = match &self.phase {
+            PhaseMargin::Enclosed(x) => {
+                let (lo, hi) = decimals(x, DIGITS);
+                json!({"decided": true, "lo": lo, "hi": hi, "why": null})
+            }
+            PhaseMargin::AtMost(x) => {
+                json!({"decided": false, "lo": null, "hi": decimals(x, DIGITS).1, "why": searched()})
+            }
+            PhaseMargin::Open(why) => json!({"decided": false, "lo": null, "hi": null, "why": why}),
+        };
+        json!({"phase": phase, "critical_factor": critical, "gain": gain})
     }
 
     fn text(&self) -> String {
-        let phase = self.phase.map_or("not decided".to_string(), |phase| format!("~ {phase:.6} rad"));
+        let phase = match &self.phase {
+            PhaseMargin::Enclosed(x) => format!("{:.6} rad", x.to_f64()),
+            PhaseMargin::AtMost(x) => format!("at most {:.6} rad ({})", x.to_f64(), searched()),
+            PhaseMargin::Open(why) => format!("not decided ({why})"),
+        };
         let gain = match &self.gain {
             GainMargin::Infinite => "infinite: stable whatever factor the gains are multiplied by".to_string(),
             GainMargin::Ends { below, above } => {
@@ -222,19 +218,9 @@ impl Margins {
     }
 }
 
-/// The phase margin, in floating point.
-fn phase_margin(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Option<f64> {
-    let equal = gains.iter().all(|other| *other == gains[0]);
-    if !equal {
-        return if gains.len() <= MOST_OWN_MARGINS { phase_margin_of_cars(reduced, gains).ok()? } else { None };
-    }
-    if gains.len() > MOST_MODES {
-        return None;
-    }
-    let spectrum = matrix_spectrum(&SparseMatrix::from_dense(reduced).ok()?, None).ok()?;
-    let values: Vec<Complex<f64>> =
-        spectrum.eigenvalues.iter().map(|part| Complex::new(part.re.to_f64(), part.im.to_f64())).collect();
-    margins(&floats(&gains[..1])[0], &values)?.phase
+/// What a phase margin that is only a bound from above rests on.
+fn searched() -> String {
+    format!("a search: stable at all smaller multiples of pi/{STEPS}, not proved between them")
 }
 
 /// `x' = A x + B u, y = C x`: the state is `y_1, u_1, y_2, u_2, ..`, the input position and velocity of the leader, the output the

@@ -4,8 +4,8 @@ use super::super::{CliError, output, progress};
 use super::Arguments;
 use super::peak::Found;
 use flockproof::arithmetic::{Rational, Unwatched, parse_rational};
-use flockproof::platoon::peak_of_system;
 use flockproof::platoon::state_space::StateSpace;
+use flockproof::platoon::{MOST_STATES_PROVED, peak_of_system};
 use flockproof::report::{Provenance, digest};
 use serde_json::{Map, Value, json};
 use std::path::Path;
@@ -13,8 +13,6 @@ use std::process::ExitCode;
 
 /// Most states; a frequency costs their cube.
 const MOST_STATES: usize = 400;
-/// Most states of which the peak is enclosed over all frequencies.
-const MOST_PROVED: usize = 200;
 
 type Rows = Vec<Vec<Rational>>;
 
@@ -79,12 +77,12 @@ fn from_npy(bytes: &[u8]) -> Result<Rows, String> {
 
 /// The peak with proof, or searched among more states.
 fn found(system: &StateSpace, digits: u32) -> Result<Found, String> {
-    if system.states() <= MOST_PROVED {
+    if system.states() <= MOST_STATES_PROVED {
         return Found::proved(peak_of_system(system, digits, &Unwatched)).map_err(|error| error.to_string());
     }
     let peak = system.searched_peak().map_err(|error| format!("the response does not exist: {error}"))?;
     let how = format!(
-        "48 frequencies for each factor of 10 and around each eigenvalue, in floating point ({} states are more than the {MOST_PROVED} of which the \
+        "48 frequencies for each factor of 10 and around each eigenvalue, in floating point ({} states are more than the {MOST_STATES_PROVED} of which the \
          peak is proved)",
         system.states()
     );

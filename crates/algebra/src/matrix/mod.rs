@@ -36,7 +36,7 @@ pub use solve::{determinant_over_field, solve_over_field};
 pub use sparse::SparseMatrix;
 pub use stabiliser::{Stabiliser, StabiliserStream, stabilisers};
 pub use stochastic::StochasticMatrix;
-pub use transfer::{Transfer, transfer_function};
+pub use transfer::{Transfer, transfer_function, transfer_function_watched};
 
 /// Why a matrix or a product of matrices is refused. Rows and columns are counted from 1.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

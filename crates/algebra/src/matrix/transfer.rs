@@ -9,7 +9,7 @@
 
 use super::MatrixError;
 use arithmetic::threads;
-use arithmetic::{Field, Rational, Residue, Ring, common_denominator, is_prime};
+use arithmetic::{Field, Progress, Rational, Residue, Ring, Unwatched, common_denominator, is_prime};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -50,6 +50,20 @@ pub fn transfer_function(
     c: &[Rational],
     d: &[Rational],
 ) -> Result<Transfer, MatrixError> {
+    transfer_function_watched(a, b, c, d, &Unwatched)
+}
+
+/// [`transfer_function`], which can be stopped.
+///
+/// # Errors
+/// [`MatrixError`] where the shapes do not fit, and [`MatrixError::Cancelled`].
+pub fn transfer_function_watched(
+    a: &[Vec<Rational>],
+    b: &[Vec<Rational>],
+    c: &[Rational],
+    d: &[Rational],
+    progress: &dyn Progress,
+) -> Result<Transfer, MatrixError> {
     let n = a.len();
     if let Some(row) = a.iter().find(|row| row.len() != n) {
         return Err(MatrixError::NotSquare { rows: n, cols: row.len() });
@@ -59,7 +73,11 @@ pub fn transfer_function(
     }
     let system = Integers::of(a, b, c, d);
     let primes = system.primes();
-    let residues = threads::map(primes.len(), |k| system.modulo(primes[k]));
+    let residues = threads::map(primes.len(), |k| match progress.is_cancelled() {
+        true => Vec::new(),
+        false => system.modulo(primes[k]),
+    });
+    progress.checkpoint()?;
     let length = 2 * n + d.len() + 1;
     let mut all = vec![BigInt::ZERO; length];
     let mut modulus = BigInt::from(1);

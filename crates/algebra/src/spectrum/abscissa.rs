@@ -6,7 +6,7 @@
 
 use super::Polynomial;
 use super::stability::{roots_moved, routh};
-use arithmetic::{Complex, Field, FloatInterval, Interval, Rational, Ring, Sign, Signed};
+use arithmetic::{Complex, Field, FloatInterval, Interval, Rational, Ring, Sign, Signed, Unwatched};
 use num_bigint::BigInt;
 
 /// Sixteenths of the interval at which the question is asked, until it has an answer.
@@ -69,7 +69,7 @@ fn is_stable_moved<T: Field + Signed>(coefficients: &[Complex<T>], real: bool, x
     let shift = coefficients.first()?.rational(&-x);
     let moved = roots_moved(coefficients, &shift);
     let squared = if real { moved.into_iter().map(|c| c.re).collect() } else { times_conjugate(&moved)? };
-    routh(squared.into_iter().rev().collect(), |row| row)
+    routh(squared.into_iter().rev().collect(), |row| row, &Unwatched).unwrap_or_default()
 }
 
 /// The real polynomial `p p̄`.

@@ -1,7 +1,7 @@
 //! Whether all roots of a real polynomial have negative real parts, decided exactly (Routh's table).
 
 use super::Polynomial;
-use arithmetic::{Interval, Rational, Ring, Sign, Signed, content};
+use arithmetic::{Cancelled, Interval, Progress, Rational, Ring, Sign, Signed, Unwatched, content};
 use num_bigint::BigInt;
 
 /// Degrees from which enclosures are tried first: exact entries have as many digits as all coefficients together.
@@ -14,18 +14,27 @@ impl Polynomial {
     /// Whether every complex root has a negative real part. A constant other than zero has no roots; the zero polynomial is not
     /// stable. Cost: `degree²/2` products, of enclosures where these tell.
     pub fn is_hurwitz(&self) -> bool {
+        self.is_hurwitz_watched(&Unwatched).unwrap_or_default()
+    }
+
+    /// [`Polynomial::is_hurwitz`], which can be stopped.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn is_hurwitz_watched(&self, progress: &dyn Progress) -> Result<bool, Cancelled> {
         // Where entries vanish, only exact ones tell.
         let vanishes = self.coefficients().first().is_none_or(|c| c.sign() == num_bigint::Sign::NoSign);
         if self.degree() >= LONG && !vanishes {
             for bits in PRECISIONS {
                 let number = |c: &BigInt| Interval::from_rational(&Rational::from_integer(c.clone()), bits);
-                if let Some(stable) = routh(self.coefficients().iter().rev().map(number).collect(), near_one) {
-                    return stable;
+                let descending = self.coefficients().iter().rev().map(number).collect();
+                if let Some(stable) = routh(descending, near_one, progress)? {
+                    return Ok(stable);
                 }
             }
         }
         let descending = self.coefficients().iter().rev().cloned().collect();
-        routh(descending, without_content) == Some(true)
+        Ok(routh(descending, without_content, progress)? == Some(true))
     }
 
     /// A positive multiple of the polynomial whose roots are these roots plus `shift`.
@@ -40,18 +49,25 @@ impl Polynomial {
 ///
 /// Routh: with a positive leading coefficient, this is so exactly where every entry of the first column of the table is
 /// positive.
-pub(super) fn routh<T: Ring + Signed>(mut descending: Vec<T>, scaled: impl Fn(Vec<T>) -> Vec<T>) -> Option<bool> {
-    match descending.first()?.sign()? {
-        Sign::Positive => {}
-        Sign::Negative => descending.iter_mut().for_each(|c| *c = -c.clone()),
-        Sign::Zero => return None,
+pub(super) fn routh<T: Ring + Signed>(
+    mut descending: Vec<T>,
+    scaled: impl Fn(Vec<T>) -> Vec<T>,
+    progress: &dyn Progress,
+) -> Result<Option<bool>, Cancelled> {
+    match descending.first().and_then(Signed::sign) {
+        Some(Sign::Positive) => {}
+        Some(Sign::Negative) => descending.iter_mut().for_each(|c| *c = -c.clone()),
+        Some(Sign::Zero) | None => return Ok(None),
     }
     let every_other = |start: usize| descending.iter().skip(start).step_by(2).cloned().collect::<Vec<_>>();
     let (mut upper, mut lower) = (every_other(0), every_other(1));
     // The first entry of the upper row is positive.
     while let Some(bottom) = lower.first() {
-        if bottom.sign()? != Sign::Positive {
-            return Some(false);
+        progress.checkpoint()?;
+        match bottom.sign() {
+            Some(Sign::Positive) => {}
+            Some(_) => return Ok(Some(false)),
+            None => return Ok(None),
         }
         // Scaling a row by a positive number does not change the signs.
         let entry = |k: usize| {
@@ -61,7 +77,7 @@ pub(super) fn routh<T: Ring + Signed>(mut descending: Vec<T>, scaled: impl Fn(Ve
         let next = scaled((1..upper.len()).map(entry).collect());
         upper = std::mem::replace(&mut lower, next);
     }
-    Some(true)
+    Ok(Some(true))
 }
 
 /// The coefficients, constant one first, of `p(x - shift)`, whose roots are those of `p` plus `shift`.

@@ -25,4 +25,5 @@ pub fn growth() -> Record<GrowthVariant> {
     ])
     .altered("p platoons grow like M^(p+1)", |v| v.shift = 1)
     .altered("system (1) grows like the square of that", |v| v.power = 2)
+    .altered("one platoon more than there are", |v| v.more = 1)
 }

@@ -145,7 +145,7 @@ impl AbscissaVariant {
                     interval_value(&found.abscissa, 6),
                     found.zeros
                 );
-                return Ok(Outcome::fails(what, certified("signs", "enclosed abscissa")));
+                return Ok(Outcome::fails(what, certified("exactly when stable", "enclosed abscissa")));
             }
             stable += usize::from(decays);
         }
@@ -175,7 +175,7 @@ impl AbscissaVariant {
                     interval_value(&found.abscissa, 12),
                     found.zeros
                 );
-                return Ok(Outcome::fails(what, certified("abscissae", "enclosures")));
+                return Ok(Outcome::fails(what, certified("synchronised and balanced", "enclosures")));
             }
             run.value(&format!("abscissa {name}"), interval_value(&found.abscissa, 15));
         }
@@ -244,7 +244,7 @@ fn rounds_to(x: &Interval, claimed: i64) -> bool {
 }
 
 /// The abscissae from exact characteristic polynomials of the whole linearisation, where the phasors are rational.
-fn whole_matrices(run: &Run) -> Result<Outcome, CheckError> {
+fn whole_matrices(variant: &AbscissaVariant, run: &Run) -> Result<Outcome, CheckError> {
     let orders: &[usize] = if run.cases(0, 1) == 1 { &[2, 3, 4, 8, 12] } else { &[2, 3, 4] };
     let (omega, spacing) = (rational(1, 10), rational(1, 10));
     let mut cases = 0;
@@ -255,7 +255,7 @@ fn whole_matrices(run: &Run) -> Result<Outcome, CheckError> {
             let law = Law { particles, reach: particles / 2, omega: omega.clone(), spacing: spacing.clone(), gains };
             let (zeros, rest): (usize, Polynomial) = without_symmetries(&law.rational_linearisation()?, &omega, true)?;
             let whole = rest.abscissa(BITS);
-            let by_modes = law.formation().transverse()?;
+            let by_modes = variant.spectrum(&law.formation())?;
             cases += 1;
             let agree = match (&whole, &by_modes) {
                 (None, None) => true,
@@ -265,7 +265,7 @@ fn whole_matrices(run: &Run) -> Result<Outcome, CheckError> {
             if !agree {
                 let what =
                     format!("({clusters},{particles}): the modes and the whole matrix do not have the same abscissa");
-                return Ok(Outcome::fails(what, exact("whole matrix", "characteristic polynomial")));
+                return Ok(Outcome::fails(what, exact("whole matrices", "characteristic polynomial")));
             }
         }
     }
@@ -339,7 +339,7 @@ fn examine_pattern_abscissa(variant: &AbscissaVariant, run: &mut Run) -> Result<
         1 => variant.synchronised_and_balanced(run),
         2 => variant.enclosures(run),
         3 => Ok(invariant_modes(&variant.altered, run)?.on([2])),
-        4 => whole_matrices(run),
+        4 => whole_matrices(variant, run),
         _ => holds(argued.clone()),
     }))
 }

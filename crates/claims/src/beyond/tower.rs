@@ -13,10 +13,12 @@ const TWISTED: Group = [-1, 9, -1, -7];
 /// Its mirror image.
 const TWISTED_MIRRORED: Group = [7, 1, -9, 1];
 
-/// The groups, and bounds of the binary logarithm of the time of the third switch, in units of 10^84.
+/// The groups, the speed whose eighth is the unit of their velocities, and bounds of the binary logarithm of the time of the third switch, in
+/// units of 10^84.
 #[derive(Clone, Copy)]
 pub struct TowerVariant {
     groups: [Group; 4],
+    speed: (i64, i64),
     log2: ((i64, i64), (i64, i64)),
 }
 
@@ -28,7 +30,11 @@ pub fn tower() -> Record<TowerVariant> {
          gives the eight a drift of about 3^-s, s the second time: its sign and size are those of the leading term of \
          a linear recurrence in s, the coefficient of (2/3)^s being zero. Two mirrored flocks of eight approach at \
          that speed. Exact jumps for two switches, enclosed logarithms for the third (notes/settling.md).",
-        TowerVariant { groups: [MIRRORED, TWISTED_MIRRORED, TWISTED, PRINTED], log2: ((2116, 1000), (2117, 1000)) },
+        TowerVariant {
+            groups: [MIRRORED, TWISTED_MIRRORED, TWISTED, PRINTED],
+            speed: (1, 512),
+            log2: ((2116, 1000), (2117, 1000)),
+        },
         check_tower,
     )
     .stated("what the initial conditions at the end of Section 1 can be changed into", "")
@@ -41,40 +47,54 @@ pub fn tower() -> Record<TowerVariant> {
          without.",
     ])
     .altered("mirrored groups, whose drifts cancel altogether", |v| v.groups = [MIRRORED, PRINTED, MIRRORED, PRINTED])
+    .altered("one and a half times the speed", |v| v.speed = (3, 1024))
     .altered("the leading term (2/3)^s", |v| v.log2 = ((781, 1000), (782, 1000)))
     .altered("the flocks of eight exchanged", |v| v.groups = [TWISTED, PRINTED, MIRRORED, TWISTED_MIRRORED])
 }
 
 fn check_tower(variant: &TowerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let (mut first, mut second, mut third) = (None, None, None);
     for hysteresis in [Hysteresis::None, Hysteresis::Paper] {
-        let (switches, end) = settled(&groups(&variant.groups, &rational(1, 512), hysteresis), run)?;
-        let fails = |what: String| Ok(Outcome::fails(what, certified("the switches", "settled exactly")));
+        let speed = rational(variant.speed.0, variant.speed.1);
+        let (switches, end) = settled(&groups(&variant.groups, &speed, hysteresis), run)?;
         let times: Vec<String> = switches.iter().map(|s: &Switch| s.time.to_string()).collect();
-        let Ending::Beyond { log2_steps, .. } = &end.ending else {
-            return fails(format!("switches at t = {}, then: {}", times.join(", "), end.why));
-        };
-        let unit = BigInt::from(10).pow(81);
-        let bound = |(p, q): (i64, i64)| -> Interval {
-            log2_steps.integer(p)
-                * arithmetic::Field::rational(log2_steps, &(arithmetic::Rational::from_integer(&unit * 1000 / q)))
-        };
-        let (low, high) = (bound(variant.log2.0), bound(variant.log2.1));
-        let inside = (log2_steps.clone() - low).is_certainly_positive() && (high - log2_steps).is_certainly_positive();
-        let (lo, hi) = decimals(log2_steps, 12);
-        if times.len() != 2 || times[0] != "171" || times[1].len() != 85 || !inside {
-            return fails(format!("switches at t = {}, the next at 2^L, L in [{lo}, {hi}]", times.join(", ")));
+        let found = format!("switches at t = {}, then: {}", times.join(", "), end.why);
+        if times.first().is_none_or(|time| time != "171") {
+            first.get_or_insert(found.clone());
         }
-        run.value("second_switch", times[1].clone());
-        run.value("log2_of_the_third", format!("[{lo}, {hi}]"));
+        match times.get(1).filter(|time| time.len() == 85) {
+            Some(time) => run.value("second_switch", time.clone()),
+            None => drop(second.get_or_insert(found.clone())),
+        }
+        match &end.ending {
+            Ending::Beyond { log2_steps, .. } if times.len() == 2 => {
+                let (lo, hi) = decimals(log2_steps, 12);
+                run.value("log2_of_the_third", format!("[{lo}, {hi}]"));
+                if !variant.contains(log2_steps) {
+                    third.get_or_insert(format!("{found}; the next at 2^L, L in [{lo}, {hi}]"));
+                }
+            }
+            _ => drop(third.get_or_insert(found)),
+        }
     }
-    let second = "the quadratic polynomial of the limit motion on the fixed network, exactly, before and at the contact; \
-                  the transients that are left out are bounded far below its value (notes/settling.md, How flock settle \
-                  decides, 4 and 5)";
-    let third = "the relative drift as the leading term of its shortest recurrence, sign and logarithm enclosed \
+    let quadratic = "the quadratic polynomial of the limit motion on the fixed network, exactly, before and at the contact; \
+                     the transients that are left out are bounded far below its value (notes/settling.md, How flock settle \
+                     decides, 4 and 5)";
+    let drift = "the relative drift as the leading term of its shortest recurrence, sign and logarithm enclosed \
                  (notes/settling.md, the same)";
-    Ok(Outcome::Holds(vec![
-        exact("the first switch", "every step up to it taken by the rule").on([1]).for_all(),
-        certified("the second switch", second).on([2]).for_all(),
-        certified("the third", third).on([3]).for_all(),
-    ]))
+    Run::all([
+        unless(first, exact("the first switch", "every step up to it taken by the rule").on([1])).for_all(),
+        unless(second, certified("the second switch", quadratic).on([2])).for_all(),
+        unless(third, certified("the third", drift).on([3])).for_all(),
+    ])
+}
+
+impl TowerVariant {
+    /// Whether the logarithm lies between the bounds.
+    fn contains(&self, log2: &Interval) -> bool {
+        let unit = BigInt::from(10).pow(81);
+        let bound = |(p, q): (i64, i64)| log2.integer(p) * log2.rational(&Rational::from_integer(&unit * 1000 / q));
+        (log2.clone() - bound(self.log2.0)).is_certainly_positive()
+            && (bound(self.log2.1) - log2).is_certainly_positive()
+    }
 }

@@ -165,7 +165,7 @@ fn long_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Che
                 let entry = product?.to_rational_matrix().least_positive().unwrap_or_default();
                 let sequence: Vec<Graph> = (0..=t).map(|t| graphs[pair[t % 2]].clone()).collect();
                 if let Some(what) = below(model, &sequence, &entry, &floor) {
-                    return Ok(Outcome::fails(what, exact("the bound", "one exact product")));
+                    return Ok(Outcome::fails(what, exact("independence of t", "one exact product")));
                 }
             }
         }
@@ -188,7 +188,7 @@ fn attained(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckErr
         let floor = variant.floor(model, order);
         if entry != floor {
             let what = format!("{}, {order} birds: the smallest entry is {entry}, not {floor}", model.name());
-            return Ok(Outcome::fails(what, exact("attained", "the extremal sequence")));
+            return Ok(Outcome::fails(what, exact("the bound is attained", "the extremal sequence")));
         }
     }
     let evidence = exact("the bound is attained", "a product of n - 1 factors for n = 2, ..., 9").on([2]);

@@ -56,7 +56,8 @@ pub fn rule() -> Record<RuleVariant> {
 }
 
 fn check_rule(variant: &RuleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fails = |what: String| Ok(Outcome::fails(what, exact("the rule", "an exact flock")));
+    const PART: &str = "flocks follow the rule as read";
+    let fails = |what: String| Ok(Outcome::fails(what, exact(PART, "an exact flock")));
     let mut cases = 0;
     for n in 2..=4i64 {
         let epsilon = threshold(n, 4);
@@ -99,7 +100,7 @@ fn check_rule(variant: &RuleVariant, run: &mut Run) -> Result<Outcome, CheckErro
         before = now;
     }
     let evidence = exact(
-        "flocks follow the rule as read",
+        PART,
         "two of 2, 3, 4 birds crossing distance 1 by 1/4 to 200 thresholds, joined before or not; the four birds for \
          340 steps",
     );

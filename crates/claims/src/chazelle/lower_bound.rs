@@ -147,7 +147,7 @@ fn check_lower_bound(variant: &LowerVariant, run: &mut Run) -> Result<Outcome, C
     for (n, c, hysteresis) in flocks {
         settled += 1;
         if let Some(what) = variant.fails_at(n, c, &hysteresis, run)? {
-            return Ok(Outcome::fails(what, exact("the last switch", "settled exactly")));
+            return Ok(Outcome::fails(what, exact("every switch and the end", "settled exactly")));
         }
     }
     let part = "every switch and the end, for all n and c with n^c >= 8";
@@ -196,7 +196,7 @@ fn check_single_paths(variant: &PathsVariant, run: &mut Run) -> Result<Outcome, 
                 let birds: Vec<usize> = odd.iter().map(|i| i + 1).collect();
                 let what =
                     format!("n = {n}, c = {c}: after switch {k} birds {birds:?} are no path of at most {most} birds");
-                return Ok(Outcome::fails(what, exact("the flocks", "settled exactly")));
+                return Ok(Outcome::fails(what, exact("all flocks at all times", "settled exactly")));
             }
         }
     }

@@ -21,8 +21,8 @@ fn over_histories(
 ) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
     let lengths = if shorter { [1, 4, 3, 1] } else { [3, 6, 4, 2] };
-    let all = exhaustive(part, detail);
-    let sampled = fuzzed(part, "random sequences of 8 networks on 3 to 6 birds");
+    let all = exhaustive(format!("{part}, all sequences"), detail);
+    let sampled = fuzzed(format!("{part}, random sequences"), "random sequences of 8 networks on 3 to 6 birds");
     Run::all([
         run.every(all, histories((1..).zip(lengths)), |history| fails(&history, &mut random)),
         run.every(sampled, 0..run.cases(60, 2000), |_| {

@@ -83,27 +83,23 @@ pub fn count() -> Record<CountVariant> {
 }
 
 fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let part = "one step, and the sum";
-    let flocks = exact(part, "exact flocks of three birds with the hysteresis of the paper");
-    let all = exhaustive(
-        part,
-        "all columns, s = 1 and 2, all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end",
-    );
+    let detail = "all columns, s = 1 and 2, all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end";
     // Each clause has its own counterexample.
-    let mut examples = Vec::new();
-    let mut evidence = Vec::new();
-    for clause in [0, 1] {
+    let (mut examples, mut evidence, mut failed_later) = (Vec::new(), Vec::new(), Vec::new());
+    for (clause, part) in ["one step", "the sum"].into_iter().enumerate() {
+        let flocks = exact(format!("{part}, flocks"), "exact flocks of three birds with the hysteresis of the paper");
+        let all = exhaustive(format!("{part}, all sequences"), detail);
         let wrong = |history: NetworkHistory| {
             let mut columns = (1..=2).flat_map(|s| (0..history.order()).map(move |column| (s, column)));
             Ok(columns.find_map(|(s, column)| variant.failures(&history, column, s)[clause].take()))
         };
         let sequences = histories([(1, 3), (2, 6), (3, 4), (4, 2)]);
-        let outcome =
-            Run::all([run.every(flocks.clone(), small_flocks()?, wrong), run.every(all.clone(), sequences, wrong)])?;
+        let outcome = Run::all([run.every(flocks, small_flocks()?, wrong), run.every(all, sequences, wrong)])?;
         match outcome.on([clause + 1]) {
-            Outcome::Fails { counterexample, evidence: more, .. } => {
+            Outcome::Fails { counterexample, evidence: more, later } => {
                 examples.push(counterexample);
                 evidence.extend(more);
+                failed_later.extend(later);
             }
             Outcome::Holds(more) if examples.is_empty() => evidence.extend(more),
             _ => {}
@@ -113,7 +109,7 @@ fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckEr
         return Ok(Outcome::Holds(evidence));
     }
     evidence.retain(|e: &Evidence| e.grade == Grade::Exact);
-    Ok(Outcome::failure(examples.join("; "), evidence))
+    Ok(Outcome::Fails { counterexample: examples.join("; "), evidence, later: failed_later })
 }
 
 /// A bound of the switches until the footprint is stable.

@@ -62,39 +62,43 @@ pub fn stretching() -> Record<StretchingVariant> {
 
 fn check_stretching(variant: &StretchingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let p = RationalMatrix::from_integers(&variant.numerators, variant.denominator)?;
-    let refuse = |what: String| Ok(Outcome::fails(what, exact("Remark 2", "exact arithmetic on the printed matrix")));
-    if let Err(error) = StochasticMatrix::try_from(&p) {
-        return refuse(format!("P is not row-stochastic: {error}"));
-    }
-    let weights = Weights::Given(vec![p.entry(0, 1), p.entry(1, 0)]);
-    let edge = Graph::path(2);
-    if !weights.are_admissible(&edge) || transition_matrix(&edge, &weights)? != p {
-        return refuse("P is not a matrix of model D".to_string());
-    }
+    let part = |clause: usize, part: &str, detail: String, wrong: Option<String>| {
+        unless(wrong, exact(part, detail).on([clause])).for_all()
+    };
     let second = p.entry(0, 0) + p.entry(1, 1) - rational(1, 1);
-    if !rounds_to(&second, variant.second_eigenvalue)? {
-        return refuse(format!("the second eigenvalue is {second}"));
-    }
-    let vector = [p.entry(0, 1), second.clone() - p.entry(0, 0)];
-    let scaled: Vec<Rational> = vector.iter().map(|x| x * &second).collect();
-    let eigenvector_sum = vector[0].clone() + &vector[1];
-    let image_sum: Rational = p.apply(&[rational(1, 1), rational(-1, 1)])?.into_iter().sum();
-    if p.apply(&vector)? != scaled || eigenvector_sum.is_zero() || image_sum.is_zero() {
-        return refuse(format!("the eigenvector for {second} sums to {eigenvector_sum} and P(1,-1) to {image_sum}"));
-    }
+    let other = (!rounds_to(&second, variant.second_eigenvalue)?).then(|| format!("the second eigenvalue is {second}"));
     let image = p.apply(&[rational(1, 1), rational(0, 1)])?;
     let squared: Rational = image.iter().map(Ring::square).sum();
     let (length, unit) = printed_decimal(variant.stretched_length)?;
     let half = unit / rational(2, 1);
     let rounds = (length.clone() - &half).square() <= squared && squared <= (length + half).square();
-    if !rounds || squared <= rational(1, 1) {
-        return refuse(format!("|P(1,0)|² = {squared}"));
-    }
+    let shorter = (!rounds || squared <= rational(1, 1)).then(|| format!("|P(1,0)|² = {squared}"));
+    let vector = [p.entry(0, 1), second.clone() - p.entry(0, 0)];
+    let scaled: Vec<Rational> = vector.iter().map(|x| x * &second).collect();
+    let eigenvector_sum = vector[0].clone() + &vector[1];
+    let orthogonal = (p.apply(&vector)? != scaled || eigenvector_sum.is_zero())
+        .then(|| format!("the eigenvector for {second} sums to {eigenvector_sum}"));
+    let image_sum: Rational = p.apply(&[rational(1, 1), rational(-1, 1)])?.into_iter().sum();
+    let invariant = image_sum.is_zero().then(|| "P(1,-1) sums to 0".to_string());
     run.value("second_eigenvalue", second.to_string());
     run.value("stretched_length_squared", squared.to_string());
-    let part = "matrix of model D, both eigenvalues, the stretched length, the eigenvector and 1^perp";
-    let detail = format!("eigenvalues 1 and {second}; |P(1,0)|² = {squared}; P(1,-1) sums to {image_sum}");
-    holds(exact(part, detail).on([1, 2, 3, 4, 5]).for_all())
+    Run::all([
+        part(1, "a matrix of model D", "I - CL of one edge, 0 < c_i d_i < 1".to_string(), other_than_model_d(&p)?),
+        part(2, "the eigenvalues", format!("1 and trace - 1 = {second}"), other),
+        part(3, "the stretched length", format!("|P(1,0)|² = {squared}"), shorter),
+        part(4, "the eigenvector", format!("multiplied out; it sums to {eigenvector_sum}"), orthogonal),
+        part(5, "1^perp", format!("P(1,-1) sums to {image_sum}"), invariant),
+    ])
+}
+
+/// Why a matrix of two birds is none of model D.
+fn other_than_model_d(p: &RationalMatrix) -> Result<Option<String>, CheckError> {
+    if let Err(error) = StochasticMatrix::try_from(p) {
+        return Ok(Some(format!("P is not row-stochastic: {error}")));
+    }
+    let (weights, edge) = (Weights::Given(vec![p.entry(0, 1), p.entry(1, 0)]), Graph::path(2));
+    let is_one = weights.are_admissible(&edge) && transition_matrix(&edge, &weights)? == *p;
+    Ok((!is_one).then(|| "P is not a matrix of model D".to_string()))
 }
 
 /// The two matrices and the closed form: entries affine in `u = 2^(-t/2)`, given as `(constant, slope)`.
@@ -144,50 +148,65 @@ pub fn product_a_b() -> Record<ProductABVariant> {
 
 fn check_product_a_b(variant: &ProductABVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let (a, b) = (StochasticMatrix::from_integers(&variant.a, 1)?, StochasticMatrix::from_integers(&variant.b, 2)?);
-    let pair = if variant.a_first { a.times(&b)? } else { b.times(&a)? }.to_rational_matrix();
-    let refuse = |what: String| Ok(Outcome::fails(what, exact("P(t,1)", "exact products")));
-    // Both are I - CL with c_i d_i = 1 for birds with neighbours: an edge, and a path.
+    let (last, first) = if variant.a_first { (a.clone(), b.clone()) } else { (b.clone(), a.clone()) };
+    Run::all([
+        for_every_even_time(variant, &last.times(&first)?.to_rational_matrix()),
+        multiplied_out(variant, [first, last], run),
+        unless(
+            within_model_d(&a, &b)?,
+            exact("without c_i d_i < 1", "A is I - CL for the edge 1-2, B for the path 1-2-3, each with c_i d_i = 1"),
+        ),
+    ])
+}
+
+/// Why A is not `I - CL` of an edge with `c_i d_i = 1` for birds with neighbours, or B that of a path.
+fn within_model_d(a: &StochasticMatrix, b: &StochasticMatrix) -> Result<Option<String>, CheckError> {
     let edge = Graph::from_fn(3, |i, j| (i, j) == (0, 1));
     let unit = |second: Rational| Weights::Given(vec![rational(1, 1), second, rational(1, 1)]);
     for (name, matrix, graph, weights) in
-        [("A", &a, edge, unit(rational(1, 1))), ("B", &b, Graph::path(3), unit(rational(1, 2)))]
+        [("A", a, edge, unit(rational(1, 1))), ("B", b, Graph::path(3), unit(rational(1, 2)))]
     {
         if matrix.to_rational_matrix() != transition_matrix(&graph, &weights)? || weights.are_admissible(&graph) {
-            return refuse(format!("{name} is not I - CL with c_i d_i = 1"));
+            return Ok(Some(format!("{name} is not I - CL with c_i d_i = 1")));
         }
     }
+    Ok(None)
+}
+
+/// The form is the pair of factors at `t = 2`, and two more factors halve `u`: by induction, for affine functions of `u`, at two points.
+fn for_every_even_time(variant: &ProductABVariant, pair: &RationalMatrix) -> Result<Outcome, CheckError> {
     let half = rational(1, 2);
     let form = variant.form_at(&half)?;
     let entries = (0..3).flat_map(|i| (0..3).map(move |j| (i, j)));
-    if let Some((i, j)) = entries.into_iter().find(|&(i, j)| pair.entry(i, j) != form.entry(i, j)) {
+    let mut wrong = entries.into_iter().find(|&(i, j)| pair.entry(i, j) != form.entry(i, j)).map(|(i, j)| {
         let (found, claimed) = (pair.entry(i, j), form.entry(i, j));
-        let what =
-            format!("t = 2: the entry ({}, {}) of the product is {found}, but the form has {claimed}", i + 1, j + 1);
-        return refuse(what);
-    }
+        format!("t = 2: the entry ({}, {}) of the product is {found}, but the form has {claimed}", i + 1, j + 1)
+    });
     for u in [rational(0, 1), rational(1, 1)] {
         if pair.times(&variant.form_at(&u)?)? != variant.form_at(&(u.clone() * &half))? {
-            return refuse(format!("two more factors do not halve 2^(-t/2): not at u = {u}"));
+            wrong.get_or_insert(format!("two more factors do not halve 2^(-t/2): not at u = {u}"));
         }
     }
-    // The same by multiplication, and the smallest nonzero entry goes to zero.
+    let detail = "base case and induction step, both sides affine in 2^(-t/2)";
+    unless(wrong, exact("P(t,1) for every even t", detail)).for_all()
+}
+
+/// The same by multiplication, and the smallest nonzero entry goes to zero.
+fn multiplied_out(
+    variant: &ProductABVariant,
+    [first, last]: [StochasticMatrix; 2],
+    run: &mut Run,
+) -> Result<Outcome, CheckError> {
     const LARGEST_EVEN: usize = 64;
     let factors: Vec<StochasticMatrix> =
-        (1..=LARGEST_EVEN).map(|t| if t % 2 == 0 { a.clone() } else { b.clone() }).collect();
+        (1..=LARGEST_EVEN).map(|t| if t % 2 == 0 { last.clone() } else { first.clone() }).collect();
     let mut u = rational(1, 1);
-    for (k, product) in prefix_products(&factors).enumerate() {
-        let product = product?;
-        if k % 2 == 1 {
-            u *= &half;
-            if product.to_rational_matrix() != variant.form_at(&u)? {
-                return refuse(format!("t = {}: the product is not the printed form", k + 1));
-            }
-        }
-    }
+    let even = prefix_products(&factors).enumerate().filter(|(k, _)| k % 2 == 1);
+    let outcome = run.instances("P(t,1) for t = 2, 4, ..., 64", "multiplied out", even, |(k, product)| {
+        u *= rational(1, 2);
+        let wrong = product?.to_rational_matrix() != variant.form_at(&u)?;
+        Ok(wrong.then(|| format!("t = {}: the product is not the printed form", k + 1)))
+    });
     run.value("smallest_entry_at_t_64", u.to_string());
-    Ok(Outcome::Holds(vec![
-        exact("P(t,1) for every even t", "base case and induction step, both sides affine in 2^(-t/2)").for_all(),
-        exact("P(t,1) for t = 2, 4, ..., 64", "multiplied out").cases(LARGEST_EVEN / 2),
-        exact("without c_i d_i < 1", "A is I - CL for the edge 1-2, B for the path 1-2-3, each with c_i d_i = 1"),
-    ]))
+    outcome
 }

@@ -12,14 +12,14 @@ pub(super) fn upwards() -> Vec<Rational> {
 
 pub(super) const UPWARDS: &str = "two agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1), V = 1/s + log s";
 
-/// Whether the sides agree at the state above; the counterexample if not.
-pub(super) fn at_upwards(identity: &Identity, what: &str) -> Result<Option<Outcome>, ArithmeticError> {
+/// Whether the sides agree at the state above; the counterexample if not, in this part.
+pub(super) fn at_upwards(identity: &Identity, part: &str, what: &str) -> Result<Option<Outcome>, ArithmeticError> {
     let (left, right) = identity.at(&upwards())?;
     let place = left.iter().zip(&right).position(|(l, r)| l != r);
     Ok(place.map(|k| {
         Outcome::fails(
             format!("{UPWARDS}: {what} is {}, but {} is claimed", left[k], right[k]),
-            exact(what, "exact rates of change; equal headings, so that alignment forces vanish"),
+            exact(part, "exact rates of change; equal headings, so that alignment forces vanish"),
         )
     }))
 }

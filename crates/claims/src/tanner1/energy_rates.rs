@@ -98,18 +98,19 @@ pub fn eq9_chain() -> Record<i64> {
 }
 
 fn examine_rate(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const PART: &str = "a positive rate";
     let pair = energy_rate(Graph::path(2), variant);
-    if let Some(outcome) = at_upwards(&pair, "dV_t/dt in units of pi/2 (positive)")? {
-        return Ok(outcome);
-    }
     let rate = AnyHeadings::read(&Graph::path(2), &upwards())?.rate_of((1, 2), (1, 2), (1, 2))?;
-    let positive = exact("a positive rate", format!("{UPWARDS}: {rate} pi/2"));
-    Run::all([
-        on_connected(run, MOST, "the rate of V_t", |graph| energy_rate(graph, variant)).checks("step 3").on([1]),
-        argued(&[1], "the rate of V_t", "notes/tanner1.md, Energy, steps 1 to 3"),
-        run.every(positive.on([2]).for_all(), [rate], |rate| {
+    let positive = match at_upwards(&pair, PART, "dV_t/dt in units of pi/2 (positive)")? {
+        Some(other) => Ok(other),
+        None => run.every(exact(PART, format!("{UPWARDS}: {rate} pi/2")).on([2]).for_all(), [rate], |rate| {
             Ok((rate <= rational(0, 1)).then(|| format!("{UPWARDS}: the rate is {rate} pi/2")))
         }),
+    };
+    Run::all([
+        positive,
+        on_connected(run, MOST, "the rate of V_t", |graph| energy_rate(graph, variant)).checks("step 3").on([1]),
+        argued(&[1], "the rate of V_t", "notes/tanner1.md, Energy, steps 1 to 3"),
     ])
 }
 
@@ -198,11 +199,17 @@ pub struct DecoupledVariant {
 
 fn examine_decoupled(variant: &DecoupledVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let work = does_no_work(&variant.alignment, run)?.on([1]);
-    let turning = examine_printed(run)?;
+    let turning = match examine_printed(run)? {
+        Outcome::Fails { counterexample, evidence, .. } => {
+            let part = format!("the potential forces turn headings: {counterexample}");
+            let turned = evidence.into_iter().map(|e| Evidence { part: part.clone(), ..e.on([1]) }).collect();
+            Outcome::failure(counterexample, turned)
+        }
+        other => other,
+    };
     match (work, turning) {
-        (Outcome::Holds(mut evidence), Outcome::Fails { counterexample, evidence: more, .. }) if !variant.headings => {
-            let turned = format!("the potential forces turn headings: {counterexample}");
-            evidence.extend(more.into_iter().map(|e| Evidence { part: turned.clone(), ..e.on([1]) }));
+        (Outcome::Holds(mut evidence), Outcome::Fails { evidence: turned, .. }) if !variant.headings => {
+            evidence.extend(turned);
             let why = "\"can be decoupled\" has no meaning that the paper fixes: (3) adds a term for each rule, and alignment does no work on the energy of cohesion and separation, but the potential forces turn headings";
             Ok(Outcome::NotCheckable(why.to_string(), evidence))
         }

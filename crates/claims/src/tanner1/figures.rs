@@ -65,7 +65,7 @@ fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError
             "{}{in_place}, after {UNTIL} s: common heading, forces of potentials below 1/10, all within 10 m of the mean in {formations}; common heading in {headings}; least radius of a flock {narrowest:.1} m",
             reading.describe()
         );
-        seen.push(Seen { what, share: formations });
+        seen.push(Seen { part: format!("end of the run, reading {}", seen.len() + 1), what, share: formations });
     }
     Ok(report(seen, variant.can))
 }

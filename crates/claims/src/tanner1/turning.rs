@@ -131,7 +131,7 @@ fn turning(graph: Graph, variant: &HeadingVariant, weighted: bool) -> Identity<'
 
 fn examine_turning(variant: &HeadingVariant, weighted: bool, run: &Run) -> Result<Outcome, CheckError> {
     let what = if weighted { "the sum of (r_i . v_i) thetadot_i" } else { "thetadot_1" };
-    if let Some(outcome) = at_upwards(&turning(Graph::path(2), variant, weighted), what)? {
+    if let Some(outcome) = at_upwards(&turning(Graph::path(2), variant, weighted), what, what)? {
         return Ok(outcome);
     }
     let steps = if weighted { "steps 1 to 4" } else { "steps 1 to 3" };

@@ -68,9 +68,10 @@ fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError
     let runs = variant.readings.iter().map(|reading| Ok((reading, trials(reading, variant.repulsive, run)?)));
     let runs = runs.collect::<Result<Vec<_>, CheckError>>()?;
     let judged = variant.parts.iter().enumerate().map(|(k, part)| {
-        let seen = runs.iter().map(|(reading, trials)| {
+        let seen = (1..).zip(&runs).map(|(place, (reading, trials))| {
             let share = Share::count(trials, |trial| (part.seen)(trial));
-            Seen { what: format!("{}{}: {share}", part.what, reading.words), share }
+            let name = format!("end of the run, clause {}, reading {place}", k + 1);
+            Seen { part: name, what: format!("{}{}: {share}", part.what, reading.words), share }
         });
         let seen: Vec<Seen> = seen.collect();
         if let Some(first) = seen.first() {

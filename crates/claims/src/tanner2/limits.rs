@@ -24,6 +24,8 @@ pub struct LimitVariant {
     connected: bool,
     /// The alignment of (4) times this.
     damping: i64,
+    /// Step 4 on Laplacians: `lambda_2` of a connected graph is more than this.
+    connectivity: i64,
     conclusion: Conclusion,
 }
 
@@ -62,12 +64,12 @@ fn uncontradicted(
     })
 }
 
-/// `lambda_2 > 0` on connected graphs.
-fn positive_connectivity(run: &Run) -> Result<Outcome, CheckError> {
+/// `lambda_2 > 0`, or another bound, on connected graphs.
+fn positive_connectivity(bound: i64, run: &Run) -> Result<Outcome, CheckError> {
     let graphs = connected(5).into_iter().filter(|graph| graph.order() > 1);
     run.instances("lambda_2 > 0", "all connected graphs of 2 to 5 agents, exactly", graphs, |graph: Graph| {
-        let positive = graph.laplacian()?.characteristic_polynomial()?.count_above(&rational(0, 1));
-        Ok((positive + 1 != graph.order()).then(|| format!("edges {:?}: lambda_2 = 0", graph.edges())))
+        let above = graph.laplacian()?.characteristic_polynomial()?.count_above(&rational(bound, 1));
+        Ok((above + 1 != graph.order()).then(|| format!("edges {:?}: lambda_2 is not above {bound}", graph.edges())))
     })
 }
 
@@ -79,7 +81,7 @@ fn examine_fixed(variant: &LimitVariant, run: &mut Run) -> Result<Outcome, Check
     Run::all([
         uncontradicted(run, SteadyMotion::all_known(), variant.connected, variant.conclusion).checks("the conclusion"),
         energy_decreases(run, variant.damping).checks(DESCENT),
-        positive_connectivity(run).checks("Laplacians, step 4, which step 4 uses"),
+        positive_connectivity(variant.connectivity, run).checks("Laplacians, step 4, which step 4 uses"),
         argued(&[1], "the limits", steps),
     ])
 }
@@ -89,13 +91,14 @@ pub fn thm1a() -> Record<LimitVariant> {
         "tanner2.thm1a",
         "dW/dt = -v^T (L kron I_2) v <= 0 and Omega is compact in (r_ij, v_i), so the motion exists for all time. The sum of all velocities is kept, \
          so each tends to the mean of the initial ones. A continuous V' is enough: the squared disagreement is integrable along every solution and has a bounded rate (Barbalat), without LaSalle's principle and without uniqueness (notes/tanner2.md).",
-        LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Agree },
+        LimitVariant { connected: true, damping: 1, connectivity: 0, conclusion: Conclusion::Agree },
         examine_fixed,
     )
     .reading(SMOOTH)
     .altered("any graph", |v| v.connected = false)
     .altered("alignment with the other sign", |v| v.damping = -1)
     .altered("all velocities tend to zero", |v| v.conclusion = Conclusion::Stop)
+    .altered("step 4 of the proof: with lambda_2 > 1", |v| v.connectivity = 1)
 }
 
 pub fn thm1c() -> Record<LimitVariant> {
@@ -104,7 +107,7 @@ pub fn thm1c() -> Record<LimitVariant> {
         "The proof shows grad V_i = 0 only. Three agents at rest in a row with all pairs linked are in equilibrium where 2 V'(a²) a + 4 V'(4a²) a = 0; with V = m/s + log(s/m) this is a² = 3m/4. The middle one sits at \
          a saddle of its own potential. By symmetry every start in a row with velocities along it stays in a row, so a whole set of starts tends to such points. (Also: with four or more agents no configuration in the plane makes all \
          V_ij least at once.)",
-        LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Minimised },
+        LimitVariant { connected: true, damping: 1, connectivity: 0, conclusion: Conclusion::Minimised },
         examine_fixed,
     )
     .reading(SMOOTH)
@@ -117,6 +120,7 @@ pub fn thm1c() -> Record<LimitVariant> {
     )
     .altered("alignment with the other sign", |v| v.damping = -1)
     .altered("critical and at rest", |v| v.conclusion = Conclusion::Stop)
+    .altered("step 4 of the proof: with lambda_2 > 1", |v| v.connectivity = 1)
 }
 
 /// Which equilibria are said to be asymptotically stable and free of collisions.
@@ -281,7 +285,7 @@ fn examine_setpoints(variant: &SetpointVariant, run: &mut Run) -> Result<Outcome
         let name = motion.name;
         Ok(off.map(|square| format!("{name}: an equilibrium with a squared distance {square}, not {desired}")))
     })?;
-    let trees = connected(6).into_iter().filter(|graph| graph.order() > 1 && graph.is_tree());
+    let trees = connected(6).into_iter().filter(|graph| graph.order() > 1 && (graph.is_tree() || !variant.trees));
     let kernels = run.instances("kernels of B", "all trees of 2 to 6 agents", trees, |tree: Graph| {
         let dependent = !tree.incidence()?.kernel().is_empty();
         Ok(dependent.then(|| format!("edges {:?}: dependent columns", tree.edges())))
@@ -334,15 +338,10 @@ pub enum Connected {
 pub struct SwitchingVariant {
     connected: Connected,
     /// Whether each agent takes its own weights of tied links.
-    agentwise: bool,
+    pub(super) agentwise: bool,
+    /// As in [`LimitVariant`].
+    pub(super) connectivity: i64,
     conclusion: Conclusion,
-}
-
-impl SwitchingVariant {
-    /// The same with K of the whole field, or agent by agent.
-    pub(super) fn agentwise(self, agentwise: bool) -> Self {
-        SwitchingVariant { agentwise, ..self }
-    }
 }
 
 /// Whether two agents can part for good from a linked start: a state at the threshold on its way out from which the law of the linked
@@ -373,10 +372,10 @@ fn swing(agentwise: bool) -> Result<Option<String>, CheckError> {
 }
 
 /// Motions that hold up, and what else is computed beside the proof of Theorem 2.
-fn beside_section_5(steady: Outcome, run: &Run) -> Result<Outcome, CheckError> {
+fn beside_section_5(steady: Outcome, connectivity: i64, run: &Run) -> Result<Outcome, CheckError> {
     Run::all([
         Ok(steady).checks("the conclusion"),
-        positive_connectivity(run).checks("Laplacians, step 4, which step 6 uses"),
+        positive_connectivity(connectivity, run).checks("Laplacians, step 4, which step 6 uses"),
         hulls(&HullVariant::Subset, run).checks("Equation (13), step 4"),
     ])
 }
@@ -394,7 +393,7 @@ pub(super) fn switching_checks(variant: &SwitchingVariant, run: &Run) -> Result<
     }
     let steady = uncontradicted(run, list, true, variant.conclusion)?;
     if !matches!(steady, Outcome::Holds(_)) || variant.conclusion != Conclusion::Agree {
-        return beside_section_5(steady, run);
+        return beside_section_5(steady, variant.connectivity, run);
     }
     if let Some(what) = two_agents_part().filter(|_| variant.connected == Connected::AtFirst) {
         return Ok(Outcome::fails(what, exact("an exact motion", "rates at the threshold, exact")));
@@ -403,12 +402,12 @@ pub(super) fn switching_checks(variant: &SwitchingVariant, run: &Run) -> Result<
         let detail = "weights of the tied link, enclosed for the whole period";
         return Ok(Outcome::fails(what, certified("a motion for all time", detail)));
     }
-    beside_section_5(steady, run)
+    beside_section_5(steady, variant.connectivity, run)
 }
 
 /// Theorem 2's first conclusion, under the reading of `tanner2.thm2_vel`.
 pub(super) const VELOCITIES: SwitchingVariant =
-    SwitchingVariant { connected: Connected::Always, agentwise: false, conclusion: Conclusion::Agree };
+    SwitchingVariant { connected: Connected::Always, agentwise: false, connectivity: 0, conclusion: Conclusion::Agree };
 
 pub fn thm2_vel() -> Record<SwitchingVariant> {
     Record::new(
@@ -426,6 +425,7 @@ pub fn thm2_vel() -> Record<SwitchingVariant> {
     .altered("with K agent by agent", |v| v.agentwise = true)
     .altered("connected at the start only", |v| v.connected = Connected::AtFirst)
     .altered("all velocities tend to zero", |v| v.conclusion = Conclusion::Stop)
+    .altered("step 6 of the proof: with lambda_2 > 1", |v| v.connectivity = 1)
 }
 
 pub fn thm2_pot() -> Record<SwitchingVariant> {
@@ -449,4 +449,5 @@ pub fn thm2_pot() -> Record<SwitchingVariant> {
         SwitchingVariant { conclusion: Conclusion::Critical, ..VELOCITIES },
     )
     .altered("critical and at rest", |v| v.conclusion = Conclusion::Stop)
+    .altered("step 6 of the proof: with lambda_2 > 1", |v| v.connectivity = 1)
 }

@@ -434,7 +434,7 @@ pub fn eq13() -> Record<HullVariant> {
     Record::new(
         "tanner2.eq13",
         "The law and the gradient of Q switch together: the hull of the graphs that meet at the state acts on both, with weights m and z. \
-         x lies in the intersection over z only if for each z some m gives it; a fixed point m = z (Kakutani) leaves x = -v^T (L_m kron I_2) v, a point of the hull. So q <= 0. Q is not regular, so \
+         x lies in the intersection over z only if for each z some m gives it; the z at which the gradients take most leaves x at most some -v^T (L_m kron I_2) v, the one at which they take least at least some: a point of the hull. So q <= 0. Q is not regular, so \
          Theorem 4 does not give Q's monotony, but it is true: almost everywhere on |r_ij| = R the distance has derivative zero, and dQ/dt = -v^T (L_m kron I_2) v.",
         HullVariant::Subset,
         |variant, run| Run::all([

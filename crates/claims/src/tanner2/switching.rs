@@ -1,7 +1,7 @@
 //! tanner2.arbswitch, thm2_stop: switching by any signal, and switching by distance that ends or does not.
 
 use super::fixtures::spring;
-use super::limits::{VELOCITIES, switching_checks};
+use super::limits::{SwitchingVariant, VELOCITIES, switching_checks};
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
@@ -57,15 +57,15 @@ pub(crate) fn no_common_configuration(variant: &Trees) -> Result<Outcome, CheckE
 pub struct SignalVariant {
     any_signal: bool,
     trees: Trees,
-    /// Whether each agent takes its own weights of tied links, in switching by distance.
-    agentwise: bool,
+    /// Theorem 2 for switching by distance.
+    by_distance: SwitchingVariant,
 }
 
 fn examine_signal(variant: &SignalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let apart = no_common_configuration(&variant.trees)?;
     if !variant.any_signal {
         return Run::all([
-            switching_checks(&VELOCITIES.agentwise(variant.agentwise), run).on([1]),
+            switching_checks(&variant.by_distance, run).on([1]),
             argued(&[1], "switching by distance", "notes/tanner2.md, Section 5, steps 1 to 7"),
             Ok(apart.on([2])),
         ]);
@@ -83,7 +83,7 @@ pub fn arbitrary() -> Record<SignalVariant> {
         "Q is no Lyapunov function for a switch that does not happen at |r_ij| = R: there energy may jump up. Let four agents use the paths 1-2-3-4 and 2-4-1-3 in turn for the same fixed time each, both connected. If the velocities agreed in the limit, the \
          forces on every edge of the path in use would tend to zero in the mean, so its three distances to 1, at the switches too: there all six are near 1, which is impossible in the plane. So the velocities never agree, from any start. \
          What Section 5 analyses is switching by distance.",
-        SignalVariant { any_signal: true, trees: Trees::two_paths(), agentwise: false },
+        SignalVariant { any_signal: true, trees: Trees::two_paths(), by_distance: VELOCITIES },
         examine_signal,
     )
     .reading("arbitrary switching: by any signal among connected graphs")
@@ -96,7 +96,8 @@ pub fn arbitrary() -> Record<SignalVariant> {
          squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, each for the same fixed time T > 0, no motion that lasts for all time \
          has velocities that agree in the limit.",
     ])
-    .altered("by distance, with K agent by agent", |v| v.agentwise = true)
+    .altered("by distance, with K agent by agent", |v| v.by_distance.agentwise = true)
+    .altered("step 6 of the proof: with lambda_2 > 1", |v| v.by_distance.connectivity = 1)
     .altered("the two paths in space", |v| v.trees = Trees { dimension: 3, ..Trees::two_paths() })
 }
 

@@ -77,20 +77,22 @@ pub struct GrowthVariant {
     pub(crate) shift: u32,
     /// The gain per car of system (1) at `w = 1` is claimed to be this power of `|1/gamma|²`.
     pub(crate) power: u64,
+    /// So many platoons, or cars that track the leader, are counted that are not there.
+    pub(crate) more: u64,
 }
 
 impl GrowthVariant {
     /// The quadratic case first: it needs the nearest cars only. Degree 0 is the star.
-    pub(crate) const TRUE: Self = GrowthVariant { degrees: &[2, 1, 3], shift: 0, power: 1 };
+    pub(crate) const TRUE: Self = GrowthVariant { degrees: &[2, 1, 3], shift: 0, power: 1, more: 0 };
 }
 
 /// Everyone tracks the leader: all amplitudes are 1/gamma.
-fn star(followers: usize) -> Identity<'static> {
+fn star(followers: usize, more: u64) -> Identity<'static> {
     Identity::of(move |[f, g, w]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
         let graph =
             CommunicationGraph::star(followers).map_err(|_| ArithmeticError::Domain("at least one follower"))?;
-        let one = amplitude_one_sided(&gains, w, 1)?;
+        let one = amplitude_one_sided(&gains, w, 1 + more)?;
         Ok((parts(graph.response(&gains, w)?), parts(vec![one; followers])))
     })
     .within(negative_gains)
@@ -98,7 +100,7 @@ fn star(followers: usize) -> Identity<'static> {
 
 /// `platoons` two-sided platoons of `length` cars in series behind `spare` cars that track the leader: the last car has the power of the
 /// single platoon's last amplitude.
-fn series(spare: usize, length: usize, platoons: usize) -> Identity<'static> {
+fn series(spare: usize, length: usize, platoons: usize, more: u64) -> Identity<'static> {
     Identity::of(move |[f, g, w]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
         let graph = CommunicationGraph::in_series_behind(spare, &vec![length; platoons])
@@ -108,7 +110,7 @@ fn series(spare: usize, length: usize, platoons: usize) -> Identity<'static> {
         };
         let whole = last(graph.response(&gains, w)?)?;
         let single = last(amplitudes_two_sided(&gains, w, length)?)?;
-        Ok((parts([whole]), parts([single.power(platoons as u64)])))
+        Ok((parts([whole]), parts([single.power(platoons as u64 + more)])))
     })
     .within(negative_gains)
 }
@@ -139,17 +141,18 @@ pub(crate) fn examine_growth(variant: &GrowthVariant, run: &mut Run) -> Result<O
     let names = ["f", "g", "w"];
     for followers in 1..=4 {
         let part = format!("p = 0, everyone tracks the leader: all amplitudes are 1/gamma, {followers} followers");
-        results.push(run.identity(&star(followers), &names, &part).on([2]).checks("step 8"));
+        results.push(run.identity(&star(followers, variant.more), &names, &part).on([2]).checks("step 8"));
     }
     for (length, platoons) in [(2, 1), (1, 2), (2, 2), (1, 3)] {
         let part = format!("{platoons} platoons of {length} in series: the power of a_{length}");
-        results.push(run.identity(&series(0, length, platoons), &names, &part).on([2]).checks("step 6"));
+        results.push(run.identity(&series(0, length, platoons, variant.more), &names, &part).on([2]).checks("step 6"));
     }
     for (spare, length, platoons) in [(1, 2, 1), (2, 1, 2)] {
         let part = format!(
             "{platoons} platoons of {length} behind {spare} cars that track the leader: the power of a_{length}"
         );
-        results.push(run.identity(&series(spare, length, platoons), &names, &part).on([2]).checks("step 9"));
+        results
+            .push(run.identity(&series(spare, length, platoons, variant.more), &names, &part).on([2]).checks("step 9"));
     }
     results.push(between_degrees(variant, run).on([2]).checks("step 9"));
     results.push(argued(&[1], "system (1)", "notes/veerman_platoons.md, other graphs, step 4"));

@@ -289,25 +289,25 @@ fn perfect_square(variant: &StrongestVariant) -> Identity<'_> {
 /// The clauses of the correction are place, uniqueness, and `< |f|`.
 fn examine_strongest(variant: &StrongestVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "largest at the claimed w² and nowhere else, for all f, g < 0 (|f| = v + 2u², g = -2|f|u/v)";
-    let square = run.identity(&perfect_square(variant), &["v", "u", "y"], part)?;
-    if let Outcome::Fails { counterexample, .. } = square {
-        let at = |y| gain_squared_one_sided(&unit(), &y);
-        let (at_f, beside) = (at(rational(1, 1))?, at(rational(3, 4))?);
-        let printed = format!("f = g = -1: |1/gamma|² is {at_f} at w² = |f| = 1 and {beside} at w² = 3/4");
-        let what = if variant.at_f && beside > at_f { printed } else { counterexample };
-        return Ok(Outcome::fails(what, exact("the place", "compared exactly")).on([1]));
-    }
+    let square = match run.identity(&perfect_square(variant), &["v", "u", "y"], part)? {
+        Outcome::Fails { counterexample, .. } => {
+            let at = |y| gain_squared_one_sided(&unit(), &y);
+            let (at_f, beside) = (at(rational(1, 1))?, at(rational(3, 4))?);
+            let printed = format!("f = g = -1: |1/gamma|² is {at_f} at w² = |f| = 1 and {beside} at w² = 3/4");
+            let what = if variant.at_f && beside > at_f { printed } else { counterexample };
+            Outcome::fails(what, exact(part, "compared exactly")).on([1])
+        }
+        other => other.on([1, 2, 3]).for_all(),
+    };
     let gains = enclosed(&unit(), 120);
     let peak = strongest_one_sided_square(&gains)?;
     run.value("w_squared_for_f_g_minus_1", interval_value(&peak, 20));
     run.value("gain_for_f_g_minus_1", interval_value(&gain_squared_one_sided(&gains, &peak)?.sqrt()?, 20));
-    let below = peak.ratio(variant.below.0, variant.below.1);
-    if !(below - &peak).is_certainly_positive() {
-        let (p, q) = variant.below;
-        let what = format!("f = g = -1: the place {} is not below {p}/{q} |f|", interval_value(&peak, 6));
-        return Ok(Outcome::fails(what, certified("below |f|", "enclosed")).on([3]));
-    }
-    Ok(square.on([1, 2, 3]).for_all())
+    let (p, q) = variant.below;
+    let above = !(peak.ratio(p, q) - &peak).is_certainly_positive();
+    let what = || format!("f = g = -1: the place {} is not below {p}/{q} |f|", interval_value(&peak, 6));
+    let below = unless(above.then(what), certified("below |f|", "enclosed, f = g = -1").on([3]));
+    Run::all([Ok(square), below])
 }
 
 pub fn strongest_gain() -> Record<StrongestVariant> {

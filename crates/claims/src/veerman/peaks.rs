@@ -154,6 +154,7 @@ pub fn size_limit() -> Record<ExponentVariant> {
          as in Proposition 1; a_0, D > 0 and f, g < 0.")
     .altered("4 sqrt2 instead of 8 sqrt2", |v| v.divisor = 4)
     .altered("|f| instead of sqrt|f|", |v| v.power = 2)
+    .altered("16 sqrt2 instead of 8 sqrt2", |v| v.divisor = 16)
     .altered("an error of the next order", |v| v.order = 2)
 }
 

@@ -1,5 +1,5 @@
 //! Every line of evidence has a negative control that fails in it, so that a check that loses the line is noticed; `unreached.tsv` has the lines
-//! for which none is known, and why.
+//! in which none can fail, and why.
 
 use super::recorded::report;
 use claims::EVIDENCE;
@@ -8,6 +8,20 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// How a reason begins that says where the same part is reached.
 const ELSEWHERE: &str = "reached in ";
+
+/// Reasons that are about the size of a case: what the controls alter is empty or commutes there. The same formula is reached at another size.
+const AT_THIS_SIZE: [&str; 2] = [
+    "at one agent or one entry what the controls alter does not occur; larger sizes are reached",
+    "what the controls alter makes no difference at this size; other sizes of the same formula are reached",
+];
+
+/// The only line that is not computed.
+const OF_THE_TEXT: &str = "the text against itself: nothing is computed";
+
+/// What a part says before its first number.
+fn formula(part: &str) -> &str {
+    part.split(|c: char| c.is_ascii_digit()).next().unwrap_or_default()
+}
 
 /// The lines of an entry that its check computes for what holds: no theorem of Coq, no proof on paper, and not the evidence against a statement
 /// that fails, which its own correction is told apart by.
@@ -32,7 +46,11 @@ fn every_line_of_evidence_is_reached_by_a_control() {
     for entry in entries {
         // What a correction rests on is looked at where it is a claim of its own.
         let is_elsewhere = entry.corrected.is_some() && own.contains(correction_id(&entry.id).as_str());
-        for (part, line) in computed(entry).into_iter().filter(|_| !is_elsewhere) {
+        let lines = computed(entry);
+        let names: BTreeSet<&String> = lines.iter().map(|(part, _)| part).collect();
+        // Controls are known by the names of the parts that they fail in.
+        assert_eq!(names.len(), lines.len(), "{}: two lines of one name: {lines:#?}", entry.id);
+        for (part, line) in lines.into_iter().filter(|_| !is_elsewhere) {
             let list = if line.controls.is_empty() { &mut unreached } else { &mut reached };
             list.insert((entry.id.as_str(), part));
         }
@@ -50,14 +68,27 @@ fn every_line_of_evidence_is_reached_by_a_control() {
     );
     let stale: Vec<_> = rows.keys().filter(|line| !unreached.contains(*line)).collect();
     assert!(stale.is_empty(), "a control reaches these, or they are gone: take them out of unreached.tsv: {stale:#?}");
-    // The same part, computed alike, is altered where it says so.
+    // The same part, computed alike, is altered where it says so; the same formula at another size, in the same claim or in one that has that part too.
     for ((claim, part), why) in &rows {
+        let own = part.trim_start_matches("corrected: ");
         if let Some(other) = why.strip_prefix(ELSEWHERE) {
-            let own = part.trim_start_matches("corrected: ");
             assert!(
                 reached.iter().any(|(id, part)| *id == other && part == own),
                 "{claim}, {part}: not reached in {other}"
             );
+        } else if AT_THIS_SIZE.contains(why) {
+            let is_sibling =
+                |id: &str, part: &str| id == *claim && formula(part.trim_start_matches("corrected: ")) == formula(own);
+            let elsewhere = rows.iter().filter(|(_, why)| why.starts_with(ELSEWHERE)).map(|(line, _)| line);
+            let siblings = reached.iter().chain(elsewhere);
+            assert!(
+                siblings.into_iter().any(|(id, part)| is_sibling(id, part)),
+                "{claim}, {part}: no other size is reached"
+            );
+        } else {
+            let entry = entries.iter().find(|entry| entry.id == *claim).unwrap();
+            let is_text = entry.evidence.iter().any(|e| e.part == *part && e.grade == Grade::Text);
+            assert!(*why == OF_THE_TEXT && is_text, "{claim}, {part}: {why} is no reason");
         }
     }
 }

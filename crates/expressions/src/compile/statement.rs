@@ -34,6 +34,19 @@ impl Comparison {
     }
 }
 
+impl Comparison {
+    /// How many functions without rational values are computed at most, where sums run over so many agents.
+    pub fn functions(&self, agents: usize) -> u64 {
+        let each = self.program.functions() as u64;
+        each.saturating_mul((agents as u64).saturating_pow(self.program.depth() as u32))
+    }
+
+    /// Whether all agents are treated alike: none is named, and no parameter has a value for each.
+    pub fn is_symmetric(&self) -> bool {
+        self.program.is_symmetric()
+    }
+}
+
 /// Some comparison of each clause is true.
 pub type Clauses = Vec<Vec<Comparison>>;
 
@@ -44,15 +57,14 @@ impl LawText {
     ///
     /// # Errors
     /// [`LawError`]; its table is `property` where the property is at fault.
-    pub fn statement(&self, agents: usize, property: &str) -> Result<Clauses, LawError> {
+    pub fn statement(&self, agents: usize, property: &Node) -> Result<Clauses, LawError> {
         let mut text = self.clone();
         text.define.append(&mut text.observables.clone());
         text.observables.clear();
         let mut compiler = Compiler::new(&text, agents)?;
         compiler.list_parameters();
         compiler.reading.push(("property", ""));
-        let node = compiler.parse(property)?;
-        let drafts = compiler.clauses(&node, true)?;
+        let drafts = compiler.clauses(property, true)?;
         let lists = Arc::new(compiler.lists.clone());
         let comparison = |(id, relation): (Id, Relation)| Comparison {
             program: Arc::new(compiler.things.program(vec![id])),

@@ -3,7 +3,11 @@
 use super::laws::second_order;
 use arithmetic::random::{generator, uniform};
 use arithmetic::{Dual, Rational, rational};
-use expressions::{Everyone, Kind, LawText, Relation, Time};
+use expressions::{Clauses, Everyone, Kind, LawError, LawText, Relation, Time, parse_property};
+
+fn statement(text: &LawText, agents: usize, property: &str) -> Result<Clauses, LawError> {
+    text.statement(agents, &parse_property(property).unwrap())
+}
 
 fn aligned() -> LawText {
     let mut text = second_order(&[], "sum(j, (v[j] - v)/(1 + norm2(x[j] - x))^(1/4)) - x/10", &[]);
@@ -22,7 +26,7 @@ fn rates_are_derivatives_along_the_flow() {
     let law = text.compile(agents).unwrap();
     let mut random = generator("expressions", "rates", 0);
     for (name, place) in [("energy", 2), ("mixed", 3), ("pieces", 4)] {
-        let clauses = text.statement(agents, &format!("rate({name}) < 0")).unwrap();
+        let clauses = statement(&text, agents, &format!("rate({name}) < 0")).unwrap();
         for _ in 0..20 {
             let state: Vec<f64> = (0..4 * agents).map(|_| 2.0 * uniform(&mut random) - 1.0).collect();
             let rates = law.rates(&0.0, &state, &Everyone(agents)).unwrap();
@@ -34,7 +38,7 @@ fn rates_are_derivatives_along_the_flow() {
             assert!((found - wanted).abs() < 1e-12 * (1.0 + wanted.abs()), "{name}: {found} for {wanted}");
         }
     }
-    let clauses = text.statement(agents, "rate(momentum) = 0 and rate(momentum.1) <= 0").unwrap();
+    let clauses = statement(&text, agents, "rate(momentum) = 0 and rate(momentum.1) <= 0").unwrap();
     assert_eq!(clauses.iter().map(Vec::len).collect::<Vec<_>>(), [1, 1, 1]);
 }
 
@@ -52,7 +56,7 @@ fn changes_over_a_step_are_exact() {
     let (law, zero) = (text.compile(3).unwrap(), rational(0, 1));
     let next = law.rates(&zero, &state, &Everyone(3)).unwrap();
     let spread = |state: &[Rational]| law.observe(&zero, state, &Everyone(3)).unwrap()[0].clone();
-    let clauses = text.statement(3, "rate(spread) <= 0 and rate(rate(spread)) >= 0").unwrap();
+    let clauses = statement(&text, 3, "rate(spread) <= 0 and rate(rate(spread)) >= 0").unwrap();
     let change = clauses[0][0].value(&zero, &state, &Everyone(3)).unwrap();
     assert_eq!(change, spread(&next) - spread(&state));
     let after = law.rates(&zero, &next, &Everyone(3)).unwrap();
@@ -63,7 +67,7 @@ fn changes_over_a_step_are_exact() {
 #[test]
 fn where_a_piece_ends_there_is_no_rate() {
     let text = aligned();
-    let clauses = text.statement(2, "rate(sum(i where x[i].1 > 0, v[i].1)) = 0 or rate(abs(x[1].1)) = 0").unwrap();
+    let clauses = statement(&text, 2, "rate(sum(i where x[i].1 > 0, v[i].1)) = 0 or rate(abs(x[1].1)) = 0").unwrap();
     assert_eq!((clauses.len(), clauses[0].len()), (1, 2));
     let state = [0.0, 1.0, 2.0, 3.0, 1.0, 1.0, 1.0, 1.0];
     assert!(clauses[0].iter().all(|own| own.value(&0.0, &state, &Everyone(2)).is_err()));
@@ -75,7 +79,7 @@ fn where_a_piece_ends_there_is_no_rate() {
 fn properties_are_clauses() {
     let text = aligned();
     let relations = |property: &str| -> Vec<Vec<Relation>> {
-        let clauses = text.statement(2, property).unwrap();
+        let clauses = statement(&text, 2, property).unwrap();
         clauses.iter().map(|clause| clause.iter().map(|own| own.relation).collect()).collect()
     };
     use Relation::{AtMost, Different, Equal, Greater, Less};
@@ -84,7 +88,7 @@ fn properties_are_clauses() {
     assert_eq!(relations("not (momentum = 0)"), [vec![Different, Different]]);
     assert_eq!(relations("not (momentum != 0)"), [vec![Equal], vec![Equal]]);
     assert_eq!(relations("(energy < 1 and mixed < 1) or energy > 2"), [vec![Less, Greater], vec![Less, Greater]]);
-    let refused = |property: &str| text.statement(2, property).unwrap_err().to_string();
+    let refused = |property: &str| statement(&text, 2, property).unwrap_err().to_string();
     assert!(refused("momentum < 0").contains("a number is expected"));
     assert!(refused("energy").contains("a comparison is expected"));
     assert!(refused("rate(max(j, x[j].1)) < 0").contains("no rate where two agree"));

@@ -2,6 +2,7 @@
 
 use super::law::accelerations_by;
 use super::{Communication, Gains};
+use algebra::graph::WeightedGraph;
 use algebra::matrix::{MatrixError, RationalMatrix, solve_over_field};
 use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, Signed, rational};
 
@@ -62,6 +63,22 @@ impl CommunicationGraph {
             }
         }
         Ok(CommunicationGraph { tracked })
+    }
+
+    /// The vertices of a weighted graph but the leader, in order, each of which tracks those that its arcs lead to, with weights scaled to a sum of one.
+    ///
+    /// # Errors
+    /// [`CommunicationError`].
+    pub fn behind(graph: &WeightedGraph, leader: usize) -> Result<Self, CommunicationError> {
+        let agent = |vertex: usize| if vertex == leader { 0 } else { vertex + usize::from(vertex < leader) };
+        let row = |vertex: usize| {
+            let arcs = graph.adjacency().row(vertex);
+            let sum: Rational = arcs.iter().map(|(_, weight)| weight).sum();
+            // A sum of zero is refused with the weights.
+            let share = |weight: &Rational| if sum.is_certainly_positive() { weight / &sum } else { weight.clone() };
+            arcs.iter().map(|(to, weight)| (agent(*to), share(weight))).collect()
+        };
+        CommunicationGraph::new((0..graph.order()).filter(|&vertex| vertex != leader).map(row).collect())
     }
 
     /// Every follower compares itself with the mean of the agents it tracks.

@@ -9,8 +9,14 @@ use super::state_space::{StateSpace, StateSpaceError};
 use super::{CommunicationGraph, Gains};
 use algebra::matrix::MatrixError;
 use algebra::spectrum::{Largest, LargestError, Place, Polynomial, largest_quotient};
-use arithmetic::{ArithmeticError, Dyadic, Interval, Number, Progress, Rational};
+use arithmetic::{ArithmeticError, Cancelled, Dyadic, Interval, Number, Progress, Rational};
 use num_bigint::BigInt;
+
+/// Most followers of a platoon of which the peak is meant to be proved; the cost grows like the fourth power of their number.
+pub const MOST_FOLLOWERS_PROVED: usize = 100;
+
+/// Most states of a linear system of which the peak is meant to be proved.
+pub const MOST_STATES_PROVED: usize = 200;
 
 /// The largest response over the frequencies `w >= 0`, which is its supremum over `w > 0`.
 #[derive(Debug, Clone)]
@@ -43,6 +49,9 @@ pub enum PeakError {
     /// Of the enclosures.
     #[error(transparent)]
     Arithmetic(#[from] ArithmeticError),
+    /// Stopped by the caller.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// The peak of follower `car >= 1` of a platoon whose follower `k` has the gains `gains[k - 1]`.
@@ -65,13 +74,17 @@ pub fn peak_on_graph(
 /// # Errors
 /// [`PeakError`].
 pub fn peak_of_system(system: &StateSpace, digits: u32, progress: &dyn Progress) -> Result<Peak, PeakError> {
-    let transfer = system.transfer()?;
-    if !Polynomial::new(transfer.denominator.clone()).is_hurwitz() {
+    let transfer = system.transfer_watched(progress).map_err(|error| match error {
+        MatrixError::Cancelled(cancelled) => cancelled.into(),
+        other => PeakError::Matrix(other),
+    })?;
+    if !Polynomial::new(transfer.denominator.clone()).is_hurwitz_watched(progress)? {
         return Err(PeakError::NotStable);
     }
     let (p, q) = (squared_modulus(&transfer.numerator), squared_modulus(&transfer.denominator));
     let found = largest_quotient(&p, &q, digits, progress).map_err(|error| match error {
         LargestError::Unbounded => PeakError::Unbounded,
+        LargestError::Cancelled(cancelled) => cancelled.into(),
         other => PeakError::Search(other),
     })?;
     let Largest { places, value } = found;

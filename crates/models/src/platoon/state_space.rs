@@ -4,9 +4,9 @@
 use super::observe::{Extreme, largest};
 use super::vector_form::{is_stable, motion_rows_of_cars};
 use super::{CommunicationGraph, Gains};
-use algebra::matrix::{MatrixError, RationalMatrix, SparseMatrix, Transfer, transfer_function};
+use algebra::matrix::{MatrixError, RationalMatrix, SparseMatrix, Transfer, transfer_function_watched};
 use algebra::spectrum::matrix_spectrum;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring};
+use arithmetic::{ArithmeticError, Complex, Field, Progress, Rational, Ring, Unwatched};
 
 /// Why matrices make no system.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -96,7 +96,15 @@ impl StateSpace {
     /// # Errors
     /// Does not fail for a system that could be made.
     pub fn transfer(&self) -> Result<Transfer, MatrixError> {
-        transfer_function(&self.a.to_rows(), &self.b, &self.c, &self.d)
+        self.transfer_watched(&Unwatched)
+    }
+
+    /// [`StateSpace::transfer`], which can be stopped.
+    ///
+    /// # Errors
+    /// [`MatrixError::Cancelled`].
+    pub fn transfer_watched(&self, progress: &dyn Progress) -> Result<Transfer, MatrixError> {
+        transfer_function_watched(&self.a.to_rows(), &self.b, &self.c, &self.d, progress)
     }
 
     /// The number of states.

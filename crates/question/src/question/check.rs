@@ -4,6 +4,7 @@ use super::Question;
 use crate::domain::{Domain, Sort};
 use crate::error::{Problem, QuestionError};
 use crate::names::{FAMILIES, FUNCTIONS, Subject, quantity_of, unknown_quantity};
+use crate::scenario_file::ScenarioFile;
 use crate::syntax::{Kind, Node};
 use arithmetic::shown;
 use models::platoon::Communication;
@@ -161,7 +162,8 @@ impl Check<'_> {
         }
         self.expect(from, false)?;
         if matches!(to.kind, Kind::Infinity) {
-            if !subjects.contains(&Subject::Flock) {
+            let steps = self.question.scenario().is_some_and(ScenarioFile::is_discrete);
+            if !subjects.contains(&Subject::Flock) && !steps {
                 return Err((to.at, Problem::Unbounded));
             }
         } else {

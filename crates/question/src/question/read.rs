@@ -8,6 +8,7 @@ use crate::inequalities::inequalities;
 use crate::names::FUNCTIONS;
 use crate::scenario_file::{ScenarioFile, is_place};
 use crate::source::{Entry, Section, Source};
+use crate::states::LawFile;
 use crate::syntax::{KEYWORDS, parse_property};
 use algebra::graph::LaplacianKind;
 use arithmetic::shown;
@@ -53,7 +54,7 @@ impl Question {
     }
 
     fn headed(text: &str, head: &Section, files: Files) -> Result<Self, QuestionError> {
-        head.allow(&["id", "statement", "scenario", "kind", "communication", "budget"])?;
+        head.allow(&["id", "statement", "scenario", "law", "kind", "communication", "budget"])?;
         let id = head.need("id", "a name such as \"mine.connectivity\"")?;
         let id_text = id.text()?.text;
         let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-');
@@ -89,12 +90,25 @@ impl Question {
                 Some(read.map_err(|message| entry.problem(Problem::Other(message)))?)
             }
         };
+        let law = match head.get("law") {
+            None => None,
+            Some(entry) if scenario.is_some() => {
+                let why = "a question is about runs of a `scenario` or about all states of a `law`, not both";
+                return Err(entry.problem(Problem::Other(why.to_string())));
+            }
+            Some(entry) => {
+                let name = entry.text()?.text;
+                let read = files(&name).and_then(|content| LawFile::read(&name, &content));
+                Some(read.map_err(|message| entry.problem(Problem::Other(message)))?)
+            }
+        };
         let statement = head.get("statement").map(|entry| entry.text()).transpose()?.map(|located| located.text);
         Ok(Question {
             text: text.to_string(),
             id: id_text,
             statement,
             scenario,
+            law,
             kind,
             communication,
             budget,
@@ -115,7 +129,21 @@ impl Question {
         let mut restriction = None;
         for entry in section.entries() {
             if entry.key == "where" {
+                if self.law.is_some() {
+                    let why =
+                        "left out where a question is about all states: `condition implies property` says the same";
+                    return Err(self.at(entry.key_at, Problem::Other(format!("`where` should be {why}"))));
+                }
                 restriction = Some(entry);
+                continue;
+            }
+            if let Some(law) = self.law.as_mut().filter(|law| law.is_part(&entry.key)) {
+                let located = entry.text()?;
+                if law.ranges.iter().any(|range| range.part == entry.key) {
+                    return Err(self.at(entry.key_at, Problem::Other(format!("`{}` is bound twice", entry.key))));
+                }
+                let added = law.add_range(&entry.key, &located.text);
+                added.map_err(|problem| self.at(located.base, problem))?;
                 continue;
             }
             self.check_new_name(&entry)?;
@@ -154,6 +182,12 @@ impl Question {
     fn check_new_name(&self, entry: &Entry) -> Result<(), QuestionError> {
         let name = entry.key.as_str();
         if is_place(name)
+            && let Some(law) = &self.law
+        {
+            let problem = || Problem::Other(format!("{}: there is no number at `{name}`", law.name));
+            return if law.has_place(name) { Ok(()) } else { Err(self.at(entry.key_at, problem())) };
+        }
+        if is_place(name)
             && let Some(scenario) = &self.scenario
         {
             let known = scenario.check_place(name);
@@ -181,7 +215,8 @@ impl Question {
         section.allow(&["property", "controls"])?;
         let property = section.need("property", "a statement such as \"lambda(2) > 0\"")?;
         let property = self.expression(&property, true)?;
-        self.property = Some(Expression { inequalities: inequalities(&property.node), ..property });
+        let inequalities = if self.law.is_some() { Vec::new() } else { inequalities(&property.node) };
+        self.property = Some(Expression { inequalities, ..property });
         let controls = section.get("controls").map(|entry| entry.items()).unwrap_or_default();
         if controls.is_empty() {
             return Err(section
@@ -201,6 +236,10 @@ impl Question {
 
     fn read_values(&mut self, section: &Section) -> Result<(), QuestionError> {
         self.values_at = section.at();
+        if self.law.is_some() {
+            let why = "[values] needs a scenario or a graph: all states of a law have no one value".to_string();
+            return Err(section.problem(Problem::Other(why)));
+        }
         for entry in section.entries() {
             let expression = self.expression(&entry, false)?;
             self.values.push((entry.key, expression));
@@ -213,6 +252,10 @@ impl Question {
         let located = entry.text()?;
         let at = |(at, problem): (usize, Problem)| self.at(located.base + at, problem);
         let node = parse_property(&located.text).map_err(at)?;
+        if self.law.is_some() {
+            // The law knows the names; what is wrong is told for the first case.
+            return Ok(Expression { node, base: located.base, inequalities: Vec::new() });
+        }
         let mut check = Check { question: self, moving: false };
         check.expect(&node, is_truth).map_err(at)?;
         Ok(Expression { node, base: located.base, inequalities: Vec::new() })

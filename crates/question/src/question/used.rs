@@ -36,6 +36,10 @@ impl Question {
     pub(crate) fn uses(&self, expressions: &[&Node], name: &str) -> bool {
         // A place puts its number into the scenario, and the seed draws without being named.
         let mut used = is_place(name) || name == "seed";
+        if let Some(law) = self.law() {
+            used |= name == "agents" || self.sort(name) == Some(Sort::Graph);
+            used |= law.law.parameters.iter().any(|(known, _)| known == name);
+        }
         for node in expressions {
             node.visit(&mut |node| {
                 if let Kind::Name { name: own, called, .. } = &node.kind {

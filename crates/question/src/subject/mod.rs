@@ -7,3 +7,4 @@ pub(crate) mod measured;
 pub(crate) mod motion;
 pub(crate) mod platoon;
 pub(crate) mod run;
+pub(crate) mod steps;

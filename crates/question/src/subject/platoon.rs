@@ -12,7 +12,7 @@ use crate::timeline::Measured;
 use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{Polynomial, matrix_spectrum};
 use arithmetic::{
-    ArithmeticError, Complex, Dyadic, Field, Interval, Number as _, Rational, Ring, Sign, Signed, Unwatched, rational,
+    ArithmeticError, Complex, Dyadic, Field, Interval, Number as _, Progress, Rational, Ring, Sign, Signed, rational,
     shown,
 };
 use models::platoon::vector_form::motion_matrix;
@@ -23,7 +23,7 @@ use models::platoon::{
 use num_traits::ToPrimitive;
 
 /// A platoon of a case.
-pub(crate) struct PlatoonSubject {
+pub(crate) struct PlatoonSubject<'p> {
     /// The fewest and the most followers.
     followers: (u64, u64),
     communication: Communication,
@@ -31,6 +31,7 @@ pub(crate) struct PlatoonSubject {
     graph: Option<CommunicationGraph>,
     f: (Rational, Rational),
     g: (Rational, Rational),
+    progress: &'p dyn Progress,
 }
 
 /// Bits of an abscissa on a graph: each of them costs a test of all roots.
@@ -50,9 +51,9 @@ fn open(error: &ArithmeticError) -> Failure {
     Failure::open(format!("the platoon could not be enclosed: {error}"), Some(u64::MAX))
 }
 
-impl PlatoonSubject {
+impl<'p> PlatoonSubject<'p> {
     /// The platoon with the names `f`, `g` and `followers`, or the first graph.
-    pub fn new(bindings: &Bindings, communication: Communication) -> Result<Self, Failure> {
+    pub fn new(bindings: &Bindings, communication: Communication, progress: &'p dyn Progress) -> Result<Self, Failure> {
         let interval = |name: &str| match bindings.get(name) {
             Some(Value::Number(q)) => Ok((q.clone(), q.clone())),
             Some(Value::Box(lo, hi)) => Ok((lo.clone(), hi.clone())),
@@ -77,7 +78,7 @@ impl PlatoonSubject {
                 found.ok_or_else(|| Failure::Refused(0, range()))
             };
             let followers = (count(&least)?, count(&most)?);
-            return Ok(PlatoonSubject { followers, communication, graph: None, f, g });
+            return Ok(PlatoonSubject { followers, communication, graph: None, f, g, progress });
         }
         let graphs = bindings.iter().find_map(|(_, value)| match value {
             Value::Graph(graph) => Some(graph.clone()),
@@ -86,7 +87,7 @@ impl PlatoonSubject {
         let graph = graphs.ok_or_else(|| refused("a platoon needs `followers` or a graph"))?;
         let graph = tracked(&graph)?;
         let followers = graph.followers() as u64;
-        Ok(PlatoonSubject { followers: (followers, followers), communication, graph: Some(graph), f, g })
+        Ok(PlatoonSubject { followers: (followers, followers), communication, graph: Some(graph), f, g, progress })
     }
 
     /// Whether a quantity is enclosed for no box of gains, however small.
@@ -155,7 +156,9 @@ impl PlatoonSubject {
             Some(true) => {}
         }
         // A mode with eigenvalue p + iq is stable if and only if p > 0 and g²/|f| > q²/(p (p² + q²)): the corners of the box decide.
-        let stable = |f: &Rational, g: &Rational| Ok::<bool, Failure>(characteristic(graph, f, g)?.is_hurwitz());
+        let stable = |f: &Rational, g: &Rational| {
+            Ok::<bool, Failure>(characteristic(graph, f, g)?.is_hurwitz_watched(self.progress)?)
+        };
         if stable(&self.f.0, &self.g.1)? {
             return Ok(Measured::Truth(true));
         }
@@ -204,8 +207,11 @@ impl PlatoonSubject {
         let digits = ((f64::from(precision) * std::f64::consts::LOG10_2) as u32).max(5);
         self.between_corners(|gains, _| {
             let cars = vec![gains.clone(); graph.followers()];
-            let found = peak_on_graph(graph, &cars, graph.followers(), digits, &Unwatched);
-            let open = |error: PeakError| Failure::open(format!("the peak over all frequencies: {error}"), None);
+            let found = peak_on_graph(graph, &cars, graph.followers(), digits, self.progress);
+            let open = |error: PeakError| match error {
+                PeakError::Cancelled(cancelled) => cancelled.into(),
+                other => Failure::open(format!("the peak over all frequencies: {other}"), None),
+            };
             let found = found.map_err(open)?;
             let zero = Interval::from_rational(&rational(0, 1), precision);
             Ok((found.omega.unwrap_or(zero), found.amplitude))
@@ -348,11 +354,7 @@ fn tracked(graph: &GraphValue) -> Result<CommunicationGraph, Failure> {
     if weighted.order() > MOST_ON_GRAPH + 1 {
         return Err(refused(format!("platoons on a graph have at most {MOST_ON_GRAPH} followers")));
     }
-    let sums = weighted.out_degrees();
-    let row = |k: usize| {
-        weighted.adjacency().row(k).iter().map(|(agent, weight)| (*agent, weight / &sums[k])).collect::<Vec<_>>()
-    };
-    CommunicationGraph::new((1..weighted.order()).map(row).collect()).map_err(|error| refused(error.to_string()))
+    CommunicationGraph::behind(&weighted, 0).map_err(|error| refused(error.to_string()))
 }
 
 /// The characteristic polynomial of the motion `y'' = P (f y + g y')`, with the reduced Laplacian `P`.

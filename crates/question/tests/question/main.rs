@@ -10,6 +10,7 @@ mod language;
 mod missing;
 mod motions;
 mod own;
+mod states;
 mod traces;
 
 use arithmetic::Unwatched;

@@ -262,6 +262,28 @@ fn platoons_on_a_line_are_decided_on_the_sum_over_modes() {
     }
 }
 
+/// Cars that track the one in front have a closed form, too, also where the roots of `s² = f + g s` coincide: no time is out of reach, and by steps the
+/// same platoon has the same margins.
+#[test]
+fn one_sided_platoons_are_decided_at_any_time() {
+    for gains in ["f = -1\ng = -1\n", "f = -1\ng = -2\n", "f = -1\ng = -5\n"] {
+        let front =
+            |followers: usize| platoon(followers).replace("front-and-back", "front").replace("f = -1\ng = -1\n", gains);
+        let stepped = front(3).replace("communication = \"front\"\n", "").replace(
+            "[state]",
+            "[graph]\nkind = \"edges\"\ndirected = true\nedges = [[2, 1], [3, 2], [4, 3]]\n[state]",
+        );
+        let family = "\"state.velocities[2]\" = \"[0, 1/1000]\"";
+        let property = "always[0, 4](largest_deviation < 1/2)";
+        let [a, b] =
+            [&front(3), &stepped].map(|text| answered(text, family, property, "1 < 0").margin.expect("a margin"));
+        assert!(a.lo <= b.hi && b.lo <= a.hi, "{gains}: {a:?} {b:?}");
+        let long = "always[0, 10](largest_deviation < 2) and always[100000, 100001](largest_deviation < 2)";
+        assert_eq!(verdict(&front(4), long), Verdict::Holds, "{gains}");
+        assert_eq!(verdict(&front(4), "always[100000, 100001](largest_deviation < 1/1000)"), Verdict::False, "{gains}");
+    }
+}
+
 #[test]
 fn what_a_motion_cannot_be_asked() {
     for (property, column, named) in [

@@ -29,11 +29,40 @@ fn numbers_of_its_start_may_be_intervals() {
 
 #[test]
 fn what_is_not_enclosed_says_so() {
-    let discrete = PAIR.replace("continuous", "discrete").replace("law.rates", "law.next");
+    let discrete =
+        PAIR.replace("continuous", "discrete").replace("law.rates", "law.next").replace("/2\"", "/2 + sin(v)\"");
     let within = PAIR.replace("[state]", "[graph]\nkind = \"within\"\nradius = 2\n[state]");
     for (scenario, why) in [(discrete, "discrete time"), (within, "do not depend on the distances")] {
         let answer = answered(&scenario, "n = 1", "always[0, 1](min_distance > 0)", "1 < 0");
         assert_eq!(answer.verdict, Verdict::Undecided);
         assert!(answer.why.contains(why), "{}", answer.why);
     }
+}
+
+const OPINIONS: &str = "model = \"own\"\n[law]\ntime = \"discrete\"\ndimension = 1\nstate = { x = \"number\" }\n\
+    [law.next]\nx = \"(x + sum(j, x[j])) / (1 + count(j))\"\n[graph]\nkind = \"within\"\nradius = 1\n\
+    [state]\nx = [\"0\", \"1/2\", \"1\", \"3/2\", \"9/4\", \"3\", \"17/5\", \"4\", \"5\"]\n[run]\nuntil = 10\n";
+
+/// Hegselmann and Krause: after finitely many steps nothing changes any more, so that all times are decided.
+#[test]
+fn opinions_are_decided_exactly_for_ever() {
+    let answer = answered(
+        OPINIONS,
+        "n = 1",
+        "eventually[0, 10](always[0, inf](components = 2)) and always[20, inf](min_distance = 0)",
+        "always[0, inf](components > 2)",
+    );
+    assert_eq!(answer.verdict, Verdict::Holds, "{}", answer.why);
+    assert_eq!(answer.controls, [true]);
+    let answer = answered(OPINIONS, "n = 1", "always[0, 3](components <= 1)", "1 < 0");
+    assert_eq!(answer.verdict, Verdict::False, "{}", answer.why);
+    // At exactly the radius: linked.
+    let two = OPINIONS.replace("[\"0\", \"1/2\", \"1\", \"3/2\", \"9/4\", \"3\", \"17/5\", \"4\", \"5\"]", "[0, 1]");
+    assert_eq!(answered(&two, "n = 1", "always[0, 0](components = 1)", "1 < 0").verdict, Verdict::Holds);
+    let apart = two.replace("[0, 1]", "[0, \"1000000000000000000000001/1000000000000000000000000\"]");
+    assert_eq!(answered(&apart, "n = 1", "always[0, inf](components = 2)", "1 < 0").verdict, Verdict::Holds);
+    // What depends on the time never rests for good.
+    let timed = two.replace("/ (1 + count(j))", "/ (1 + count(j)) + if(t < 5, 0, 1)*x");
+    let answer = answered(&timed.replace("[0, 1]", "[2, 4]"), "n = 1", "always[0, inf](components = 2)", "1 < 0");
+    assert_eq!(answer.verdict, Verdict::Undecided, "{}", answer.why);
 }

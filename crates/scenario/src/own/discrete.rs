@@ -125,6 +125,46 @@ impl<T: Stepped> Stepping<T> {
         stepping
     }
 
+    /// One step; the links that came and went with it.
+    pub fn step(&mut self) -> Result<Vec<Event>, RunError> {
+        let time = self.time();
+        let now = time.to_f64().unwrap_or(f64::NAN);
+        let Some(scalar) = self.state.first().map(|like| like.rational(&time)) else { return Ok(Vec::new()) };
+        let drawn = draw(&self.law, &mut self.random);
+        T::set_drawn(&mut self.machine, &self.law, &drawn);
+        let moment = (&scalar, &self.state[..]);
+        let written = T::write(&mut self.machine, &self.law, moment, &Heard(&self.network), &mut self.next);
+        written.map_err(|fault| RunError::Own { time: now, fault: in_words(&self.law, &fault) })?;
+        if self.next.iter().any(|x| !(self.rounded)(x).is_finite()) {
+            return Err(RunError::Own { time: now, fault: "a number grows beyond the floats".to_string() });
+        }
+        std::mem::swap(&mut self.state, &mut self.next);
+        self.taken += 1;
+        let time = self.time().to_f64().unwrap_or(f64::NAN);
+        Ok(self.relink().iter().map(|change| Event::new(time, change)).collect())
+    }
+
+    pub fn state(&self) -> &[T] {
+        &self.state
+    }
+
+    pub fn law(&self) -> &Law {
+        &self.law
+    }
+
+    pub fn shown(&self) -> crate::view::Links<'static> {
+        match self.network.shown() {
+            crate::view::Links::These(order, links) => crate::view::Links::These(order, links.into_owned().into()),
+            crate::view::Links::Everyone(order) => crate::view::Links::Everyone(order),
+            crate::view::Links::Between(order, ends) => crate::view::Links::Between(order, ends),
+        }
+    }
+
+    /// Whether neither the law nor the network depends on the time from now on.
+    pub fn is_autonomous(&self) -> bool {
+        self.law.is_autonomous() && self.network.next_time().is_none()
+    }
+
     fn floats(&self) -> Vec<f64> {
         self.state.iter().map(self.rounded).collect()
     }
@@ -206,22 +246,7 @@ impl<T: Stepped> Simulation for Stepping<T> {
             if progress.is_cancelled() {
                 return Ok(false);
             }
-            let time = self.time();
-            let now = time.to_f64().unwrap_or(f64::NAN);
-            let scalar = self.state.first().map(|like| like.rational(&time));
-            let Some(scalar) = scalar else { return Ok(true) };
-            let drawn = draw(&self.law, &mut self.random);
-            T::set_drawn(&mut self.machine, &self.law, &drawn);
-            let moment = (&scalar, &self.state[..]);
-            let written = T::write(&mut self.machine, &self.law, moment, &Heard(&self.network), &mut self.next);
-            written.map_err(|fault| RunError::Own { time: now, fault: in_words(&self.law, &fault) })?;
-            if self.next.iter().any(|x| !(self.rounded)(x).is_finite()) {
-                return Err(RunError::Own { time: now, fault: "a number grows beyond the floats".to_string() });
-            }
-            std::mem::swap(&mut self.state, &mut self.next);
-            self.taken += 1;
-            let time = self.time().to_f64().unwrap_or(f64::NAN);
-            events.extend(self.relink().iter().map(|change| Event::new(time, change)));
+            events.extend(self.step()?);
         }
         Ok(true)
     }

@@ -3,10 +3,13 @@
 mod continuous;
 mod discrete;
 mod enclosed;
+mod exact;
 mod measured;
 mod noisy;
 mod read;
 mod start;
 
 pub use enclosed::OwnMotion;
+pub use exact::OwnSteps;
 pub(super) use read::{Described, describe, simulation};
+pub use read::{law_problem, read_law};

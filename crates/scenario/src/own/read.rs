@@ -105,9 +105,31 @@ fn rounded(x: &Rational) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)
 }
 
-/// Everything but how it is run.
-pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
+/// The law of a text with the tables `[law]` and `[law.*]`, without agents, network and start.
+///
+/// # Errors
+/// [`ConfigError`], with the place.
+pub fn read_law(text: &str) -> Result<LawText, ConfigError> {
+    let source = Source::parse(text)?;
     let section = source.needed("law")?;
+    Ok(law_text(&section)?.0)
+}
+
+/// What is wrong with a law that was read from a text, with its place there.
+pub fn law_problem(text: &str, error: LawError) -> ConfigError {
+    let section = Source::parse(text).ok();
+    let section = section.as_ref().and_then(|source| source.needed("law").ok());
+    match section {
+        Some(section) => {
+            let rates = if section.get("next").is_some() { "next" } else { "rates" };
+            refused(&section, rates, error)
+        }
+        None => ConfigError::MissingSection("law"),
+    }
+}
+
+/// The law, and the length of its steps.
+fn law_text(section: &Section) -> Result<(LawText, Rational), ConfigError> {
     section.allow(&KEYS, " of a law of one's own")?;
     let mut text = LawText { dimension: 2, ..LawText::default() };
     text.time = section.get("time").map_or(Ok(Time::Continuous), |entry| entry.choice(&TIMES))?;
@@ -145,13 +167,21 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
             text.parameters.push((name, value));
         }
     }
-    text.define = texts(&section, "define")?;
-    text.rates = texts(&section, rates)?;
-    text.observables = texts(&section, "observables")?;
+    text.define = texts(section, "define")?;
+    text.rates = texts(section, rates)?;
+    text.observables = texts(section, "observables")?;
     if let Some(entry) = section.get("noise").filter(|_| discrete) {
         return Err(entry.range("left out: in discrete time `normal(sigma)` and `uniform(a, b)` stand in [law.next]"));
     }
-    text.noise = texts(&section, "noise")?;
+    text.noise = texts(section, "noise")?;
+    Ok((text, step))
+}
+
+/// Everything but how it is run.
+pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
+    let section = source.needed("law")?;
+    let (mut text, step) = law_text(&section)?;
+    let rates = if text.time == Time::Discrete { "next" } else { "rates" };
     let seed = section.get("seed").map_or(Ok(1), |entry| entry.count(0, usize::MAX))?;
     let ranges = Ranges::of(&text);
     let (parts, agents, drawn) = start(source, &ranges)?;

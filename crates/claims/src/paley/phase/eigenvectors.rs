@@ -44,9 +44,10 @@ pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
 }
 
 fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const ASYMMETRIC: &str = "an eigenvector that is not symmetric";
     let asymmetric = asymmetric_eigenvector(run)?;
     if !variant.columns_only {
-        let evidence = exact("eigenvectors", "exact products");
+        let evidence = exact(ASYMMETRIC, "exact products");
         return Ok(match asymmetric {
             Some(place) => Outcome::fails(format!("{place}: an eigenvector, but no symmetric pattern"), evidence),
             None => Outcome::Undecided("no eigenvector among few phases decides".to_string()),
@@ -68,7 +69,7 @@ fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome,
     let Some(place) = asymmetric else {
         return Ok(Outcome::Undecided("no asymmetric eigenvector was found".to_string()));
     };
-    let asymmetric = exact("an eigenvector that is not symmetric", place).on([2]).for_all();
+    let asymmetric = exact(ASYMMETRIC, place).on([2]).for_all();
     Run::all([columns, holds(asymmetric)])
 }
 
@@ -208,13 +209,12 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
         CyclicVariant { rhombi: |_, _| false, ..right },
         |variant, run| {
             run.checkpoint()?;
+            let part = "all eigenvectors of C_12 with entries of modulus one";
             if let Some(what) = variant.fails_on(12)? {
-                let evidence = exact("eigenvectors", "exact products").on([2]);
-                return Ok(Outcome::fails(format!("C_12: {what}"), evidence));
+                return Ok(Outcome::fails(format!("C_12: {what}"), exact(part, "exact products").on([2])));
             }
             let detail = "exact rank of the conditions of equal modulus in each of the five double eigenspaces; all twelve columns; two rhombi that \
                           span all of them";
-            let part = "all eigenvectors of C_12 with entries of modulus one";
             let found = exact(part, detail).on([1, 2, 3, 4]).cases(12);
             Run::all([
                 holds(found).checks("steps E1 and E3 to E5"),

@@ -89,7 +89,7 @@ pub fn gradient() -> Record<GradientVariant> {
         |variant, run| {
             let parts = graphs(variant.directed).map(|graph| {
                 let graph = graph?;
-                let part = format!("gradient of W_1, {}", arcs(&graph));
+                let part = format!("gradient of W_1, N = {}, {}", graph.order(), arcs(&graph));
                 Ok((gradient_sides(laplacian(&graph)?, variant), part))
             });
             identities(run, &[1, 2], &[], parts)
@@ -137,7 +137,7 @@ pub fn law() -> Record<LawVariant> {
         |variant, run| {
             let parts = graphs(variant.directed).map(|graph| {
                 let graph = graph?;
-                let part = format!("rate of W_1 and (15), {}", arcs(&graph));
+                let part = format!("rate of W_1 and (15), N = {}, {}", graph.order(), arcs(&graph));
                 Ok((law_sides(laplacian(&graph)?, graph, variant), part))
             });
             identities(run, &[1, 2], &["K1", "omega0"], parts)

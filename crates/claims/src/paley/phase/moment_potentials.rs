@@ -54,24 +54,27 @@ pub struct MomentVariant {
     divisor: u32,
     /// Minimum and maximum exchanged.
     exchanged: bool,
+    /// The largest value.
+    largest: ConstantOf,
     /// The inertia of the Hessian at the other stationary points.
     others: fn(Inertia) -> bool,
 }
 
 /// `N/(2m^2) - U_m = (1/(2N m^2)) sum of |z_k^m - z_j^m|^2` over pairs.
-fn deficit(particles: usize, m: u32) -> Identity<'static> {
+fn deficit(particles: usize, m: u32, largest: ConstantOf) -> Identity<'static> {
     Identity::new(particles, move |t| {
         let z = phasors(t)?;
         let (n, square) = (particles as i64, i64::from(m * m));
         let squares = squared_lengths(&WeightedGraph::complete(particles), &powers(&z, m), &t[0]);
-        let largest = t[0].ratio(n, 2 * square);
+        let largest = t[0].rational(&largest(n, i64::from(m)));
         Ok((vec![largest - moment_potential(&z, m)?], vec![squares * t[0].ratio(1, 4 * n * square)]))
     })
 }
 
 pub fn moment_potentials() -> Record<MomentVariant> {
     let others = |i: Inertia| i.positive > 0 && i.negative > 0 && i.zero == 1;
-    let printed = MomentVariant { divisor: 1, exchanged: false, others };
+    let largest = |particles, m| rational(particles, 2 * m * m);
+    let printed = MomentVariant { divisor: 1, exchanged: false, largest, others };
     Record::new(
         "paley.Um",
         "U_m(theta) = U_1(m theta)/m^2, and theta -> m theta is a local diffeomorphism of the torus: all is as for U_1 (paley.thm1.saddle). At the other stationary points \
@@ -81,11 +84,11 @@ pub fn moment_potentials() -> Record<MomentVariant> {
         |variant, run| {
             let squares = [(2, 2), (2, 3), (3, 1)].map(|(particles, m)| {
                 let part = format!("N/(2m^2) - U_m as a sum of squares, N = {particles}, m = {m}");
-                Ok((deficit(particles, m), part))
+                Ok((deficit(particles, m, variant.largest), part))
             });
             let squares = identities(run, &[1, 2], &[], squares);
             let saddles = Run::all([few_phases(variant, run), two_clusters(variant, run)]).checks("step P4");
-            Run::all([saddles, squares, argued(&[3], "every N >= 2 and m", "notes/paley_phases.md, steps P4")])
+            Run::all([squares, saddles, argued(&[3], "every N >= 2 and m", "notes/paley_phases.md, steps P4")])
         },
     )
     .reading(
@@ -100,6 +103,7 @@ pub fn moment_potentials() -> Record<MomentVariant> {
     .altered("isolated in T^N", |v| v.others = |i| i.zero == 0)
     .altered("maximum at multiples of pi/m", |v| v.divisor = 2)
     .altered("minimum and maximum exchanged", |v| v.exchanged = true)
+    .altered("the largest value N/m²", |v| v.largest = |particles, m| rational(particles, m * m))
 }
 
 /// All arrangements of few phases.
@@ -132,7 +136,7 @@ fn two_clusters(variant: &MomentVariant, run: &Run) -> Result<Outcome, CheckErro
 /// What contradicts the claim at an arrangement.
 fn stationary_contradiction(variant: &MomentVariant, m: u32, z: &ExactPhasors) -> Result<Option<String>, CheckError> {
     let value = moment_potential(z, m)?;
-    let largest = value.ratio(z.len() as i64, 2 * i64::from(m * m));
+    let largest = value.rational(&(variant.largest)(z.len() as i64, i64::from(m)));
     let balanced = moment(z, m)?.norm_squared().sign() == Some(Sign::Zero);
     let together = all_equal(&powers(z, m * variant.divisor));
     let (low, high) = if variant.exchanged { (together, balanced) } else { (balanced, together) };

@@ -58,6 +58,19 @@ impl ScaleVariant {
     }
 }
 
+impl ScaleVariant {
+    /// `W_1` of alternating directions around a square, with the first scale.
+    fn on_the_square(&self) -> Result<Outcome, CheckError> {
+        let network =
+            nearest_network(&SQUARE, 2).ok_or_else(|| CheckError::Other("a tie on the square".to_string()))?;
+        let z: Vec<_> = [1, -1, 1, -1].map(|sign| Complex::real(rational(sign, 1))).into();
+        let scale = self.0.first().map_or(rational(1, 1), |(_, scale)| scale(2, 4));
+        let scaled = phase_potential(&network, &z, 1)? * scale;
+        let what = || format!("the scaled potential on the square is {scaled}");
+        unless((scaled != rational(4, 3)).then(what), exact("the square", "exact value").on([3])).for_all()
+    }
+}
+
 /// All arrangements with phases 0 and pi.
 fn signs(fish: usize) -> impl Iterator<Item = Vec<Complex<Rational>>> {
     let number = |sign: &usize| Complex::real(rational(1 - 2 * *sign as i64, 1));
@@ -95,6 +108,7 @@ pub fn scale() -> Record<ScaleVariant> {
 }
 
 fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const NEAREST: &str = "nearest neighbours";
     let mut random = run.random(0);
     let mut schools = vec![vec![(0, 0), (1, 0)], vec![(0, 0), (1, 0), (3, 0)], SQUARE.to_vec(), ROWS.to_vec()];
     for case in 0..run.cases(12, 60) {
@@ -105,13 +119,14 @@ fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, Check
     let networks = networks.filter_map(|(school, n)| Some((school, n, nearest_network(school, n)?)));
     let cases =
         networks.flat_map(|(school, n, network)| signs(school.len()).map(move |z| (school, n, network.clone(), z)));
-    let evidence = fuzzed("nearest neighbours", "schools of 2 to 6 fish at random, all phases 0 and pi");
+    let evidence = fuzzed(NEAREST, "schools of 2 to 6 fish at random, all phases 0 and pi");
     let nearest = run.every(evidence, cases, |(school, n, network, z)| {
         Ok(variant.fails_at(&network, n, &z)?.map(|what| format!("fish at {school:?}, {what}")))
     })?;
-    if let Outcome::Fails { counterexample, .. } = nearest {
-        return Ok(Outcome::fails(counterexample, exact("scaled potential", "exact values")));
-    }
+    let nearest = match nearest {
+        Outcome::Fails { counterexample, .. } => Outcome::fails(counterexample, exact(NEAREST, "exact values")),
+        other => other,
+    };
     let detail = "all digraphs of up to 4 fish with the same number of neighbours, where the bounds are reached";
     let graphs = (2..=4).flat_map(WeightedGraph::all).filter_map(|graph| {
         let degrees = graph.out_degrees();
@@ -130,19 +145,10 @@ fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, Check
     let bounds = [nearest, same].map(|outcome| Ok(supports(outcome, &[1, 2, 4])).checks("steps N1 and N2"));
     Run::all(
         bounds.into_iter().chain([
-            reached_on_the_square(),
+            variant.on_the_square(),
             argued(&[1, 2, 4], "every N and n", "notes/paley_phases.md, steps N1-N2"),
         ]),
     )
-}
-
-/// `2/(n+1) W_1` of alternating directions around a square.
-fn reached_on_the_square() -> Result<Outcome, CheckError> {
-    let network = nearest_network(&SQUARE, 2).ok_or_else(|| CheckError::Other("a tie on the square".to_string()))?;
-    let z: Vec<_> = [1, -1, 1, -1].map(|sign| Complex::real(rational(sign, 1))).into();
-    let scaled = phase_potential(&network, &z, 1)? * figure_scale(2, 4);
-    let what = || format!("the scaled potential on the square is {scaled}");
-    unless((scaled != rational(4, 3)).then(what), exact("the square", "exact value").on([3]).for_all())
 }
 
 fn complete_sides(laplacian: SparseMatrix, scale: Rational) -> Identity<'static> {

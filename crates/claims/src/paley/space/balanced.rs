@@ -91,13 +91,14 @@ pub fn balanced_stable() -> Record<BalancedVariant> {
 }
 
 fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const PART: &str = "balanced, in equilibrium, no direction of growth";
     let mut cases = 0;
     for (order, offsets) in circulants(run.cases(6, 12)) {
         run.checkpoint()?;
         let network = Neighbours::circulant(order, &offsets);
         let fails = |phases: String, why: &str| {
             let what = format!("N = {order}, circulant graph with offsets {offsets:?}, phases {phases}: {why}");
-            Ok(Outcome::fails(what, exact("the set", "exact phasors")))
+            Ok(Outcome::fails(what, exact(PART, "exact phasors")))
         };
         if variant.set == BalancedSet::Balanced && order % 2 == 0 {
             // Two antipodal pairs next to each other, the other particles paired with their opposites.
@@ -120,11 +121,10 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
         }
     }
     let section = "notes/paley_particles.md, Balanced formations on circulant graphs, steps 1-5";
-    let (part, detail) =
-        ("balanced, in equilibrium, no direction of growth", "exact Fourier columns on circulant graphs");
+    let detail = "exact Fourier columns on circulant graphs";
     Run::all([
         argued(&[1, 2, 3], "all circulant graphs", section),
-        holds(exhaustive(part, detail).cases(cases).on([1, 2])).checks("step 2 and the conclusion"),
+        holds(exhaustive(PART, detail).cases(cases).on([1, 2])).checks("step 2 and the conclusion"),
         balanced_are_largest(variant, run).checks("step 3").on([3]),
     ])
 }
@@ -264,8 +264,12 @@ pub fn unique_maximum() -> Record<MaximumVariant> {
 
 fn examine_unique_maximum(variant: &MaximumVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
     let order = variant.order;
-    let fails =
-        |what: &str| Ok(Outcome::fails(format!("N = {order}: {what}"), exact("the maximum", "exact kernel of L - 4")));
+    let fails = |what: &str| {
+        Ok(Outcome::fails(
+            format!("N = {order}: {what}"),
+            exact("unique maximiser up to rotation", "exact kernel of L - 4"),
+        ))
+    };
     let graph = Graph::ring(order);
     let laplacian = graph.laplacian()?;
     let four = RationalMatrix::identity(order)?.scaled(&rational(4, 1));

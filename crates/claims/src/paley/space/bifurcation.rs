@@ -124,26 +124,40 @@ pub fn clusters_of_the_corrected_law() -> Record<FewerVariant> {
 }
 
 fn examine_fewer_clusters(variant: &FewerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut parts = Vec::new();
-    for trial in trials(run) {
-        match examine_gain(variant, *trial, run)? {
-            Outcome::Holds(more) => parts.extend(more),
-            other => return Ok(other),
+    // What runs refute needs no more of them.
+    let runs = |run: &mut Run| {
+        let mut parts = Vec::new();
+        for trial in trials(run) {
+            match examine_gain(variant, *trial, run)? {
+                Outcome::Holds(more) => parts.extend(more),
+                other => return Ok(other),
+            }
         }
-    }
-    if let Some(size) = variant.settled {
-        match one_cluster(variant, size, run)? {
-            Outcome::Holds(more) => parts.extend(more),
-            other => return Ok(other),
+        match variant.settled.map(|size| one_cluster(variant, size, run)).transpose()? {
+            Some(Outcome::Holds(more)) => parts.extend(more),
+            Some(other) => return Ok(other),
+            None => {}
         }
-    }
-    if splay_pulls_back() {
-        let detail = "every K_1 < 0, M = 2: splay phases on a circle of radius at most 1/w0 turn rigidly, everyone \
-         sensing others 30 degrees ahead: tau < 0 by exact sines, whichever way the tie at the edge of the \
-         blind spot is decided";
-        parts.push(exact("not in every run: an unsynchronised rigid motion", detail).on([1]));
-    }
-    Ok(Outcome::Holds(parts))
+        Ok(Outcome::Holds(parts))
+    };
+    Run::all([runs(run), rigid_motion(variant)])
+}
+
+/// `rho u(rho) - 1` is -1 at `rho = 0` and `K_1 tau/(N w0)` at `rho = 1/w0`, positive for `K_1 < 0`. With `K_1 >= K_0 > 0` everyone turns slower than
+/// `w0` there, so that `rho u < 1` on all these circles.
+fn rigid_motion(variant: &FewerVariant) -> Result<Outcome, CheckError> {
+    let detail = "every K_1 < 0, M = 2: splay phases on a circle of radius at most 1/w0 turn rigidly, everyone \
+                  sensing others 30 degrees ahead: tau < 0 by exact sines, whichever way the tie at the edge of the \
+                  blind spot is decided";
+    let wrong = match (splay_pulls_back(), variant.sign < 0.0) {
+        (true, true) => None,
+        (false, _) => Some("splay phases do not pull back"),
+        (true, false) => {
+            Some("splay phases on circles of radius at most 1/w0 all turn slower than needed for K_1 >= K_0")
+        }
+    };
+    let evidence = exact("not in every run: an unsynchronised rigid motion", detail).on([1]);
+    unless(wrong.map(str::to_string), evidence)
 }
 
 /// Whether most runs with `M = 8` and a large `|K_1|` end in one cluster, so that a larger zone cannot have fewer: of 300 runs at -30 `K_0` four
@@ -198,19 +212,22 @@ fn examine_gain(variant: &FewerVariant, trial: Trial, run: &mut Run) -> Result<O
     let formations = variant.zones.map(|clusters| ZoneFormation::new(law, (SPACING, orientation), clusters));
     let few = run.cases(20, 60);
     let pairs = if law == ZoneLaw::Printed { trial.pairs } else { few };
-    let (mut parts, mut ends): (Vec<Evidence>, [Ends; 3]) = (Vec::new(), Default::default());
+    let mut ends: [Ends; 3] = Default::default();
     for (formation, own) in formations.iter().zip(&mut ends) {
         own.reach((formation, &variant.flights), (few, trial.lengths), run)?;
-        let what = format!(
-            "{setting}, M = {}: all that sense each other are within 10 degrees in {}",
-            formation.clusters, own.together
-        );
-        let part = simulated("synchronised clusters", &what, own.together.of).on([1]);
-        match judged(own.together, TYPICAL, what, part) {
-            Outcome::Holds(more) => parts.extend(more),
-            other => return Ok(other),
-        }
     }
+    let places = ["first", "second", "third"];
+    let together = formations.iter().zip(&ends).zip(places).map(|((formation, own), place)| {
+        let clusters = formation.clusters;
+        let what =
+            format!("{setting}, M = {clusters}: all that sense each other are within 10 degrees in {}", own.together);
+        let part = format!("synchronised clusters, {place} zone, |K_1| = {} K_0", trial.size);
+        Ok(judged(own.together, TYPICAL, what.clone(), simulated(&part, &what, own.together.of).on([1])))
+    });
+    let mut parts = match Run::all(together.collect::<Vec<_>>())? {
+        Outcome::Holds(parts) => parts,
+        other => return Ok(other),
+    };
     // What few runs decide comes before the many.
     for (clause, larger, smaller, starts) in [(3, 1, 2, few), (2, 0, 1, pairs)] {
         let [from, to] = [larger, smaller].map(|zone| variant.zones[zone]);
@@ -220,7 +237,8 @@ fn examine_gain(variant: &FewerVariant, trial: Trial, run: &mut Run) -> Result<O
         let decrease = Sample::new(both.map(|(before, after)| before - after));
         run.value(&format!("decrease_of_clusters_{label}_M_{from}_to_{to}"), decrease.enclosure());
         let what = format!("{setting}: from M = {from} to {to} the mean number of clusters decreases by {decrease}");
-        let part = simulated("fewer clusters", &what, decrease.of).on([clause]);
+        let part = format!("fewer clusters in the {} zone, |K_1| = {} K_0", places[smaller], trial.size);
+        let part = simulated(&part, &what, decrease.of).on([clause]);
         match decrease.is_above(0.0) {
             None => return Ok(Outcome::Undecided(what)),
             Some(false) => return Ok(Outcome::fails(what, part)),

@@ -158,14 +158,12 @@ fn panel_of_pattern((clause, sign): (usize, i64), wave: usize, run: &mut Run) ->
         "theta_k = 2 pi {wave} k/12: Hessian of -K_1 W_1 over exact cosines, and the theorem on inertia in \
          notes/paley_particles.md"
     );
-    let stable = exact(part, detail).on([clause]);
-    if found != (Inertia { positive: PARTICLES - 1, negative: 0, zero: 1 }) {
-        let what = format!(
-            "theta_k = 2 pi {wave} k/12 is not {part}: the Hessian of -K_1 W_1 has {} negative eigenvalues",
-            found.negative
-        );
-        return Ok(Outcome::fails(what, stable));
-    }
+    let is_least = found == Inertia { positive: PARTICLES - 1, negative: 0, zero: 1 };
+    let what = || {
+        let negative = found.negative;
+        format!("theta_k = 2 pi {wave} k/12 is not {part}: the Hessian of -K_1 W_1 has {negative} negative eigenvalues")
+    };
+    let stable = unless((!is_least).then(what), exact(part, detail).on([clause]));
     let orientation = sign as f64 * CyclicFormation::GAIN;
     let clusters = PARTICLES / num_integer::gcd(wave, PARTICLES);
     let seen = cyclic_share(orientation, run, |flight| flight.forms_pattern(clusters, CLUSTER))?;
@@ -181,14 +179,12 @@ fn panel_between(tenths: i64, run: &mut Run) -> Result<Outcome, CheckError> {
     let state = circular_formation(&omega, &scattered_phasors(PARTICLES)?)?;
     let steering = circular_control(&gains, &network, &network, &state)?;
     let detail = "u_k = w0 in an exact circular formation with twelve rational phasors";
-    let rests = exact("at rest with any phases", detail).on([2]);
-    if steering.iter().any(|u| *u != omega) {
-        let what = format!(
-            "K_1 = {}: a circular formation with arbitrary phases does not last, u_1 = {}",
-            gains.orientation, steering[0]
-        );
-        return Ok(Outcome::fails(what, rests));
-    }
+    let moves = steering.iter().any(|u| *u != omega);
+    let what = || {
+        let (gain, first) = (&gains.orientation, &steering[0]);
+        format!("K_1 = {gain}: a circular formation with arbitrary phases does not last, u_1 = {first}")
+    };
+    let rests = unless(moves.then(what), exact("at rest with any phases", detail).on([2]));
     let orientation = tenths as f64 / 10.0;
     let seen = cyclic_share(orientation, run, |flight| pattern(flight).is_none())?;
     shown((2, "share_arbitrary_K1_zero"), (orientation, "no pattern".to_string()), seen, rests, run)
@@ -199,14 +195,15 @@ fn shown(
     (clause, name): (usize, &str),
     (orientation, outcome): (f64, String),
     seen: Share,
-    beside: Evidence,
+    beside: Result<Outcome, CheckError>,
     run: &mut Run,
 ) -> Result<Outcome, CheckError> {
     run.value(name, seen.enclosure());
     let what = format!("K_1 = {orientation}, {outcome}: a circular formation with it ends {seen}");
     let detail = format!("C_12, w0 = 0.1, K_0 = 1.2, step 2 to t = 1200, centres within 1% of the radius; {what}");
-    let runs = judged(seen, SHOWN, what, simulated("an outcome as in the panel", &detail, seen.of).on([clause]));
-    Run::all([Ok(runs), holds(beside)])
+    let part = format!("an outcome as in panel ({})", ["a", "b", "c"][clause - 1]);
+    let runs = judged(seen, SHOWN, what, simulated(&part, &detail, seen.of).on([clause]));
+    Run::all([beside, Ok(runs)])
 }
 
 /// Signs of the gains below `M` and at `M`.
@@ -238,48 +235,52 @@ pub fn patterns_figure() -> Record<GainsVariant> {
 }
 
 fn examine_patterns_figure(variant: &GainsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let (below, last) = PatternFormation::GAINS;
-    let mut parts = Vec::new();
-    for clusters in [1, 2, 3, 4, 6, 12] {
-        run.checkpoint()?;
-        // K_m = 1/5 and K_M = -1/25, up to signs.
-        let exactly = |m: u32| if m < clusters { (variant.below, 5) } else { (variant.last, 25) };
+    const CLUSTERS: [u32; 6] = [1, 2, 3, 4, 6, 12];
+    let detail = "Hessian of (25) at the six patterns over exact cosines, and the theorem on inertia in \
+                  notes/paley_particles.md";
+    let stable = run.instances("stable", detail, CLUSTERS, |clusters| {
         let phasors = symmetric_pattern(clusters, PARTICLES as u32).unwrap_or_default();
         let hessian = phase_jacobian(&phasors, |z| {
-            let gains: Vec<_> = (1..=clusters).map(exactly).map(|(p, q)| z[0].re.ratio(p, q)).collect();
+            let gains: Vec<_> = (1..=clusters).map(|m| variant.gain(m, clusters)).collect();
+            let gains: Vec<_> = gains.into_iter().map(|(p, q)| z[0].re.ratio(p, q)).collect();
             pattern_gradient(&gains, z)
         })?;
-        let detail = "Hessian of (25) at the six patterns over exact cosines, and the theorem on inertia in \
-                      notes/paley_particles.md";
-        let stable = exact("stable", detail);
-        if inertia(&hessian)? != (Inertia { positive: PARTICLES - 1, negative: 0, zero: 1 }) {
-            return Ok(Outcome::fails(format!("M = {clusters}: the pattern is no strict minimum of (25)"), stable));
-        }
-        let gain = |m: u32| {
-            let (p, _) = exactly(m);
-            p as f64 * if m < clusters { below } else { last }
-        };
-        let formation = PatternFormation::new((1..=clusters).map(gain).collect());
-        let mut reached = Share::default();
-        for seed in 0..run.cases(4, 20) as u64 {
-            run.checkpoint()?;
-            let flight = formation.end(random_start(run, seed))?;
-            let circular = centre_spread(&OMEGA, &flight.state())? * OMEGA < 0.05;
-            reached = reached.with(circular && flight.forms_pattern(clusters as usize, CLUSTER));
-        }
-        run.value(&format!("share_M_{clusters}"), reached.enclosure());
-        let what = format!("M = {clusters}: the pattern is reached in {reached}");
-        let detail = format!(
-            "all-to-all, N = 12, w0 = K_0 = 0.1, K_m = {below}, K_M = -{last}, step 2 to t = 1200; equal \
-             clusters, evenly spaced within 5 degrees, centres within 5% of the radius; {what}"
-        );
-        match judged(reached, SHOWN, what, simulated("an outcome as in the panel", &detail, reached.of)) {
-            Outcome::Holds(more) => parts.extend(more),
-            other => return Ok(other),
-        }
-        parts.extend((clusters == 12).then_some(stable));
+        let is_least = inertia(&hessian)? == Inertia { positive: PARTICLES - 1, negative: 0, zero: 1 };
+        Ok((!is_least).then(|| format!("M = {clusters}: the pattern is no strict minimum of (25)")))
+    });
+    Run::all(std::iter::once(stable).chain(CLUSTERS.map(|clusters| reached(variant, clusters, run))))
+}
+
+impl GainsVariant {
+    /// `K_m`: 1/5 below M and -1/25 at M, up to signs.
+    fn gain(&self, m: u32, clusters: u32) -> (i64, i64) {
+        if m < clusters { (self.below, 5) } else { (self.last, 25) }
     }
-    Ok(Outcome::Holds(parts))
+}
+
+/// In how many runs with these gains the pattern of so many clusters is reached.
+fn reached(variant: &GainsVariant, clusters: u32, run: &mut Run) -> Result<Outcome, CheckError> {
+    let (below, last) = PatternFormation::GAINS;
+    let gain = |m: u32| {
+        let (sign, _) = variant.gain(m, clusters);
+        sign as f64 * if m < clusters { below } else { last }
+    };
+    let formation = PatternFormation::new((1..=clusters).map(gain).collect());
+    let mut reached = Share::default();
+    for seed in 0..run.cases(4, 20) as u64 {
+        run.checkpoint()?;
+        let flight = formation.end(random_start(run, seed))?;
+        let circular = centre_spread(&OMEGA, &flight.state())? * OMEGA < 0.05;
+        reached = reached.with(circular && flight.forms_pattern(clusters as usize, CLUSTER));
+    }
+    run.value(&format!("share_M_{clusters}"), reached.enclosure());
+    let what = format!("M = {clusters}: the pattern is reached in {reached}");
+    let detail = format!(
+        "all-to-all, N = 12, w0 = K_0 = 0.1, K_m = {below}, K_M = -{last}, step 2 to t = 1200; equal \
+         clusters, evenly spaced within 5 degrees, centres within 5% of the radius; {what}"
+    );
+    let part = format!("an outcome as in the panel, M = {clusters}");
+    Ok(judged(reached, SHOWN, what, simulated(&part, &detail, reached.of)))
 }
 
 /// Sign of `K_1`, and whether a particle is coupled to the reference.
@@ -366,46 +367,53 @@ pub fn beacon_figure() -> Record<OrbitVariant> {
 }
 
 fn examine_beacon_figure(variant: &OrbitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    const TOLERANCE: f64 = 0.1;
-    let mut parts = Vec::new();
     // Ten times the time 2/K in which the centres come nearer by a factor e, after which 24 of them are 0.001 off.
     let trials = [
         ("K_0", DriftingOrbit::GAINS[1], 400.0, run.cases(4, 20)),
         ("K_0/N", DriftingOrbit::GAINS[0], 2400.0, run.cases(4, 8)),
     ];
-    for (name, gain, until, seeds) in trials {
-        let orbit = match variant.beacon {
-            0.0 => DriftingOrbit::free(-0.1),
-            sign => DriftingOrbit::around_beacon(-0.1, sign * gain),
+    Run::all(trials.map(|(name, gain, until, seeds)| closes(variant, (name, gain), (until, seeds), run)))
+}
+
+/// Whether the orbit closes around a fixed point, with one gain.
+fn closes(
+    variant: &OrbitVariant,
+    (name, gain): (&str, f64),
+    (until, seeds): (f64, usize),
+    run: &mut Run,
+) -> Result<Outcome, CheckError> {
+    const TOLERANCE: f64 = 0.1;
+    let part = format!("a fixed centre, K = {name}");
+    let orbit = match variant.beacon {
+        0.0 => DriftingOrbit::free(-0.1),
+        sign => DriftingOrbit::around_beacon(-0.1, sign * gain),
+    };
+    for seed in 0..seeds as u64 {
+        run.checkpoint()?;
+        let mut flight = random_start(run, seed);
+        orbit.advance(&mut flight, (until / DriftingOrbit::STEP) as usize)?;
+        let turns: Result<Vec<_>, _> = (0..3).map(|_| orbit.turn(&mut flight)).collect();
+        let Ok(centres) = turns else {
+            let what = format!("K = {name}, seed {seed}: after t = {until} a particle does not turn any more");
+            return Ok(Outcome::fails(what, simulated(&part, "a run", 1)));
         };
-        for seed in 0..seeds as u64 {
-            run.checkpoint()?;
-            let mut flight = random_start(run, seed);
-            orbit.advance(&mut flight, (until / DriftingOrbit::STEP) as usize)?;
-            let turns: Result<Vec<_>, _> = (0..3).map(|_| orbit.turn(&mut flight)).collect();
-            let Ok(centres) = turns else {
-                let what = format!("K = {name}, seed {seed}: after t = {until} a particle does not turn any more");
-                return Ok(Outcome::fails(what, simulated("the orbit", "a run", 1)));
-            };
-            let moved = (centres[0].clone() - &centres[2]).norm_squared().sqrt();
-            let together = flight.clusters(CLUSTER).len() == 1;
-            // A turn contains a whole number of steps up to one: the mean is off by less than step/turn of the radius, 0.05.
-            if moved > TOLERANCE || !together {
-                let what = format!(
-                    "K = {name}, seed {seed}: the mean position over a turn moves by {moved:.3} in two turns; \
-                     synchronised: {together}"
-                );
-                return Ok(Outcome::fails(what, simulated("the orbit", "a run", 1)));
-            }
-            run.value(&format!("orbit_centre_re, K = {name}"), format!("~{:.2}", centres[2].re));
-            run.value(&format!("orbit_centre_im, K = {name}"), format!("~{:.2}", centres[2].im));
+        let moved = (centres[0].clone() - &centres[2]).norm_squared().sqrt();
+        let together = flight.clusters(CLUSTER).len() == 1;
+        // A turn contains a whole number of steps up to one: the mean is off by less than step/turn of the radius, 0.05.
+        if moved > TOLERANCE || !together {
+            let what = format!(
+                "K = {name}, seed {seed}: the mean position over a turn moves by {moved:.3} in two turns; \
+                 synchronised: {together}"
+            );
+            return Ok(Outcome::fails(what, simulated(&part, "a run", 1)));
         }
-        let detail = format!(
-            "N = 12, f = -0.1, w0 = 0.1, K = {name} = {gain:.4}, K_1 = -0.1, beacon 10, step 0.2, three turns \
-             after t = {until}; synchronised, mean position fixed within 0.1: {}",
-            Share { found: seeds, of: seeds }
-        );
-        parts.push(simulated("a fixed centre", &detail, seeds));
+        run.value(&format!("orbit_centre_re, K = {name}"), format!("~{:.2}", centres[2].re));
+        run.value(&format!("orbit_centre_im, K = {name}"), format!("~{:.2}", centres[2].im));
     }
-    Ok(Outcome::Holds(parts))
+    let detail = format!(
+        "N = 12, f = -0.1, w0 = 0.1, K = {name} = {gain:.4}, K_1 = -0.1, beacon 10, step 0.2, three turns \
+         after t = {until}; synchronised, mean position fixed within 0.1: {}",
+        Share { found: seeds, of: seeds }
+    );
+    holds(simulated(&part, &detail, seeds))
 }

@@ -135,7 +135,7 @@ fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result
         let mean = |n: usize| variant.factor(n) * rational(n as i64, 2);
         let difference = mean(fish - 1) - mean(1);
         let part = format!("{fish} fish, independent uniform headings");
-        let evidence = exact(&part, "exact expectation");
+        let evidence = exact(&format!("{part}, the mean"), "exact expectation");
         if difference == rational(0, 1) {
             for_it.push(checking(evidence.on([2]), "step 2"));
         } else {
@@ -151,7 +151,7 @@ fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result
         let detail = format!(
             "the difference has a mean in {mean} and is positive in a share {interval} of the draws (95%); positions uniform in a square"
         );
-        let evidence = Evidence::new(Grade::Simulated, &part, detail).cases(draws);
+        let evidence = Evidence::new(Grade::Simulated, format!("{part}, the share"), detail).cases(draws);
         if positive.interval().0 > NEARLY_ALWAYS {
             against.push((format!("{part}: the difference is positive in a share {interval} of the draws"), evidence));
         } else {
@@ -209,7 +209,7 @@ fn examine_measured_tracks(variant: &PeakVariant, _run: &mut Run) -> Result<Outc
         let value = scaled(&positions, &headings(signs), 3, &rational(1, 2))?;
         if value != rational(p, q) {
             let what = format!("four fish with headings {signs:?}: the scaled potential is {value}, not {p}/{q}");
-            return Ok(Outcome::fails(what, exact("peaks", "exact potentials")));
+            return Ok(Outcome::fails(what, exact("where the named peaks lie", "exact potentials")));
         }
     }
     let detail = "scaled potential, n = 3: 0 synchronised, 3/4 for three against one, 1 balanced";

@@ -136,9 +136,9 @@ impl PatternVariant {
             .collect()
     }
 
-    /// The spectral abscissae at the patterns of twelve particles: the range of their enclosures, or where one is not negative or 0
-    /// is an eigenvalue more than once.
-    fn abscissae(&self, run: &Run) -> Result<Result<Interval, String>, CheckError> {
+    /// That the spectral abscissae at the patterns of twelve particles are negative, and 0 is an eigenvalue once.
+    fn decays(&self, run: &Run) -> Result<Outcome, CheckError> {
+        const PART: &str = "abscissae of twelve particles";
         const ORDER: usize = 12;
         let reach = if self.connected { ORDER / 2 } else { 0 };
         let mut range: Option<Interval> = None;
@@ -150,12 +150,16 @@ impl PatternVariant {
                 let found = formation.with_moments(&self.gains(clusters, &omega)).transverse()?;
                 let Some(found) = found.filter(|found| found.zeros == 1 && found.abscissa.is_certainly_negative())
                 else {
-                    return Ok(Err(format!("M = {clusters}, N = {ORDER}, w0 = {omega}: the abscissa is not negative")));
+                    let what = format!("M = {clusters}, N = {ORDER}, w0 = {omega}: the abscissa is not negative");
+                    return Ok(Outcome::fails(what, certified(PART, "enclosures")));
                 };
                 range = Some(range.map_or_else(|| found.abscissa.clone(), |range| range.hull(&found.abscissa)));
             }
         }
-        Ok(range.ok_or_else(|| "no patterns".to_string()))
+        let range = range.ok_or_else(|| CheckError::NoCases(PART.to_string()))?;
+        let range = interval_value(&range, 4);
+        let detail = format!("all M: spectral abscissae in {range} for w0 = 1/10 and -2 (beyond.paley.abscissa)");
+        holds(certified(PART, detail).cases(12).on([3]))
     }
 }
 
@@ -217,8 +221,7 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
                     variant.spacing, variant.below, variant.last
                 )
             }))
-        })?;
-    let Outcome::Holds(_) = linearised else { return Ok(linearised) };
+        });
     let orders = (1..=run.cases(4, 11)).chain([12]);
     let patterns = orders.flat_map(|order| (1..=order).filter(move |m| order % m == 0).map(move |m| (m, order)));
     let detail = "inertia (N - 1, 0, 1) over exact cosines, N up to 4 (11 in full runs) and 12, all M";
@@ -233,18 +236,12 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
                 found.negative, found.zero
             )
         }))
-    })?;
-    let Outcome::Holds(_) = hessians else { return Ok(hessians) };
-    let range = match variant.abscissae(run)? {
-        Ok(range) => interval_value(&range, 4),
-        Err(what) => return Ok(Outcome::fails(what, certified("linearisation", "enclosures"))),
-    };
-    let enclosed = format!("N = 12, all M: spectral abscissae in {range} for w0 = 1/10 and -2 (beyond.paley.abscissa)");
+    });
     let section = "notes/paley_particles.md, Linearisation at a circular formation, steps 1 to 3 and 5";
     Run::all([
         argued(&[1, 2, 3], "all M and N", section),
-        holds(certified("linearisation", enclosed).cases(12).on([3])).checks("the conclusion"),
-        Ok(linearised.on([1, 2, 3])).checks("the conclusion"),
-        Ok(hessians.on([2, 3])).checks("step 5"),
+        linearised.on([1, 2, 3]).checks("the conclusion"),
+        hessians.on([2, 3]).checks("step 5"),
+        variant.decays(run).checks("the conclusion"),
     ])
 }

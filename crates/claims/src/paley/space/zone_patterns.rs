@@ -79,8 +79,8 @@ fn examine_patterns_in_zones(variant: &PatternsVariant, run: &mut Run) -> Result
     if variant.law == ZoneLaw::Printed && variant.orientation == SPACING {
         return no_effect_of_the_zone(variant, run);
     }
-    let mut parts = Vec::new();
-    for (clause, (clusters, zone)) in (1..).zip(ZoneFormation::CLUSTERS.into_iter().zip(variant.zones)) {
+    let panels = (1..).zip(ZoneFormation::CLUSTERS.into_iter().zip(variant.zones));
+    Run::all(panels.map(|(clause, (clusters, zone))| {
         let formation = ZoneFormation::new(variant.law, (SPACING, variant.orientation), zone);
         let (suiting, numbers) = suits((&formation, variant), clusters, run.cases(12, 60), run)?;
         run.value(&format!("share_suiting_M_{clusters}"), suiting.enclosure());
@@ -93,13 +93,9 @@ fn examine_patterns_in_zones(variant: &PatternsVariant, run: &mut Run) -> Result
             numbers.mean()
         );
         let detail = format!("{what}; w0 = K_0 = 0.1, blind spot 60 degrees, clusters at 10 degrees, step 1");
-        let part = simulated("clusters that suit the zone", &detail, suiting.of).on([clause]);
-        match judged(suiting, TYPICAL, what, part) {
-            Outcome::Holds(more) => parts.extend(more),
-            other => return Ok(other),
-        }
-    }
-    Ok(Outcome::Holds(parts))
+        let part = simulated(&format!("clusters that suit the zone of M = {clusters}"), &detail, suiting.of);
+        Ok(judged(suiting, TYPICAL, what, part.on([clause])))
+    }))
 }
 
 /// In how many runs the clusters suit the zone of so many, and their numbers.

@@ -1,6 +1,7 @@
 //! Mirrors `src/platoon`: the law, the response, the resonance against naive twins.
 
 mod by_definition;
+mod front;
 mod graphs_and_time;
 mod growth;
 mod limits;

@@ -1,11 +1,10 @@
 //! Gains for each car, and margins.
 
-use algebra::spectrum::Polynomial;
 use arithmetic::{ArithmeticError, Complex, Rational, rational};
 use models::platoon::banded::BandedPlatoon;
 use models::platoon::gain_margin::{GainMargin, gain_margin};
 use models::platoon::growth::peak_of_car;
-use models::platoon::margins::{margins, phase_margin_of_cars};
+use models::platoon::phase_margin::{PhaseMargin, phase_margin, phase_of_mode};
 use models::platoon::state_space::StateSpace;
 use models::platoon::vector_form::{motion_matrix, motion_rows_of_cars};
 use models::platoon::{
@@ -81,97 +80,87 @@ fn rows_of_cars_with_equal_gains_are_those_of_the_paper() {
     assert_eq!(rows, motion_matrix(&reduced, &equal).unwrap().to_rows());
 }
 
-/// For one car the loop is (|f| + i w |g|)/w², and the margin is known; complex modes lose stability at the factor that is told.
+/// The phase margin of these modes, one of each pair of conjugates.
+fn of_modes(own: &Gains<f64>, modes: &[Complex<f64>]) -> f64 {
+    let sizes = Gains { f: -own.f, g: -own.g };
+    let phase = |mode: &Complex<f64>| {
+        phase_of_mode(&sizes, &mode.norm_squared(), &mode.im.atan2(mode.re).abs()).expect("a stable mode")
+    };
+    modes.iter().map(phase).fold(f64::INFINITY, f64::min)
+}
+
+/// The factor of the gains below which a mode is not stable; 0 for real ones.
+fn critical_factor(own: &Gains<f64>, modes: &[Complex<f64>]) -> f64 {
+    let factor = |mode: &Complex<f64>| -own.f * mode.im * mode.im / (own.g * own.g * mode.re * mode.norm_squared());
+    modes.iter().map(factor).fold(0.0, f64::max)
+}
+
+/// Cars in a circle, the first of which tracks the leader, too, with this weight; the modes are `1 - r e^(2 pi i k/n)`, `r^n = 1 - weight`.
+fn circle(n: usize, weight: Rational) -> (algebra::matrix::RationalMatrix, Vec<Complex<f64>>) {
+    let rest = rational(1, 1) - &weight;
+    let r = num_traits::ToPrimitive::to_f64(&rest).unwrap().powf(1.0 / n as f64);
+    let rows = (1..=n).map(|k| match k {
+        1 => vec![(0, weight.clone()), (n, rest.clone())],
+        _ => vec![(k - 1, rational(1, 1))],
+    });
+    let reduced = CommunicationGraph::new(rows.collect()).unwrap().reduced_laplacian().unwrap();
+    let angle = |k: usize| 2.0 * std::f64::consts::PI * k as f64 / n as f64;
+    (reduced, (0..n).map(angle).map(|a| Complex::new(1.0 - r * a.cos(), -r * a.sin())).collect())
+}
+
+/// For one car the loop is (|f| + i w |g|)/w², and the margin is known; a bound by a search agrees with the enclosure.
 #[test]
-fn margins_are_where_stability_ends() {
-    let one = margins(&gains(-1.0, -1.0), &[Complex::real(1.0)]).unwrap();
+fn phase_margins_are_where_stability_ends() {
+    let one = Gains { f: rational(-1, 1), g: rational(-1, 1) };
+    let single = CommunicationGraph::of(Communication::Front, 1).unwrap().reduced_laplacian().unwrap();
     let crossing = ((1.0 + 5f64.sqrt()) / 2.0).sqrt();
-    assert!((one.phase.unwrap() - crossing.atan()).abs() < 1e-12 && one.critical_factor.is_none());
-    assert!(margins(&gains(-1.0, -1.0), &[]).is_none());
-    // Three cars that track each other in a circle, the first of them also the leader: complex eigenvalues of P.
-    let graph = CommunicationGraph::new(vec![
-        vec![(0, rational(1, 10)), (3, rational(9, 10))],
-        vec![(1, rational(1, 1))],
-        vec![(2, rational(1, 1))],
-    ])
-    .unwrap();
-    let reduced = graph.reduced_laplacian().unwrap();
-    // (1 - p)³ = 9/10.
-    let root = 0.9f64.cbrt();
-    let eigenvalues: Vec<Complex<f64>> = (0..3)
-        .map(|k| 2.0 * std::f64::consts::PI * f64::from(k) / 3.0)
-        .map(|angle| Complex::new(1.0 - root * angle.cos(), -root * angle.sin()))
-        .collect();
-    let known = margins(&gains(-5.0, -1.0), &eigenvalues).unwrap();
-    let factor = known.critical_factor.unwrap();
-    // The exact way finds the same, from a stable start.
+    match phase_margin(&single, &[one]).unwrap() {
+        PhaseMargin::Enclosed(x) => assert!((x.to_f64() - crossing.atan()).abs() < 1e-12, "{x}"),
+        other => panic!("{other:?}"),
+    }
+    let (reduced, modes) = circle(3, rational(1, 10));
     let own = vec![Gains { f: rational(-50, 1), g: rational(-10, 1) }; 3];
-    let strong = margins(&gains(-50.0, -10.0), &eigenvalues).unwrap();
-    let found = phase_margin_of_cars(&reduced, &own).unwrap().unwrap();
-    assert!((found - strong.phase.unwrap()).abs() < 1e-6, "{found:?} {strong:?}");
-    match gain_margin(&reduced, &own).unwrap() {
-        GainMargin::Ends { below: Some(below), above: None } => {
-            assert!((10.0 * below.to_f64() / factor - 1.0).abs() < 1e-12, "{below} {factor}");
+    let known = of_modes(&gains(-50.0, -10.0), &modes);
+    match phase_margin(&reduced, &own).unwrap() {
+        PhaseMargin::Enclosed(x) => assert!((x.to_f64() - known).abs() < 1e-9, "{x} {known}"),
+        other => panic!("{other:?}"),
+    }
+    // Nearly equal gains, for which it is searched: at most a little more.
+    let mut nearly = own.clone();
+    nearly[2].f = rational(-50_000_001, 1_000_000);
+    match phase_margin(&reduced, &nearly).unwrap() {
+        PhaseMargin::AtMost(x) => {
+            assert!((x.to_f64() - known).abs() < 1e-4 && x.to_f64() > known - 1e-7, "{x} {known}")
         }
         other => panic!("{other:?}"),
     }
-    let stable = |factor: f64| {
-        let factor = Rational::from_float(factor).unwrap();
-        let scaled = Gains { f: rational(-5, 1) * &factor, g: rational(-1, 1) * factor };
-        let motion = motion_matrix(&reduced, &scaled).unwrap();
-        Polynomial::from_rationals(&motion.characteristic_polynomial().unwrap().coefficients()).is_hurwitz()
-    };
-    assert!(stable(factor * 1.0001) && !stable(factor * 0.9999), "{factor}");
+    let open = phase_margin(&circle(13, rational(1, 2)).0, &[nearly, vec![own[0].clone(); 10]].concat()).unwrap();
+    assert!(matches!(open, PhaseMargin::Open(why) if why == "more than 12 cars"));
 }
 
-/// The margins by their definition: the least `|arg L|` where `|L| = 1`, of each eigenvalue and its conjugate, by bisection; and the factor
-/// at which the roots of `s² = k lambda (f + g s)` cross the imaginary axis.
+/// The margin by its definition: the least `|arg L|` where `|L| = 1`, by bisection; and the factor at which the roots of `s² = k lambda (f + g s)`
+/// cross the imaginary axis, where that is more than 1 and the mode is not stable.
 #[test]
-fn margins_are_those_of_the_loops() {
-    let conjugates = |(re, im): (f64, f64)| [Complex::new(re, im), Complex::new(re, -im)];
-    let both = |list: &[(f64, f64)]| list.iter().copied().flat_map(conjugates).collect::<Vec<_>>();
+fn phases_of_modes_are_those_of_the_loops() {
     for own in [gains(-2.0, -3.0), gains(-5.0, -0.7)] {
-        let loop_at = |lambda: &Complex<f64>, w: f64| Complex::new(-own.f, -own.g * w).scale(&(1.0 / (w * w))) * lambda;
-        let phase = |lambda: &Complex<f64>| {
-            let (mut low, mut high) = (1e-6f64, 1e6f64);
-            for _ in 0..200 {
-                let middle = (low * high).sqrt();
-                let above = loop_at(lambda, middle).norm_squared() > 1.0;
-                (low, high) = if above { (middle, high) } else { (low, middle) };
-            }
-            let there = loop_at(lambda, low);
-            there.im.atan2(there.re).abs()
-        };
-        // The real parts of the roots.
-        let growth = |lambda: &Complex<f64>, k: f64| {
-            let half = lambda.scale(&(0.5 * k * own.g));
-            let square = half.clone() * &half + lambda.scale(&(k * own.f));
-            let root = square.norm_squared().sqrt();
-            half.re + (0.5 * (root + square.re)).max(0.0).sqrt()
-        };
-        for list in [&[(1.0, 0.0)][..], &[(0.5, 0.8)], &[(1.5, 0.3), (0.5, 0.8), (0.7, 0.2)], &[(1.5, 0.3), (2.0, 0.0)]]
-        {
-            let all = both(list);
-            let found = margins(&own, &all).unwrap();
-            let least = all.iter().map(phase).fold(9.0, f64::min);
-            assert!((found.phase.unwrap() - least).abs() < 1e-9, "{list:?}");
-            let grows = |k: f64| all.iter().any(|lambda| growth(lambda, k) > 1e-15);
-            match found.critical_factor {
-                Some(k) => assert!(grows(k * (1.0 - 1e-6)) && !grows(k * (1.0 + 1e-6)), "{list:?}"),
-                None => assert!(list.iter().all(|(_, im)| *im == 0.0)),
-            }
-            // One of each pair is enough, whichever it is, and 0 tells nothing.
-            for one in [0, 1] {
-                let half: Vec<_> = list.iter().map(|lambda| conjugates(*lambda)[one].clone()).collect();
-                assert_eq!(margins(&own, &half), Some(found));
-                assert_eq!(margins(&own, &[half, vec![Complex::real(0.0)]].concat()), Some(found));
-            }
+        for (re, im) in [(1.0, 0.0), (0.5, 0.1), (1.5, 0.3), (0.7, 0.15), (2.0, 0.0)] {
+            let loop_at =
+                |w: f64, im: f64| Complex::new(-own.f, -own.g * w).scale(&(1.0 / (w * w))) * &Complex::new(re, im);
+            let phase = |im: f64| {
+                let (mut low, mut high) = (1e-6f64, 1e6f64);
+                for _ in 0..200 {
+                    let middle = (low * high).sqrt();
+                    let above = loop_at(middle, im).norm_squared() > 1.0;
+                    (low, high) = if above { (middle, high) } else { (low, middle) };
+                }
+                let there = loop_at(low, im);
+                there.im.atan2(there.re).abs()
+            };
+            let mode = [Complex::new(re, im)];
+            assert!(critical_factor(&own, &mode) < 1.0);
+            assert!((of_modes(&own, &mode) - phase(im).min(phase(-im))).abs() < 1e-9, "{re} {im}");
+            assert_eq!(of_modes(&own, &mode), of_modes(&own, &[Complex::new(re, -im)]));
         }
-        for left in [(0.0, 1.0), (-0.3, 0.9), (-0.3, -0.9)] {
-            let found = margins(&own, &[Complex::new(left.0, left.1)]).unwrap();
-            assert!(found.critical_factor.is_none() && found.phase.is_some());
-        }
-        assert_eq!(margins(&own, &[Complex::real(0.0)]), None);
     }
 }
 
@@ -180,16 +169,9 @@ fn margins_are_those_of_the_loops() {
 #[test]
 fn gain_margins_of_rings_are_those_of_their_modes() {
     for n in [3usize, 7, 12, 13, 20] {
-        let half = || rational(1, 2);
-        let rows = (1..=n).map(|k| if k == 1 { vec![(0, half()), (n, half())] } else { vec![(k - 1, rational(1, 1))] });
-        let reduced = CommunicationGraph::new(rows.collect()).unwrap().reduced_laplacian().unwrap();
+        let (reduced, modes) = circle(n, rational(1, 2));
         let own = vec![Gains { f: rational(-2, 1), g: rational(-60, 1) }; n];
-        let r = 0.5f64.powf(1.0 / n as f64);
-        let mode = |k: usize| 2.0 * std::f64::consts::PI * k as f64 / n as f64;
-        let modes: Vec<_> = (0..n).map(mode).map(|a| Complex::new(1.0 - r * a.cos(), -r * a.sin())).collect();
-        // What is real is not met by rounding.
-        let modes: Vec<_> = modes.into_iter().filter(|lambda| lambda.im.abs() > 1e-9).collect();
-        let known = margins(&gains(-2.0, -60.0), &modes).unwrap().critical_factor.unwrap();
+        let known = critical_factor(&gains(-2.0, -60.0), &modes);
         match gain_margin(&reduced, &own).unwrap() {
             GainMargin::Ends { below: Some(below), above: None } => {
                 assert!((below.to_f64() / known - 1.0).abs() < 1e-9, "{n}: {below} {known}");
@@ -238,10 +220,12 @@ fn gain_margins_are_decided_or_open() {
 fn margins_of_different_cars_are_those_of_the_worst() {
     let reduced = CommunicationGraph::of(Communication::Front, 3).unwrap().reduced_laplacian().unwrap();
     let own = [(-1, -1), (-4, -1), (-2, -3)].map(|(f, g)| Gains { f: rational(f, 1), g: rational(g, 1) });
-    let found = phase_margin_of_cars(&reduced, &own).unwrap().unwrap();
-    let single = |(f, g): (f64, f64)| margins(&gains(f, g), &[Complex::real(1.0)]).unwrap().phase.unwrap();
+    let single = |(f, g): (f64, f64)| of_modes(&gains(f, g), &[Complex::real(1.0)]);
     let least = [(-1.0, -1.0), (-4.0, -1.0), (-2.0, -3.0)].map(single).into_iter().fold(9.0, f64::min);
-    assert!((found - least).abs() < 1e-6, "{found:?}, {least}");
+    match phase_margin(&reduced, &own).unwrap() {
+        PhaseMargin::AtMost(x) => assert!((x.to_f64() - least).abs() < 1e-5 && x.to_f64() > least, "{x}, {least}"),
+        other => panic!("{other:?}"),
+    }
     assert!(matches!(gain_margin(&reduced, &own).unwrap(), GainMargin::Infinite));
 }
 

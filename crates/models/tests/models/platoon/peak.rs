@@ -1,10 +1,11 @@
 //! Peaks over all frequencies of any platoon and any system, with proof, against dense scans in floating point.
 
 use arithmetic::rand_chacha::rand_core::Rng;
-use arithmetic::{Complex, Rational, Unwatched, parse_rational, random, rational, significant_digits};
+use arithmetic::{Complex, Progress, Rational, Unwatched, parse_rational, random, rational, significant_digits};
 use models::platoon::state_space::StateSpace;
-use models::platoon::{CommunicationGraph, Gains, Peak, PeakError, peak_of_system, peak_on_graph};
+use models::platoon::{Communication, CommunicationGraph, Gains, Peak, PeakError, peak_of_system, peak_on_graph};
 use num_traits::ToPrimitive;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 type Arcs = Vec<Vec<(usize, Rational)>>;
 
@@ -152,4 +153,31 @@ fn platoons_without_a_peak() {
     for (count, car) in [(2, 1), (3, 0), (3, 4)] {
         assert!(matches!(peak(&one, &own[..count], car), Err(PeakError::System(_))), "{count} {car}");
     }
+}
+
+/// Stops after it was asked so often.
+struct After(usize, AtomicUsize);
+
+impl Progress for After {
+    fn is_cancelled(&self) -> bool {
+        self.1.fetch_add(1, Ordering::Relaxed) >= self.0
+    }
+}
+
+/// The polynomials, Routh's table and the search each ask whether to go on.
+#[test]
+fn peaks_can_be_stopped_at_every_stage() {
+    let graph = CommunicationGraph::of(Communication::FrontAndBack, 6).unwrap();
+    let gains: Vec<Gains<Rational>> = (1..=6).map(|k| Gains { f: rational(-1, k), g: rational(-1, 2) }).collect();
+    let asked = |most: usize| {
+        let progress = After(most, AtomicUsize::new(0));
+        let found = peak_on_graph(&graph, &gains, 6, 10, &progress);
+        (found, progress.1.into_inner())
+    };
+    let (whole, total) = asked(usize::MAX);
+    assert!(whole.is_ok() && total > 12, "{total}");
+    for most in [0, 1, 4, total / 2, total - 1] {
+        assert!(matches!(asked(most).0, Err(PeakError::Cancelled(_))), "{most} of {total}");
+    }
+    assert!(asked(total).0.is_ok());
 }

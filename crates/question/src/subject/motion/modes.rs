@@ -3,6 +3,7 @@
 use super::numbers::{BITS, Start, narrowed, point, widened};
 use crate::failure::Failure;
 use arithmetic::{ArithmeticError, FloatInterval, Interval, Number, Rational, rational};
+use models::platoon::front_in_time::{FrontMotion, FrontStart};
 use models::platoon::time_domain::{Followers, Modes, SwingingStart};
 use models::platoon::{Communication, CommunicationGraph, Gains};
 use motion::validated::IntervalVector;
@@ -10,9 +11,41 @@ use motion::validated::IntervalVector;
 /// Most followers.
 const MOST_FOLLOWERS: usize = 128;
 
+/// The motion of a line of cars.
+enum Motion {
+    FrontAndBack(SwingingStart<Interval>),
+    Front(FrontStart<Interval>),
+}
+
+impl Motion {
+    /// Behind a leader with this swing, for gains for which it is known.
+    fn of(
+        graph: &CommunicationGraph,
+        gains: &Gains<Interval>,
+        first: &Followers<Interval>,
+        (amplitude, w): (&Interval, &Interval),
+    ) -> Option<Self> {
+        let followers = graph.followers();
+        let is = |line| CommunicationGraph::of(line, followers).is_ok_and(|line| line == *graph);
+        if is(Communication::FrontAndBack) {
+            let modes = Modes::new(gains, followers as u64).ok()?;
+            return modes.behind_swinging_leader(first, amplitude, w).ok().map(Motion::FrontAndBack);
+        }
+        let front = is(Communication::Front).then(|| FrontMotion::new(gains, followers))?.ok()?;
+        front.behind_swinging_leader(first, amplitude, w).ok().map(Motion::Front)
+    }
+
+    fn deviations(&self, t: &Interval) -> Result<Followers<Interval>, ArithmeticError> {
+        match self {
+            Motion::FrontAndBack(start) => start.deviations(t),
+            Motion::Front(start) => start.deviations(t),
+        }
+    }
+}
+
 /// A platoon in the frame of its leader.
 pub(super) struct ModalPlatoon {
-    start: SwingingStart<Interval>,
+    start: Motion,
     graph: CommunicationGraph,
     gains: Gains<FloatInterval>,
     /// `A w²` and `w` of the leader's swing.
@@ -20,7 +53,7 @@ pub(super) struct ModalPlatoon {
 }
 
 impl ModalPlatoon {
-    /// The platoon, if it is the two-sided one with gains for which the sum over the modes is known. `start` gives the deviations and rates
+    /// The platoon, if it is one on a line with gains for which its motion is known. `start` gives the deviations and rates
     /// of all cars without the swing.
     pub fn new(
         start: impl Fn(&Start, usize) -> FloatInterval,
@@ -29,14 +62,12 @@ impl ModalPlatoon {
         swing: &(Rational, Rational),
     ) -> Option<Self> {
         let followers = graph.followers();
-        let is_line = CommunicationGraph::of(Communication::FrontAndBack, followers).is_ok_and(|line| line == *graph);
         let zero = rational(0, 1);
-        if !is_line || followers > MOST_FOLLOWERS || gains.0 >= zero || gains.1 >= zero {
+        if followers > MOST_FOLLOWERS || gains.0 >= zero || gains.1 >= zero {
             return None;
         }
         let number = |q: &Rational| Interval::from_rational(q, BITS);
         let exact = Gains { f: number(&gains.0), g: number(&gains.1) };
-        let modes = Modes::new(&exact, followers as u64).ok()?;
         let (amplitude, w) = (number(&swing.0), number(&swing.1));
         // The swing begins at its largest deviation, at rest.
         let relative = |list: &Start, own: &Interval| -> Vec<Interval> {
@@ -47,7 +78,7 @@ impl ModalPlatoon {
             positions: relative(&Start::Positions, &amplitude),
             velocities: relative(&Start::Velocities, &number(&zero)),
         };
-        let start = modes.behind_swinging_leader(&first, &amplitude, &w).ok()?;
+        let start = Motion::of(graph, &exact, &first, (&amplitude, &w))?;
         let gains = Gains { f: point(&gains.0), g: point(&gains.1) };
         let swing = (amplitude * number(&(&swing.1 * &swing.1)), w);
         Some(ModalPlatoon { start, graph: graph.clone(), gains, swing })

@@ -1,0 +1,157 @@
+//! Questions about every state of every flock: `law = "FILE"` in the place of a scenario.
+
+mod decide;
+mod identity;
+mod inequality;
+mod instance;
+mod pairs;
+mod search;
+
+use crate::error::{Problem, QuestionError};
+use crate::question::{Expression, Question};
+use arithmetic::{Rational, parse_rational};
+use expressions::{Kind, LawError, LawText};
+use std::collections::BTreeSet;
+use std::sync::{Mutex, PoisonError};
+
+pub(crate) use decide::decide;
+
+/// Most agents.
+const MOST_AGENTS: usize = 64;
+
+/// What the numbers of a part of the state range over: all reals where there are no ends.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Range {
+    pub part: String,
+    pub ends: Option<(Rational, Rational)>,
+}
+
+/// How something was proved for all states.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum How {
+    /// By an identity modulo random primes; a wrong one passes with probability at most 2 to minus this.
+    Identity(u64),
+    /// Pair by pair.
+    Pairs,
+    /// What was decided about a function on a domain, in its words.
+    Decided(&'static str),
+    /// At a single state.
+    Point,
+}
+
+/// The law of a question.
+#[derive(Debug)]
+pub(crate) struct LawFile {
+    pub name: String,
+    text: String,
+    pub law: LawText,
+    pub ranges: Vec<Range>,
+    /// How the property was proved, of all cases together.
+    how: Mutex<BTreeSet<How>>,
+}
+
+impl LawFile {
+    /// Adds how a case was proved.
+    pub fn note(&self, how: Vec<How>) {
+        self.how.lock().unwrap_or_else(PoisonError::into_inner).extend(how);
+    }
+
+    /// The grades of what was proved, and how, in a sentence.
+    pub fn told(&self) -> (Vec<&'static str>, String) {
+        let how = self.how.lock().unwrap_or_else(PoisonError::into_inner);
+        let bits = how.iter().find_map(|how| if let How::Identity(bits) = how { Some(*bits) } else { None });
+        let (mut grades, mut parts) = (Vec::new(), Vec::new());
+        if let Some(bits) = bits {
+            grades.push("identity");
+            parts.push(format!(
+                "by identities modulo random primes, of which a wrong one passes with probability at most 2^-{bits}, functions that are not rational counted as unknown"
+            ));
+        }
+        if how.contains(&How::Pairs) {
+            parts.push("as a sum over pairs of agents of terms that are each of one sign".to_string());
+        }
+        let decided: Vec<&str> =
+            how.iter().filter_map(|how| if let How::Decided(words) = how { Some(*words) } else { None }).collect();
+        if !decided.is_empty() {
+            grades.push("certified");
+            parts.push(format!("by {}", decided.join(", ")));
+        }
+        if how.contains(&How::Point) {
+            grades.push("exact");
+        }
+        let sentence = if parts.is_empty() { String::new() } else { format!("Proved {}.", parts.join("; ")) };
+        (grades, sentence)
+    }
+
+    /// Reads the file of a law.
+    pub fn read(name: &str, text: &str) -> Result<Self, String> {
+        let law = scenario::read_law(text).map_err(|error| format!("{name}: {error}"))?;
+        // What is wrong with the law itself comes first; lists with one value for each agent are looked at with the flock.
+        if let Err(error) = law.compile(MOST_AGENTS)
+            && error.table != "parameters"
+        {
+            return Err(format!("{name}: {}", scenario::law_problem(text, error)));
+        }
+        Ok(LawFile { name: name.to_string(), text: text.to_string(), law, ranges: Vec::new(), how: Mutex::default() })
+    }
+
+    /// The law as one line, for the canonical form of a question.
+    pub fn digest(&self) -> String {
+        format!("{:?}", self.text)
+    }
+
+    /// Whether a name of `[for]` is a part of the state.
+    pub fn is_part(&self, name: &str) -> bool {
+        self.law.state.iter().any(|(part, _)| part == name)
+    }
+
+    /// Reads what the numbers of a part range over: `any`, or an interval.
+    pub fn add_range(&mut self, part: &str, text: &str) -> Result<(), Problem> {
+        let refuse = || Problem::expected("\"any\", or an interval such as \"[-2, 2]\"", format!("`{text}`"));
+        let ends = match text.trim() {
+            "any" => None,
+            other => {
+                let inside = other.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).ok_or_else(refuse)?;
+                let (lo, hi) = inside.split_once(',').ok_or_else(refuse)?;
+                let ends = (parse_rational(lo)?, parse_rational(hi)?);
+                if ends.0 > ends.1 {
+                    return Err(refuse());
+                }
+                Some(ends)
+            }
+        };
+        self.ranges.push(Range { part: part.to_string(), ends });
+        Ok(())
+    }
+
+    /// Whether a place such as `x[2].1` or `law.parameters.K` is there.
+    pub fn has_place(&self, name: &str) -> bool {
+        if let Some(parameter) = name.strip_prefix("law.parameters.") {
+            return self.law.parameters.iter().any(|(known, _)| known == parameter);
+        }
+        let Some((part, agent, component)) = place(name) else { return false };
+        let Some((_, kind)) = self.law.state.iter().find(|(known, _)| known == part) else { return false };
+        let width = if *kind == Kind::Vector { self.law.dimension } else { 1 };
+        agent > 0 && component.map_or(width == 1, |k| width > 1 && (1..=width).contains(&k))
+    }
+
+    /// What is wrong with a law, or with a property.
+    pub fn refused(&self, question: &Question, expression: &Expression, error: LawError) -> QuestionError {
+        if error.table == "property" {
+            return question.at(expression.base + error.at.unwrap_or(0), error.problem.into());
+        }
+        let told = scenario::law_problem(&self.text, error);
+        question.at(expression.base, Problem::Other(format!("{}: {told}", self.name)))
+    }
+}
+
+/// `x[2].1` as part, agent and component, from 1.
+pub(crate) fn place(name: &str) -> Option<(&str, usize, Option<usize>)> {
+    let (part, rest) = name.split_once('[')?;
+    let (agent, rest) = rest.split_once(']')?;
+    let component = match rest {
+        "" => None,
+        rest => Some(rest.strip_prefix('.')?.parse().ok()?),
+    };
+    Some((part, agent.parse().ok()?, component))
+}

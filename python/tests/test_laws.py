@@ -1,0 +1,64 @@
+"""Laws of one's own: from texts and from Python functions, as files, in simulations and questions."""
+
+import flockproof
+import numpy as np
+import pytest
+from flockproof import Law
+from flockproof.law import mean, norm2, total
+
+
+def cucker_smale(traced: bool) -> Law:
+    if traced:
+        rates = {"x": lambda i: i.v, "v": lambda i: mean(lambda j: i.K / np.sqrt(1 + norm2(j.x - i.x)) * (j.v - i.v))}
+        observables = {"momentum": lambda: total(lambda i: i.v)}
+    else:
+        rates = {"x": "v", "v": "mean(j, K/sqrt(1 + norm2(x[j] - x)) * (v[j] - v))"}
+        observables = {"momentum": "sum(i, v[i])"}
+    return Law(state={"x": "vector", "v": "vector"}, parameters={"K": 1}, rates=rates, observables=observables)
+
+
+RUN = {
+    "state": {"x": [[0, 0], [1, 0], [0, 2]], "v": [[1, 0], [0, 1], [0, 0]]},
+    "run": {"until": 2, "samples": [2]},
+}
+
+
+def test_functions_are_the_same_law_as_texts(tmp_path):
+    runs = [cucker_smale(traced).simulate(RUN) for traced in (True, False)]
+    np.testing.assert_array_equal(runs[0].states["v"], runs[1].states["v"])
+    (tmp_path / "law.toml").write_text(cucker_smale(True).to_toml())
+    (tmp_path / "run.toml").write_text(
+        'model = "own"\nlaw = "law.toml"\n[state]\nx = [[0, 0], [1, 0], [0, 2]]\nv = [[1, 0], [0, 1], [0, 0]]\n'
+        "[run]\nuntil = 2\nsamples = [2]\n"
+    )
+    run = flockproof.simulate(tmp_path / "run.toml")
+    np.testing.assert_array_equal(run.states["v"], runs[0].states["v"])
+
+
+def test_all_states():
+    answer = cucker_smale(True).check(
+        {
+            "question": {"id": "mine.momentum"},
+            "for": {"agents": "2..3", "x": "any", "v": "any"},
+            "holds": {"property": "rate(momentum) = 0", "controls": ["rate(momentum) = v[1]"]},
+        }
+    )
+    assert (answer.verdict, answer.grades) == ("holds", ("identity",))
+
+
+@pytest.mark.parametrize(
+    ("rate", "told"),
+    [
+        (lambda i: i.y, "an agent has no y"),
+        (lambda i: np.tan(i.x), "numpy.tan is not a function of laws"),
+        (lambda i: i.v if i.x[0] > 0 else 0, "no truth value"),
+    ],
+)
+def test_what_cannot_be_traced_says_where(rate, told):
+    with pytest.raises((TypeError, AttributeError), match=told) as found:
+        Law(state={"x": "vector", "v": "vector"}, rates={"x": "v", "v": rate})
+    assert "test_laws.py" in str(found.value) and "line" in str(found.value)
+
+
+def test_latex():
+    assert r"\dot v_i" in cucker_smale(False)._repr_latex_()
