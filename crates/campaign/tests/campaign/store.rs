@@ -2,6 +2,7 @@ use arithmetic::{Progress, Unwatched};
 use campaign::job::{Campaign, JobError};
 use campaign::store::{MERGED, Shard, StoreError, aside, merge, run_in_memory, run_shard};
 use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -91,11 +92,29 @@ fn other_campaigns_and_versions_are_refused() {
     let store = folder("versions");
     merged("versions", 10, &[1, 2], 2).unwrap();
     let path = Shard { index: 2, of: 2 }.path(&store);
-    let text = std::fs::read_to_string(&path).unwrap().replace("\"version\":\"", "\"version\":\"9");
-    std::fs::write(&path, text).unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, by_version_9(&text, "2/2")).unwrap();
     assert!(merge(&store).unwrap_err().to_string().contains("made by version 9"));
     let refused = run_shard(&squares(10), &store, Shard { index: 2, of: 2 }, true, &Unwatched);
     assert!(matches!(refused, Err(StoreError::Version { .. })));
+}
+
+/// A line with the digest that it should have, by hand: that of what it belongs to, a line's end and the text before it.
+fn sealed(open: &str, salt: &str) -> String {
+    let hash = Sha256::digest(format!("{salt}\n{open}"));
+    let digits: String = hash.iter().take(16).map(|byte| format!("{byte:02x}")).collect();
+    format!("{open},\"sha256\":\"{digits}\"}}")
+}
+
+/// A shard as another version of the program would have written it.
+fn by_version_9(text: &str, shard: &str) -> String {
+    let mut open = text.lines().map(|line| line.rsplit_once(",\"sha256\"").unwrap().0);
+    let header = open.next().unwrap();
+    let of_all = |header: &str| sealed(&header.replace(&format!("\"{shard}\""), "null"), "");
+    let again: String = open.clone().map(|row| sealed(row, &of_all(header)) + "\n").collect();
+    assert_eq!(sealed(header, "") + "\n" + &again, text);
+    let header = header.replace("\"version\":\"", "\"version\":\"9");
+    sealed(&header, "") + "\n" + &open.map(|row| sealed(row, &of_all(&header)) + "\n").collect::<String>()
 }
 
 #[test]
