@@ -2,7 +2,7 @@
 
 use super::{CliError, interrupt, output, progress};
 use flockproof::arithmetic::Progress;
-use flockproof::question::{Answer, Question, QuestionError, Verdict, decide, names};
+use flockproof::question::{Answer, Certificate, Question, QuestionError, Verdict, decide, names};
 use flockproof::report::{Provenance, shown};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -22,6 +22,9 @@ pub struct Arguments {
     /// Write a counterexample as a question of its own into this folder [default: the current one]
     #[arg(long, value_name = "DIR", default_value = ".", hide_default_value = true)]
     replay: PathBuf,
+    /// Write the sums of squares that an answer rests on, for flockproof-checker; the second one and later ones get .2, .3, .. at the end of the name
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
     /// Write the answers as a page that needs no other file, with counterexamples drawn
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
@@ -36,7 +39,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         output::make_folder(&arguments.replay)?;
     }
     arguments.html.as_deref().map_or(Ok(()), output::check_writable)?;
-    let (mut documents, mut pages) = (Vec::new(), Vec::new());
+    arguments.certificate.as_deref().map_or(Ok(()), output::check_writable)?;
+    let (mut documents, mut pages, mut certificates) = (Vec::new(), Vec::new(), Vec::new());
     let mut worst = Verdict::Holds;
     let mut interrupted = false;
     for path in &arguments.files {
@@ -55,6 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         };
         let replay = write_replay(&question, &answer, path, &arguments.replay)?;
         worst = worse(worst, answer.verdict);
+        certificates.extend(answer.certificates.iter().map(Certificate::text));
         if arguments.html.is_some() {
             pages.push((answer.id.clone(), shown::question(&question, &answer, &watch)));
         }
@@ -76,6 +81,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let document = if documents.len() == 1 { documents.remove(0) } else { documents.into() };
         output::print_json(&document)?;
     }
+    if let Some(path) = &arguments.certificate {
+        write_certificates(path, &certificates, arguments.json)?;
+    }
     if let Some(path) = arguments.html.as_deref().filter(|_| !pages.is_empty()) {
         output::write_file(path, page(arguments, &pages).as_bytes())?;
         if !arguments.json {
@@ -83,6 +91,25 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         }
     }
     Ok(if interrupted { interrupt::status(false) } else { ExitCode::from(worst.status()) })
+}
+
+/// One file for each sum of squares.
+fn write_certificates(path: &Path, certificates: &[String], quiet: bool) -> Result<(), CliError> {
+    let none = "no answer rests on a sum of squares, so that there is no certificate";
+    if certificates.is_empty() {
+        return Err(CliError::Use(none.to_string()));
+    }
+    for (number, text) in (1..).zip(certificates) {
+        let mut name = path.as_os_str().to_owned();
+        if number > 1 {
+            name.push(format!(".{number}"));
+        }
+        output::write_file(Path::new(&name), text.as_bytes())?;
+        if !quiet {
+            output::print(&format!("written: {}\n", Path::new(&name).display()))?;
+        }
+    }
+    Ok(())
 }
 
 /// All answers on one page.

@@ -21,6 +21,9 @@ impl FloatInterval {
     /// All real numbers.
     pub const LINE: Self = FloatInterval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 
+    /// Zero alone.
+    pub const ZERO: Self = FloatInterval { lo: 0.0, hi: 0.0 };
+
     /// One number; all of them where it is not finite.
     #[inline]
     pub fn point(x: f64) -> Self {
@@ -295,6 +298,22 @@ impl Signed for FloatInterval {
             (_, _, true) => Some(Sign::Zero),
             _ => None,
         }
+    }
+
+    fn absolute(&self) -> Result<Self, ArithmeticError> {
+        Ok(match self.sign() {
+            Some(Sign::Negative) => FloatInterval::negated(self),
+            Some(_) => *self,
+            None => FloatInterval { lo: if self.contains(0.0) { 0.0 } else { self.lo }, hi: self.magnitude() },
+        })
+    }
+
+    fn larger(&self, other: &Self) -> Result<Self, ArithmeticError> {
+        Ok(FloatInterval { lo: self.lo.max(other.lo), hi: self.hi.max(other.hi) })
+    }
+
+    fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
+        Ok(FloatInterval { lo: self.lo.min(other.lo), hi: self.hi.min(other.hi) })
     }
 }
 

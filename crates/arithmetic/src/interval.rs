@@ -317,6 +317,23 @@ impl Signed for Interval {
             None
         }
     }
+
+    fn absolute(&self) -> Result<Self, ArithmeticError> {
+        Ok(match self.sign() {
+            Some(Sign::Negative) => -self.clone(),
+            None if self.contains_zero() => Interval::between(Dyadic::zero(), self.magnitude(), self.precision),
+            _ => self.clone(),
+        })
+    }
+
+    fn larger(&self, other: &Self) -> Result<Self, ArithmeticError> {
+        let end = |a: &Dyadic, b: &Dyadic| a.max(b).clone();
+        Ok(Interval::between(end(&self.lo, &other.lo), end(&self.hi, &other.hi), self.precision))
+    }
+
+    fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
+        Ok(-(-self.clone()).larger(&-other.clone())?)
+    }
 }
 
 impl std::fmt::Display for Interval {

@@ -9,6 +9,7 @@
 //! | [`FloatInterval`] | encloses the exact value, between floats, without allocation |
 //! | [`Ball<LIMBS>`] | encloses the exact value at a fixed absolute precision, without allocation |
 //! | [`RealCyclotomic`] | exact: cosines and sines of rational parts of a turn |
+//! | [`PreciseNumber`] | a real number, exact where it can be, otherwise enclosed, with a separation bound where it is algebraic: equality is decided |
 //! | [`Complex<T>`] | a pair over any of these; over [`Rational`] the Gaussian rationals |
 //! | [`Dual<T>`] | value and first derivative, exact wherever `T` is |
 //! | [`Series<T>`] | truncated power series, for expansions to a stated order; functions by recurrences |
@@ -44,6 +45,7 @@ mod radical;
 pub mod random;
 mod rational;
 mod real_cyclotomic;
+mod real_number;
 mod regression;
 mod residue;
 mod series;
@@ -64,8 +66,9 @@ pub use number::{NumberError, decimal, parse_rational, shown};
 pub use probe::Probe;
 pub use progress::{Cancelled, Progress, Unwatched};
 pub use radical::RadicalSum;
-pub use rational::{NoRational, Rational, common_denominator, content, gcd, lcm, quotient, rational};
+pub use rational::{NoRational, Rational, common_denominator, content, gcd, lcm, quotient, rational, simplest_between};
 pub use real_cyclotomic::{CosineField, RealCyclotomic};
+pub use real_number::{Algebraic, Obstacle, PreciseNumber, RealNumber};
 pub use regression::regression_line;
 pub use residue::{Residue, is_prime, random_prime};
 pub use series::Series;
@@ -87,6 +90,12 @@ pub enum ArithmeticError {
     /// What was given lacks what is named.
     #[error("this needs {0}")]
     Domain(&'static str),
+}
+
+impl ArithmeticError {
+    /// A choice by a sign that an enclosure does not decide.
+    pub const UNDECIDED_SIGN: Self =
+        ArithmeticError::Domain("a condition that is decided, and here it may be true or false");
 }
 
 /// The sign of a real number.
@@ -262,5 +271,34 @@ pub trait Signed: Ring {
     #[inline]
     fn is_certainly_negative(&self) -> bool {
         self.sign() == Some(Sign::Negative)
+    }
+
+    /// The absolute value.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::UNDECIDED_SIGN`] where it depends on a sign that is not decided.
+    fn absolute(&self) -> Result<Self, ArithmeticError> {
+        match self.sign().ok_or(ArithmeticError::UNDECIDED_SIGN)? {
+            Sign::Negative => Ok(-self.clone()),
+            _ => Ok(self.clone()),
+        }
+    }
+
+    /// The larger one of two.
+    ///
+    /// # Errors
+    /// As [`Signed::absolute`].
+    fn larger(&self, other: &Self) -> Result<Self, ArithmeticError> {
+        let sign = (self.clone() - other).sign().ok_or(ArithmeticError::UNDECIDED_SIGN)?;
+        Ok(if sign == Sign::Negative { other.clone() } else { self.clone() })
+    }
+
+    /// The smaller one of two.
+    ///
+    /// # Errors
+    /// As [`Signed::absolute`].
+    fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
+        let sign = (self.clone() - other).sign().ok_or(ArithmeticError::UNDECIDED_SIGN)?;
+        Ok(if sign == Sign::Positive { other.clone() } else { self.clone() })
     }
 }

@@ -1,11 +1,13 @@
 //! One macro that gives a type its four operators, by value and by reference, from functions of two references.
 
 /// `operators!([generics] Type, add_fn, sub_fn, mul_fn, neg_fn)`: each function takes references.
+#[macro_export]
+#[doc(hidden)]
 macro_rules! operators {
     ([$($generics:tt)*] $type:ty, $add:expr, $sub:expr, $mul:expr, $neg:expr) => {
-        $crate::operators::operators!(@binary [$($generics)*] $type, Add, add, $add);
-        $crate::operators::operators!(@binary [$($generics)*] $type, Sub, sub, $sub);
-        $crate::operators::operators!(@binary [$($generics)*] $type, Mul, mul, $mul);
+        $crate::operators!(@binary [$($generics)*] $type, Add, add, $add);
+        $crate::operators!(@binary [$($generics)*] $type, Sub, sub, $sub);
+        $crate::operators!(@binary [$($generics)*] $type, Mul, mul, $mul);
         impl<$($generics)*> std::ops::Neg for $type {
             type Output = $type;
             #[inline]

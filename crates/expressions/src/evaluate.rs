@@ -49,8 +49,6 @@ enum Known<T> {
     Missing(ArithmeticError),
 }
 
-const OPEN: ArithmeticError = ArithmeticError::Domain("a condition that is decided, and here it may be true or false");
-
 /// A program with its working space; used again and again, it allocates nothing.
 #[derive(Debug, Clone)]
 pub struct Evaluator<T> {
@@ -194,12 +192,9 @@ impl<T: Number> Evaluator<T> {
             Op::Power(a, k) => of(a)?.power(u64::from(*k)),
             Op::Function(function, a) => function.at(of(a)?)?,
             Op::Angle(y, x) => T::angle(of(y)?, of(x)?)?,
-            Op::Absolute(a) => match of(a)?.sign().ok_or(OPEN)? {
-                Sign::Negative => -of(a)?.clone(),
-                _ => of(a)?.clone(),
-            },
-            Op::Larger(a, b) => if self.sign(*a, *b)? == Sign::Negative { of(b)? } else { of(a)? }.clone(),
-            Op::Smaller(a, b) => if self.sign(*a, *b)? == Sign::Positive { of(b)? } else { of(a)? }.clone(),
+            Op::Absolute(a) => of(a)?.absolute()?,
+            Op::Larger(a, b) => of(a)?.larger(of(b)?)?,
+            Op::Smaller(a, b) => of(a)?.smaller(of(b)?)?,
             Op::Choice(condition, a, b) => if self.truth(*condition)? { of(a)? } else { of(b)? }.clone(),
             Op::Compared(..) | Op::Both(..) | Op::Not(_) => return Ok(None),
             Op::Gathered(..) => return Err(ArithmeticError::Domain("a loop")),
@@ -208,7 +203,7 @@ impl<T: Number> Evaluator<T> {
 
     /// The sign of a difference.
     fn sign(&self, a: usize, b: usize) -> Result<Sign, ArithmeticError> {
-        (self.number(a)?.clone() - self.number(b)?).sign().ok_or(OPEN)
+        (self.number(a)?.clone() - self.number(b)?).sign().ok_or(ArithmeticError::UNDECIDED_SIGN)
     }
 
     fn condition(&self, op: &Op) -> Result<bool, ArithmeticError> {
@@ -294,7 +289,7 @@ impl<T: Number> Gathered<T> {
                 Gather::Largest | Gather::Smallest => {
                     let wanted = if gather == Gather::Largest { Sign::Negative } else { Sign::Positive };
                     match (all.clone() - value).sign() {
-                        None => Gathered::Missing(OPEN),
+                        None => Gathered::Missing(ArithmeticError::UNDECIDED_SIGN),
                         Some(sign) if sign == wanted => Gathered::Number(value.clone()),
                         Some(_) => Gathered::Number(all),
                     }

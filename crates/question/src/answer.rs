@@ -4,7 +4,7 @@ use crate::bindings::Bindings;
 use crate::decisive::Decisive;
 use crate::error::QuestionError;
 use crate::names::Subject;
-use crate::outcome::Outcome;
+use crate::outcome::{Outcome, Unsettled};
 use crate::question::Question;
 use crate::scenario_file::is_place;
 use crate::shrink::Shrunk;
@@ -13,6 +13,7 @@ use crate::truth::{Margin, Truth};
 use algebra::graph::LaplacianKind;
 use arithmetic::Progress;
 use models::platoon::Communication;
+use polynomials::sums::Certificate;
 use serde_json::{Map, json};
 use std::fmt::Write;
 
@@ -70,6 +71,12 @@ pub struct Answer {
     pub replay: Option<String>,
     /// Encloses the smallest margin of all cases that were looked at.
     pub margin: Option<Margin>,
+    /// A point at which the margin is 0, where the property holds on a continuum.
+    pub attained: Option<Bindings>,
+    /// Sums of squares that `holds` rests on, for the separate checker.
+    pub certificates: Vec<Certificate>,
+    /// What is open of a continuum.
+    pub unsettled: Option<Unsettled>,
     /// The same of each inequality of the property by itself, under the time operators around it; `None` where it was nowhere compared.
     pub inequalities: Vec<(String, Option<Margin>)>,
     /// Whether the smallest margin is the smallest one of these.
@@ -126,6 +133,9 @@ impl Answer {
             shorter,
             replay,
             margin,
+            attained: outcome.attained.filter(|_| verdict == Verdict::Holds),
+            certificates: if verdict == Verdict::Holds { outcome.certificates } else { Vec::new() },
+            unsettled: outcome.unsettled.filter(|_| verdict == Verdict::Undecided),
             inequalities,
             is_conjunction: question.property.as_ref().is_some_and(|whole| matches!(whole.node.kind, Kind::And(_))),
             cases: outcome.cases,
@@ -154,6 +164,8 @@ impl Answer {
             "decisive": self.decisive.as_ref().map(sides),
             "replay": replay,
             "margin": enclosed(self.margin.as_ref()),
+            "attained": self.attained.as_ref().map(named),
+            "open": self.unsettled.as_ref().map(|open| json!({"share": open.share.map(|share| format!("~{share:.3e}")), "boxes": open.boxes.iter().map(named).collect::<Vec<_>>()})),
             "inequalities": self.inequalities.iter().map(own).collect::<Vec<_>>(),
             "cases": self.cases,
             "undecided": self.undecided,
@@ -188,7 +200,8 @@ impl Answer {
             Some(if lo == hi { format!("= {lo}") } else { format!("in [{lo}, {hi}]") })
         };
         if let Some(between) = between(self.margin.as_ref()) {
-            let _ = writeln!(text, "smallest margin {between}");
+            let at = self.attained.as_ref().map_or(String::new(), |at| format!(" at ({at})"));
+            let _ = writeln!(text, "smallest margin {between}{at}");
         }
         let several = self.is_conjunction && self.inequalities.len() > 1;
         for (inequality, margin) in self.inequalities.iter().filter(|_| several) {

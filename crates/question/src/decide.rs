@@ -101,7 +101,16 @@ impl Question {
         };
         let counterexample = (truth == Truth::False).then(|| bindings.clone());
         let open = u64::from(matches!(truth, Truth::Unknown(_)));
-        Ok(Decided { truth, margin, inequalities, excluded: false, boxes: 1, open, counterexample })
+        Ok(Decided {
+            truth,
+            margin,
+            inequalities,
+            excluded: false,
+            boxes: 1,
+            open,
+            counterexample,
+            ..Decided::nothing()
+        })
     }
 }
 
@@ -194,6 +203,9 @@ fn over_family(
         open: 0,
         boxed: false,
         counterexample: None,
+        attained: None,
+        certificates: Vec::new(),
+        unsettled: None,
     };
     // A counterexample decides, whatever has no value elsewhere.
     let mut missing = None;
@@ -222,6 +234,9 @@ fn over_family(
             outcome.cases += found.boxes;
             outcome.open += found.open;
             outcome.boxed |= boxed;
+            outcome.attained = outcome.attained.or(found.attained);
+            outcome.certificates.extend(found.certificates);
+            outcome.unsettled = outcome.unsettled.or(found.unsettled);
             outcome.margin = Some(outcome.margin.map_or(found.margin, |least| least.least(found.margin)));
             Margin::least_of_each(&mut outcome.inequalities, &found.inequalities);
             if found.counterexample.is_some() {

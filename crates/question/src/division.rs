@@ -4,13 +4,17 @@ use crate::bindings::{Bindings, Value};
 use crate::case::Case;
 use crate::error::QuestionError;
 use crate::failure::Failure;
+use crate::formula::{Clause, clauses};
 use crate::names::Subject;
-use crate::outcome::{Decided, Judged};
+use crate::outcome::{Decided, Judged, Unsettled};
 use crate::point::FIRST_BITS;
 use crate::question::{Expression, Question};
+use crate::syntax::Kind;
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::{Progress, Rational};
 use num_traits::{Signed, ToPrimitive};
+use polynomials::Side;
+use polynomials::decide::{Decision, Effort, Open};
 use std::collections::BinaryHeap;
 
 /// Boxes whose middle is looked at for a counterexample; later only every so many.
@@ -26,7 +30,7 @@ pub(crate) struct Division<'a> {
 }
 
 /// A box that is not decided, the one with the smallest margin first.
-struct Open {
+struct Undecided {
     bindings: Bindings,
     margin: f64,
     number: u64,
@@ -46,18 +50,18 @@ pub(crate) struct OnBox {
     pub points_only: bool,
 }
 
-impl PartialEq for Open {
+impl PartialEq for Undecided {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
-impl Eq for Open {}
-impl PartialOrd for Open {
+impl Eq for Undecided {}
+impl PartialOrd for Undecided {
     fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
         Some(self.cmp(other))
     }
 }
-impl Ord for Open {
+impl Ord for Undecided {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         other.margin.total_cmp(&self.margin).then_with(|| other.number.cmp(&self.number))
     }
@@ -70,6 +74,39 @@ struct Missing {
     count: u64,
 }
 
+/// Boxes before a property of numbers alone is decided where it is attained.
+const FIRST_BOXES: u64 = 64;
+
+/// Most boxes then.
+const MOST_SHARP: u64 = 20_000;
+
+/// Open boxes that are told.
+const TOLD: usize = 64;
+
+fn boxed(whole: &Bindings, places: &[(usize, Side)], sides: &[Side]) -> Bindings {
+    let mut bindings = whole.clone();
+    for ((place, _), side) in places.iter().zip(sides) {
+        if let (Some(lo), Some(hi)) = (&side.lo, &side.hi) {
+            let value = if lo == hi { Value::Number(lo.clone()) } else { Value::Box(lo.clone(), hi.clone()) };
+            bindings.set(*place, value);
+        }
+    }
+    bindings
+}
+
+/// What is left open, in words.
+fn told(open: &Open, first: Option<&Bindings>) -> String {
+    let mut text = open.why.clone();
+    if !open.degrees.is_empty() {
+        let degrees: Vec<String> = open.degrees.iter().map(ToString::to_string).collect();
+        text += &format!("; sums of squares were looked for in vain, of degree {}", degrees.join(", "));
+    }
+    if let Some(share) = open.share {
+        text += &format!("; open is a share of {share:.3e} of the volume");
+    }
+    first.map_or(text.clone(), |bindings| format!("{text} (a box: {bindings})"))
+}
+
 /// Boxes that are still looked at for a counterexample when a value is missing.
 const AFTER_MISSING: u64 = 1024;
 
@@ -77,12 +114,112 @@ const AFTER_MISSING: u64 = 1024;
 const POINTS_ONLY: u64 = 256;
 
 impl Division<'_> {
+    /// Boxes first; what they leave open is decided where it is attained, as far as the property is one of numbers alone.
     pub fn decide(&self, whole: &Bindings) -> Result<Decided, QuestionError> {
+        let restriction = self.question.restriction.as_ref().map(|own| &own.node);
+        let Some(clauses) = clauses(whole, restriction, &self.expression.node) else {
+            return Ok(self.by_boxes(whole, self.most)?.0);
+        };
+        let (found, missing) = self.by_boxes(whole, self.most.min(FIRST_BOXES))?;
+        if missing || !matches!(found.truth, Truth::Unknown(_)) {
+            return if missing { Ok(self.by_boxes(whole, self.most)?.0) } else { Ok(found) };
+        }
+        self.where_attained(whole, &clauses, found)
+    }
+
+    /// Whether the property, one of numbers alone, holds on all of a box, with little effort.
+    pub fn holds_where_attained(&self, whole: &Bindings) -> Result<bool, QuestionError> {
+        const EFFORT: Effort = Effort { boxes: 64, squares: false };
+        let restriction = self.question.restriction.as_ref().map(|own| &own.node);
+        let Some(clauses) = clauses(whole, restriction, &self.expression.node) else { return Ok(false) };
+        let domain: Vec<Side> = whole.boxes().into_iter().map(|(_, lo, hi)| Side::between(lo, hi)).collect();
+        for clause in &clauses {
+            let decision = polynomials::decide::decide(clause, &domain, EFFORT, self.progress)?;
+            if !matches!(decision, Decision::Holds(_)) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Every clause by itself.
+    fn where_attained(
+        &self,
+        whole: &Bindings,
+        clauses: &[Clause],
+        mut found: Decided,
+    ) -> Result<Decided, QuestionError> {
+        let places: Vec<(usize, Side)> =
+            whole.boxes().into_iter().map(|(place, lo, hi)| (place, Side::between(lo, hi))).collect();
+        let domain: Vec<Side> = places.iter().map(|(_, side)| side.clone()).collect();
+        let at = |point: &[Rational]| {
+            let mut bindings = whole.clone();
+            places.iter().zip(point).for_each(|((place, _), q)| bindings.set(*place, Value::Number(q.clone())));
+            bindings
+        };
+        let effort = Effort { boxes: self.most.min(MOST_SHARP), ..Effort::default() };
+        let mut missing = Missing::default();
+        let mut left: Option<Open> = None;
+        (found.open, found.truth) = (0, Truth::True);
+        for clause in clauses {
+            let decision = polynomials::decide::decide(clause, &domain, effort, self.progress)?;
+            match decision {
+                Decision::Holds(proof) => {
+                    found.boxes += proof.boxes;
+                    found.certificates.extend(proof.certificates);
+                    for zero in proof.zeros {
+                        let point = at(&zero);
+                        self.fails_at(point.clone(), &mut found, &mut missing)?;
+                        if found.margin.hi == 0.0 && found.attained.is_none() {
+                            found.attained = Some(point);
+                        }
+                    }
+                }
+                Decision::Fails(point) => {
+                    // The language itself has the last word.
+                    if self.fails_at(at(&point), &mut found, &mut missing)? {
+                        return Ok(found);
+                    }
+                    if let Some(error) = missing.first {
+                        return Err(error);
+                    }
+                    let at = at(&point);
+                    left.get_or_insert_with(|| Open::at_point(format!("the two sides may be equal at {at}")));
+                }
+                Decision::Undecided(open) => {
+                    found.boxes += open.looked;
+                    found.open += open.boxes.len() as u64;
+                    left.get_or_insert(open);
+                }
+            }
+        }
+        if let Some(open) = left {
+            found.open = found.open.max(1);
+            found.attained = None;
+            let boxes: Vec<Bindings> = open.boxes.iter().take(TOLD).map(|sides| boxed(whole, &places, sides)).collect();
+            let why = told(&open, boxes.first());
+            found.unsettled = Some(Unsettled { share: open.share, boxes });
+            found.truth = Truth::Unknown(Doubt { why, bits: None });
+            return Ok(found);
+        }
+        // True everywhere: no inequality that has to be true misses.
+        let least = |margin: Margin| Margin { lo: margin.lo.max(0.0).min(margin.hi.max(0.0)), ..margin };
+        found.margin = least(found.margin);
+        if !matches!(self.expression.node.kind, Kind::Or(_) | Kind::Implies(..) | Kind::Not(_))
+            && self.question.restriction.is_none()
+        {
+            found.inequalities.iter_mut().for_each(|own| *own = least(*own));
+        }
+        Ok(found)
+    }
+
+    /// Boxes until every one is decided, and whether a value was missing somewhere.
+    fn by_boxes(&self, whole: &Bindings, most: u64) -> Result<(Decided, bool), QuestionError> {
         let original = whole.boxes();
         let mut found = Decided::nothing();
         let mut heap = BinaryHeap::new();
         let mut queue = vec![whole.clone()];
-        let (mut number, mut probes, mut kept, mut most) = (0, 0u64, false, self.most);
+        let (mut number, mut probes, mut kept, mut most) = (0, 0u64, false, most);
         let mut missing = Missing::default();
         loop {
             for bindings in queue.drain(..) {
@@ -92,7 +229,7 @@ impl Division<'_> {
                 let seen = Self::unless_missing(self.on_box(&bindings), &mut missing)?;
                 let fails = number == 1 && self.fails_at_a_corner(&bindings, &mut found, &mut missing)?;
                 if fails {
-                    return Ok(found);
+                    return Ok((found, false));
                 }
                 // A single one without a value.
                 let Some(OnBox { truth, margin, inequalities, points_only }) = seen else { continue };
@@ -109,27 +246,27 @@ impl Division<'_> {
                     }
                     Some(Truth::False) => {
                         if self.fails_at(bindings.middle(), &mut found, &mut missing)? {
-                            return Ok(found);
+                            return Ok((found, false));
                         }
                         Doubt { why: "a box fails, but its middle is left out by `where`".to_string(), bits: None }
                     }
                     Some(Truth::Unknown(doubt)) => doubt,
                 };
-                heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin, inequalities });
+                heap.push(Undecided { bindings, margin: margin.lo, number, doubt, bounds: margin, inequalities });
             }
             if missing.first.is_some() {
-                most = most.min(found.boxes + AFTER_MISSING).min(self.most);
+                most = most.min(found.boxes + AFTER_MISSING);
             }
             let Some(mut worst) = heap.pop() else {
                 found.excluded = !kept;
-                return missing.first.map_or(Ok(found), Err);
+                return missing.first.map_or(Ok((found, false)), Err);
             };
             probes += 1;
             let before = missing.count;
             if (probes <= PROBED || probes.is_multiple_of(PROBED_LATER))
                 && self.fails_at(worst.bindings.middle(), &mut found, &mut missing)?
             {
-                return Ok(found);
+                return Ok((found, false));
             }
             // Around a point without a value boxes stay open; the others come first.
             if missing.count > before && worst.margin < f64::INFINITY && !heap.is_empty() {
@@ -142,7 +279,7 @@ impl Division<'_> {
                 Some(halves) => queue.extend(halves),
                 None => {
                     if self.fails_at(worst.bindings.simplest(), &mut found, &mut missing)? {
-                        return Ok(found);
+                        return Ok((found, false));
                     }
                     if let Some(missing) = missing.first {
                         return Err(missing);
@@ -155,7 +292,7 @@ impl Division<'_> {
                     let at = worst.bindings.to_string();
                     let why = format!("{} (on the box {at})", worst.doubt.why);
                     found.truth = Truth::Unknown(Doubt { why, bits: None });
-                    return Ok(found);
+                    return Ok((found, missing.first.is_some()));
                 }
             }
         }

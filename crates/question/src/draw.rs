@@ -1,10 +1,10 @@
 //! Single members of a family, chosen by someone else: for campaigns, which need no count of all members.
 
-use crate::bindings::{Bindings, Value, simplest_between};
+use crate::bindings::{Bindings, Value};
 use crate::error::QuestionError;
 use crate::question::Question;
 use crate::shrink::{Shrunk, shorter_times};
-use arithmetic::{Progress, rational};
+use arithmetic::{Progress, rational, simplest_between};
 
 /// An interval gives its simplest number, or an end of one of its `2^k` equal parts with `k` up to this.
 const FINEST: u64 = 20;

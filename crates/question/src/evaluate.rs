@@ -11,11 +11,11 @@ use crate::case::Case;
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::FUNCTIONS;
-use crate::number::{Number, Obstacle};
 use crate::syntax::{Kind, Node, Relation};
 use crate::timeline::{Measured, Moment, Piece};
 use crate::truth::{Margin, Truth};
 use arithmetic::{Interval, Sign, rational};
+use arithmetic::{Obstacle, RealNumber as Number};
 use num_integer::Integer;
 use num_traits::Signed;
 
@@ -99,17 +99,58 @@ impl Evaluator<'_, '_> {
 
     /// A chain of relations, each link between its neighbours.
     fn related(&self, first: &Node, others: &[(Relation, Node)]) -> Judged {
-        let mut left = self.number(first);
+        let (mut left, mut before) = (self.number(first), first);
         let links = others.iter().map(|(relation, node)| {
             let right = self.number(node);
             let link = match (&left, &right) {
-                (Ok(a), Ok(b)) => Ok(self.compared(a, *relation, b)),
+                (Ok(a), Ok(b)) => Ok(match self.by_definition(before, *relation, node) {
+                    Some(true) => self.certain(a, *relation, b),
+                    _ => self.compared(a, *relation, b),
+                }),
                 (Err(Failure::Open(_)), Err(failure)) | (Err(failure), _) | (_, Err(failure)) => Err(failure.clone()),
             };
-            left = right;
+            (left, before) = (right, node);
             link
         });
         joined(links, false)
+    }
+
+    /// Whether `a <= b` holds whatever the numbers are: no gain of the last car is above the peak, and eigenvalues are numbered in order.
+    fn by_definition(&self, left: &Node, relation: Relation, right: &Node) -> Option<bool> {
+        let (lower, upper) = match relation {
+            Relation::AtMost => (left, right),
+            Relation::AtLeast => (right, left),
+            _ => return None,
+        };
+        let (Kind::Name { name, arguments, .. }, Kind::Name { name: other, arguments: others, .. }) =
+            (&lower.kind, &upper.kind)
+        else {
+            return None;
+        };
+        let integer =
+            |arguments: &[Node]| arguments.first().and_then(|k| self.number(k).ok()).and_then(|k| k.as_integer());
+        if name == "gain" && other == "peak" {
+            let last = match self.case.bindings.get("followers") {
+                Some(Value::Number(q)) if q.is_integer() => q.to_integer(),
+                Some(_) => return None,
+                None => self.case.bindings.iter().find_map(|(_, value)| match value {
+                    Value::Graph(graph) => Some((graph.order() - 1).into()),
+                    _ => None,
+                })?,
+            };
+            return Some(integer(arguments)? == last);
+        }
+        let own = name.rsplit('.').next() == Some("lambda");
+        if own && name == other {
+            return Some(integer(arguments)? <= integer(others)?);
+        }
+        None
+    }
+
+    /// A relation that is known to hold, with the margin that the numbers leave.
+    fn certain(&self, a: &Number, relation: Relation, b: &Number) -> (Truth, Margin) {
+        let (_, margin) = self.compared(a, relation, b);
+        (Truth::True, Margin { lo: margin.lo.max(0.0).min(margin.hi.max(0.0)), hi: margin.hi.max(0.0) })
     }
 
     fn compared(&self, a: &Number, relation: Relation, b: &Number) -> (Truth, Margin) {

@@ -17,6 +17,7 @@ mod evaluate;
 mod failure;
 mod family;
 mod floats;
+mod formula;
 mod inequalities;
 pub mod names;
 mod number;
@@ -41,7 +42,9 @@ pub use drawn::Instance;
 pub use error::{Place, Problem, QuestionError};
 pub use expressions::nearest_ids;
 pub use number::Number;
-pub use outcome::{Decided, Outcome};
+pub use outcome::{Decided, Outcome, Unsettled};
+/// Proofs by sums of squares.
+pub use polynomials::sums::Certificate;
 pub use question::{Files, Question};
 pub use regions::{Region, Standing};
 pub use truth::{Doubt, Margin, Truth};

@@ -2,6 +2,7 @@
 
 use crate::bindings::Bindings;
 use crate::truth::{Margin, Truth};
+use polynomials::sums::Certificate;
 
 /// What was found for one point.
 #[derive(Debug, Clone)]
@@ -9,6 +10,15 @@ pub(crate) struct Judged {
     pub truth: Truth,
     pub margin: Margin,
     pub inequalities: Vec<Margin>,
+}
+
+/// What is open of a continuum.
+#[derive(Debug, Clone)]
+pub struct Unsettled {
+    /// Its share of the volume.
+    pub share: Option<f64>,
+    /// Boxes of it, not all where there are very many.
+    pub boxes: Vec<Bindings>,
 }
 
 /// What was found for one case.
@@ -28,6 +38,12 @@ pub struct Decided {
     pub open: u64,
     /// Names for which the property fails, confirmed.
     pub counterexample: Option<Bindings>,
+    /// Names for which the margin is 0, where the property holds.
+    pub attained: Option<Bindings>,
+    /// Sums of squares that the decision rests on.
+    pub certificates: Vec<Certificate>,
+    /// Share of the volume that is open, with boxes of it, where boxes were not enough.
+    pub unsettled: Option<Unsettled>,
 }
 
 /// The outcome of a property over a whole family.
@@ -49,6 +65,12 @@ pub struct Outcome {
     pub boxed: bool,
     /// The first counterexample.
     pub counterexample: Option<Bindings>,
+    /// Names for which the margin is 0, where the property holds and a continuum was divided.
+    pub attained: Option<Bindings>,
+    /// Sums of squares that the decision rests on.
+    pub certificates: Vec<Certificate>,
+    /// What is open of the first member that is.
+    pub unsettled: Option<Unsettled>,
 }
 
 impl Decided {
@@ -62,6 +84,9 @@ impl Decided {
             boxes: 0,
             open: 0,
             counterexample: None,
+            attained: None,
+            certificates: Vec::new(),
+            unsettled: None,
         }
     }
 }

@@ -64,7 +64,8 @@ impl Question {
                         queue.extend(halves);
                         continue;
                     }
-                    Standing::Open
+                    // Where equality stands in the way.
+                    if division.holds_where_attained(&bindings)? { Standing::Holds } else { Standing::Open }
                 }
             };
             regions.push(Region { bindings, standing });

@@ -1,15 +1,15 @@
 //! Simpler counterexamples: smaller members of the family first, then simpler numbers, then a shorter time.
 
-use crate::bindings::{Bindings, Value, simplest_between};
+use crate::bindings::{Bindings, Value};
 use crate::case::Case;
 use crate::domain::Members;
 use crate::error::QuestionError;
 use crate::evaluate::Evaluator;
-use crate::number::Number;
 use crate::question::{Expression, Question};
 use crate::syntax::{Kind, Node};
 use crate::truth::Truth;
-use arithmetic::{Progress, Rational, rational};
+use arithmetic::RealNumber as Number;
+use arithmetic::{Progress, Rational, rational, simplest_between};
 use num_traits::Signed;
 
 /// Smaller integers that are tried for each name.

@@ -2,10 +2,10 @@
 
 use crate::failure::Failure;
 use crate::names::Quantity;
-use crate::number::Number;
 use crate::syntax::Node;
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::Rational;
+use arithmetic::RealNumber as Number;
 
 /// A quantity that was measured.
 #[derive(Debug, Clone)]

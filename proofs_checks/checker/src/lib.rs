@@ -13,6 +13,7 @@ mod matrix;
 mod peak;
 mod product;
 mod read;
+mod sos;
 
 use read::Reader;
 
@@ -44,12 +45,13 @@ pub const EXAMPLE: (&str, &str) = (
 
 type Check = fn(&mut Reader) -> Result<String, Refusal>;
 
-const KINDS: [(&str, Check); 5] = [
+const KINDS: [(&str, Check); 6] = [
     ("product", product::check),
     ("limit", limit::check),
     ("switches", flock::check),
     ("inertia", inertia::check),
     ("peak", peak::check),
+    ("sos", sos::check),
 ];
 
 /// Checks one certificate.

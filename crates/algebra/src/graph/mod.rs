@@ -10,7 +10,7 @@ pub mod read;
 mod weighted;
 
 pub use arc_list::ArcList;
-pub use components::components;
+pub use components::{component_numbers, components};
 pub use laplacian::{LaplacianError, LaplacianKind};
 pub use named::{LARGEST_ORDER, NameError, NamedGraph};
 pub use weighted::WeightedGraph;
@@ -236,25 +236,9 @@ impl Graph {
 
     /// The number of the connected component of each vertex, in the order of their smallest vertex, and how many there are.
     pub fn component_numbers(&self) -> (Vec<u32>, usize) {
-        let mut number = vec![u32::MAX; self.order()];
-        let (mut count, mut open) = (0, Vec::new());
-        for start in 0..self.order() {
-            if number[start] != u32::MAX {
-                continue;
-            }
-            number[start] = count;
-            open.push(start);
-            while let Some(i) = open.pop() {
-                for &j in &self.near[i] {
-                    if number[j as usize] == u32::MAX {
-                        number[j as usize] = count;
-                        open.push(j as usize);
-                    }
-                }
-            }
-            count += 1;
-        }
-        (number, count as usize)
+        let pairs = self.near.iter().enumerate().flat_map(|(i, near)| near.iter().map(move |&j| (i, j as usize)));
+        let (numbers, count) = component_numbers(self.order(), pairs.filter(|(i, j)| i < j));
+        (numbers.into_iter().map(|number| number as u32).collect(), count)
     }
 
     /// The connected components, each sorted, in the order of their smallest vertex.

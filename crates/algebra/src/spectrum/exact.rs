@@ -18,6 +18,16 @@ pub fn real_spectrum(matrix: &RationalMatrix, digits: u32) -> Result<Option<Vec<
     Ok(factors.real_roots(digits))
 }
 
+impl RationalMatrix {
+    /// The primitive multiple of the characteristic polynomial `det(xI - A)`.
+    ///
+    /// # Errors
+    /// [`MatrixError::NotSquare`].
+    pub fn primitive_characteristic(&self) -> Result<Polynomial, MatrixError> {
+        Ok(Polynomial::from_rationals(&self.characteristic_polynomial()?.coefficients()))
+    }
+}
+
 /// A product of characteristic polynomials, kept as powers of polynomials without multiple roots and without common
 /// roots.
 #[derive(Debug, Clone, Default)]

@@ -4,8 +4,6 @@
 //! [`named_spectrum`] and [`matrix_spectrum`] choose the method and say which: a closed form, the exact characteristic
 //! polynomial, or floating point with proved bounds. Every number comes with its enclosure, or there is an error.
 
-mod abscissa;
-mod bernstein;
 mod block;
 mod choose;
 mod circulant;
@@ -17,16 +15,12 @@ mod exact;
 mod float_bounds;
 mod fourier;
 mod general;
-mod largest;
-mod nearest;
-mod polynomial;
 mod recurrence;
 mod reduction;
 mod reflections;
 mod schur;
 mod small;
 mod smith;
-mod stability;
 mod symmetric;
 #[cfg(test)]
 mod testing;
@@ -34,7 +28,6 @@ mod trailing;
 mod tridiagonal;
 mod turn;
 
-pub use abscissa::{complex_abscissa, roots_are_left_of};
 pub use choose::{circulant_spectrum, graph_spectrum, matrix_spectrum, named_spectrum, symmetric_enclosures};
 pub use circulant::{Circulant, CirculantSpectrum};
 pub use closed_form::{ClosedForm, ClosedValue, closed_form};
@@ -45,9 +38,9 @@ pub use error::{
     SpectrumError,
 };
 pub use exact::real_spectrum;
-pub use largest::{Largest, LargestError, Place, largest_quotient};
-pub use nearest::Nearest;
-pub use polynomial::{Polynomial, RealRoot};
+pub use polynomials::univariate::{
+    Largest, LargestError, Nearest, Place, Polynomial, RealRoot, complex_abscissa, largest_quotient, roots_are_left_of,
+};
 pub use recurrence::{Eventual, Leading, Recurrence, RecurrenceError};
 pub use small::small_symmetric_eigenvalues;
 pub use tridiagonal::tridiagonal_eigenvalues;

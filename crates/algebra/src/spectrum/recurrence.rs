@@ -4,7 +4,7 @@
 //! `f(r) = p(r) + sum_k c_k rho_k^r` from some `r` on, `p` a polynomial. The shortest recurrence has no root whose coefficient
 //! vanishes, so that enclosures settle the sign of the leading term.
 
-use super::{Polynomial, RealRoot};
+use super::Polynomial;
 use arithmetic::{
     ArithmeticError, Cancelled, Field, Interval, Number, Progress, Rational, Ring, Sign, Signed, rational,
 };
@@ -329,13 +329,6 @@ fn shortest(terms: &[Rational], progress: &dyn Progress) -> Result<Vec<Rational>
     connection.resize(order + 1, zero);
     connection.reverse();
     Ok(connection)
-}
-
-impl RealRoot {
-    /// The float in the middle, for display.
-    pub fn to_f64(&self) -> f64 {
-        self.enclosure(64).to_f64()
-    }
 }
 
 #[cfg(test)]

@@ -8,9 +8,11 @@
 mod functions;
 mod gcd;
 mod operators;
+mod simplest;
 mod traits;
 
 pub use gcd::{common_denominator, content, gcd, lcm};
+pub use simplest::simplest_between;
 pub use traits::NoRational;
 
 use super::{ArithmeticError, Field, Ring, Sign, Signed};

@@ -2,7 +2,6 @@
 
 use crate::prelude::*;
 use crate::veerman::{enclosed, gains};
-use algebra::spectrum::Polynomial;
 use models::platoon::modes::mode_eigenvalue;
 use models::platoon::vector_form::motion_matrix;
 use models::platoon::{Communication, CommunicationGraph, Gains, slowest_rate};
@@ -60,7 +59,7 @@ fn small_flocks(variant: &DecayRateVariant, run: &Run) -> Result<Outcome, CheckE
     let outcome = run.instances("slowest rate", &detail, cases, |(gains, m)| {
         let graph = CommunicationGraph::of(Communication::FrontAndBack, m as usize)?;
         let motion = motion_matrix(&graph.reduced_laplacian()?, &gains)?;
-        let polynomial = Polynomial::characteristic(&motion)?;
+        let polynomial = motion.primitive_characteristic()?;
         let (lo, hi) = variant.rate(&enclosed(&gains, PRECISION), m)?.to_rationals();
         let faster = |rate: &Rational| polynomial.with_roots_moved(rate).is_hurwitz();
         let wrong = !faster(&(lo - &slack)) || faster(&(hi + &slack));

@@ -17,7 +17,7 @@ fn systems(most: usize) -> impl Iterator<Item = (Communication, usize)> {
 
 /// `det(xI - A)` up to a factor, over the integers.
 fn polynomial(matrix: &RationalMatrix) -> Result<Polynomial, CheckError> {
-    Ok(Polynomial::characteristic(matrix)?)
+    Ok(matrix.primitive_characteristic()?)
 }
 
 /// `spec(M)`, without 0 or with it, is the union of the spectra of `A + factor lambda K`, where `lambda` runs through the spectrum of

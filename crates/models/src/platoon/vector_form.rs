@@ -2,7 +2,6 @@
 
 use super::Gains;
 use algebra::matrix::{MatrixError, RationalMatrix};
-use algebra::spectrum::Polynomial;
 use arithmetic::{Field, Rational, Ring};
 
 /// A 2 x 2 matrix that acts on the pair (position, velocity) of one agent.
@@ -67,7 +66,7 @@ pub fn motion_matrix(reduced: &RationalMatrix, gains: &Gains<Rational>) -> Resul
 /// # Errors
 /// [`MatrixError::NotSquare`].
 pub fn is_stable(motion: &RationalMatrix) -> Result<bool, MatrixError> {
-    Ok(Polynomial::characteristic(motion)?.is_hurwitz())
+    Ok(motion.primitive_characteristic()?.is_hurwitz())
 }
 
 /// `A + lambda K`, by which a mode of the eigenvalue `lambda` of `P` moves.

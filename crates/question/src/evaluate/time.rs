@@ -6,10 +6,10 @@ use super::until::until;
 use super::{Evaluator, Judged};
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::number::Number;
 use crate::syntax::{Kind, Node};
 use crate::timeline::{Measured, Piece, Timeline, clock};
 use crate::truth::{Doubt, Margin, Truth};
+use arithmetic::RealNumber as Number;
 use arithmetic::{Rational, rational};
 
 /// Judgements of one operator before it gives up dividing.

@@ -3,13 +3,13 @@
 use crate::bindings::GraphValue;
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::number::{Algebraic, Number};
 use crate::timeline::Measured;
 use algebra::graph::{Graph, LaplacianKind};
 use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{
     Eigenvalue, FloatEnclosure, matrix_spectrum, named_spectrum, small_symmetric_eigenvalues, symmetric_enclosures,
 };
+use arithmetic::{Algebraic, RealNumber as Number};
 use arithmetic::{Dyadic, Interval, Rational, common_denominator};
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive};

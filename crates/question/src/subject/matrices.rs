@@ -2,9 +2,9 @@
 
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::number::Number;
 use crate::timeline::Measured;
 use algebra::matrix::{StochasticMatrix, product_sequential, tau_2_squared};
+use arithmetic::RealNumber as Number;
 
 /// A coefficient of ergodicity of the product of all factors, the first one rightmost.
 pub(crate) fn measure(name: &str, factors: &[StochasticMatrix], precision: u32) -> Result<Measured, Failure> {

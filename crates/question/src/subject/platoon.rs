@@ -7,13 +7,13 @@
 use crate::bindings::{Bindings, GraphValue, Value};
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::number::Number;
 use crate::timeline::Measured;
 use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{Polynomial, matrix_spectrum};
+use arithmetic::RealNumber as Number;
 use arithmetic::{
-    ArithmeticError, Complex, Dyadic, Field, Interval, Number as _, Progress, Rational, Ring, Sign, Signed, rational,
-    shown,
+    ArithmeticError, Complex, Dyadic, Enclosure, Field, Interval, Number as _, Progress, Rational, Ring, Series, Sign,
+    Signed, rational, shown,
 };
 use models::platoon::vector_form::motion_matrix;
 use models::platoon::{
@@ -279,7 +279,31 @@ impl<'p> PlatoonSubject<'p> {
             }
         };
         let found = amplitude().and_then(|z| z.norm_squared().sqrt());
-        found.map_err(|error| open(&error))
+        let found = found.map_err(|error| open(&error))?;
+        Ok(self.near_rest(&gains, &w, k).and_then(|near| near.common(&found)).unwrap_or(found))
+    }
+
+    /// The gain at frequencies from 0 on, on a line: `|a_k|²` is even in `w` and 1 at `w = 0`, so that it is `1 + w² c` with its second coefficient `c`
+    /// somewhere between 0 and `w`.
+    fn near_rest(&self, gains: &Gains<Interval>, w: &Interval, k: u64) -> Option<Interval> {
+        let wide = w.contains_zero() && !w.lo().is_negative() && !w.hi().is_zero();
+        if self.graph.is_some() || !wide || self.both_negative() != Some(true) {
+            return None;
+        }
+        let one = w.one();
+        let series = |c: &Interval| Series::constant(c.clone(), 3);
+        let w_series = Series::from_coefficients(w.clone(), [one.clone(), one.zero()]);
+        let gains = Gains { f: series(&gains.f), g: series(&gains.g) };
+        let amplitude = match self.communication {
+            Communication::Front => amplitude_one_sided(&gains, &w_series, k),
+            Communication::FrontAndBack => amplitude_two_sided(&gains, &w_series, self.followers.0, k),
+        };
+        let square = amplitude.ok()?.norm_squared();
+        let change = square.coefficients().get(2)?.clone() * w.square();
+        // The square is not negative, whatever rounding says.
+        let sum = one + change;
+        let zero = Dyadic::zero();
+        Interval::between(sum.lo().clone().max(zero.clone()), sum.hi().clone().max(zero), sum.precision()).sqrt().ok()
     }
 
     /// The abscissa over a box of gains: a mode for each eigenvalue of the reduced Laplacian.
@@ -361,5 +385,5 @@ fn tracked(graph: &GraphValue) -> Result<CommunicationGraph, Failure> {
 fn characteristic(graph: &CommunicationGraph, f: &Rational, g: &Rational) -> Result<Polynomial, Failure> {
     let gains = Gains { f: f.clone(), g: g.clone() };
     let motion = graph.reduced_laplacian().and_then(|reduced| motion_matrix(&reduced, &gains));
-    motion.and_then(|motion| Polynomial::characteristic(&motion)).map_err(|error| refused(error.to_string()))
+    motion.and_then(|motion| motion.primitive_characteristic()).map_err(|error| refused(error.to_string()))
 }

@@ -3,9 +3,9 @@
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
-use crate::number::Number;
 use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
 use crate::truth::Doubt;
+use arithmetic::RealNumber as Number;
 use arithmetic::{Dyadic, Interval, Rational};
 use num_traits::ToPrimitive;
 use scenario::{Row, Value};

@@ -10,6 +10,7 @@ mod language;
 mod missing;
 mod motions;
 mod own;
+mod sharp;
 mod states;
 mod traces;
 

@@ -1,0 +1,168 @@
+//! The decision of "at every point of a domain one of these functions has its sign": points first, then boxes with derivatives, then polynomials.
+
+mod bernstein;
+mod extended;
+mod goals;
+mod local;
+mod points;
+mod roots;
+mod subdivision;
+
+use crate::function::{Function, Literal, Side};
+use crate::sums::Certificate;
+use arithmetic::{Cancelled, Progress, Rational};
+use extended::Extended;
+
+/// How it was decided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Method {
+    /// Enclosures on boxes.
+    Enclosures,
+    /// Slopes of one sign: the least value lies on a side of the box.
+    Slopes,
+    /// A positive definite matrix of second derivatives: the function is convex on the box, and its least value is known.
+    Convexity,
+    /// An expansion at a zero of higher order, in one number.
+    Expansion,
+    /// Exact signs between the roots of polynomials in one number.
+    Roots,
+    /// Coefficients in Bernstein's basis.
+    Bernstein,
+    /// A sum of squares.
+    Squares,
+    /// Two literals that contradict each other's negations.
+    Tautology,
+}
+
+impl Method {
+    /// In a sentence.
+    pub fn words(self) -> &'static str {
+        match self {
+            Method::Enclosures => "enclosures",
+            Method::Slopes => "slopes of one sign",
+            Method::Convexity => "convexity around the least value",
+            Method::Expansion => "expansion at a zero",
+            Method::Roots => "exact roots",
+            Method::Bernstein => "Bernstein coefficients",
+            Method::Squares => "sums of squares",
+            Method::Tautology => "a guard that says the same",
+        }
+    }
+}
+
+/// What was proved, and how.
+#[derive(Debug, Clone, Default)]
+pub struct Proof {
+    /// All that was used.
+    pub methods: Vec<Method>,
+    /// Points at which a literal that may be 0 is 0.
+    pub zeros: Vec<Vec<Rational>>,
+    /// Sums of squares; empty where none was needed.
+    pub certificates: Vec<Certificate>,
+    /// Boxes that were looked at.
+    pub boxes: u64,
+}
+
+/// What was left open.
+#[derive(Debug, Clone)]
+pub struct Open {
+    /// In words.
+    pub why: String,
+    /// Boxes that are open.
+    pub boxes: Vec<Vec<Side>>,
+    /// Their share of the volume, where the domain is bounded.
+    pub share: Option<f64>,
+    /// Boxes that were looked at.
+    pub looked: u64,
+    /// Degrees of the sums of squares that were tried in vain.
+    pub degrees: Vec<u32>,
+}
+
+impl Open {
+    /// A point at which the sign could not be told.
+    pub fn at_point(why: String) -> Self {
+        Open { why, boxes: Vec::new(), share: None, looked: 0, degrees: Vec::new() }
+    }
+}
+
+/// The decision.
+#[derive(Debug, Clone)]
+pub enum Decision {
+    /// Some literal is true at every point.
+    Holds(Proof),
+    /// All literals are false at this point, exactly or by enclosure.
+    Fails(Vec<Rational>),
+    /// Neither was established.
+    Undecided(Open),
+}
+
+/// How much may be tried.
+#[derive(Debug, Clone, Copy)]
+pub struct Effort {
+    /// Most boxes.
+    pub boxes: u64,
+    /// Whether sums of squares are looked for.
+    pub squares: bool,
+}
+
+impl Default for Effort {
+    fn default() -> Self {
+        Effort { boxes: 20_000, squares: true }
+    }
+}
+
+/// Boxes before polynomials are looked at.
+const FIRST_BOXES: u64 = 300;
+
+/// Decides whether at every point of the domain some literal is true.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn decide<F: Function>(
+    clause: &[Literal<F>],
+    domain: &[Side],
+    effort: Effort,
+    progress: &dyn Progress,
+) -> Result<Decision, Cancelled> {
+    let found = points::search(clause, domain, progress)?;
+    if let Some(at) = found.counterexample {
+        return Ok(Decision::Fails(at));
+    }
+    let first = Effort { boxes: FIRST_BOXES.min(effort.boxes), ..effort };
+    let open = match subdivision::divide(clause, domain, first, progress)? {
+        Decision::Undecided(open) => open,
+        decided => return Ok(with_zeros(decided, found.zeros)),
+    };
+    let degrees = match goals::prove(clause, domain, effort, progress)? {
+        goals::Outcome::Proved(mut proof) => {
+            proof.boxes += open.looked;
+            proof.methods.sort_unstable();
+            proof.methods.dedup();
+            return Ok(with_zeros(Decision::Holds(proof), found.zeros));
+        }
+        goals::Outcome::Open(degrees) => degrees,
+    };
+    let rest = if effort.boxes <= FIRST_BOXES {
+        Decision::Undecided(open)
+    } else {
+        subdivision::divide(clause, domain, effort, progress)?
+    };
+    Ok(match rest {
+        Decision::Undecided(all) => Decision::Undecided(Open { degrees, ..all }),
+        decided => with_zeros(decided, found.zeros),
+    })
+}
+
+fn with_zeros(decision: Decision, zeros: Vec<Vec<Rational>>) -> Decision {
+    match decision {
+        Decision::Holds(mut proof) => {
+            zeros.into_iter().for_each(|zero| {
+                if !proof.zeros.contains(&zero) {
+                    proof.zeros.push(zero)
+                }
+            });
+            Decision::Holds(proof)
+        }
+        other => other,
+    }
+}

@@ -1,0 +1,184 @@
+//! Boxes that are divided until on each of them some literal is true: in layers, each on all cores, so that the result does not depend on their number.
+
+use super::local::{Local, Sided, Signs, at_point};
+use super::{Decision, Effort, Extended, Method, Open, Proof};
+use crate::function::{Compared, Function, Literal, Side};
+use arithmetic::{Cancelled, Progress, Rational, rational};
+use num_traits::ToPrimitive;
+use rayon::prelude::*;
+
+/// Sides are not divided further below this, compared with the size of their numbers.
+const THINNEST: f64 = 1e-11;
+
+/// Open boxes that are told.
+const TOLD: usize = 4096;
+
+struct Cell {
+    sides: Vec<Side>,
+    depth: u32,
+}
+
+enum Standing {
+    Closed(Vec<Method>, Option<Vec<Rational>>),
+    Fails(Vec<Rational>),
+    Split(Vec<Extended>),
+}
+
+fn sided<'a, F>(literal: &'a Literal<F>, negative: bool) -> Sided<'a, F> {
+    let strict = literal.compared != Compared::NotNegative;
+    Sided { function: &literal.function, negative, strict, guarded: literal.guarded }
+}
+
+/// One literal on a box.
+fn one<F: Function>(literal: &Literal<F>, sides: &[Side]) -> Local {
+    match literal.compared {
+        Compared::Positive | Compared::NotNegative => sided(literal, false).on_box(sides),
+        Compared::NotZero => match sided(literal, false).on_box(sides) {
+            found @ Local::True { .. } => found,
+            _ => match sided(literal, true).on_box(sides) {
+                // Neither sign everywhere says nothing about zero.
+                found @ (Local::True { .. } | Local::Open(_)) => found,
+                Local::False | Local::FailsAt(_) => Local::Open(Vec::new()),
+            },
+        },
+        // Never by boxes; a point can refute it.
+        Compared::Zero => {
+            let not =
+                |negative| Sided { function: &literal.function, negative, strict: true, guarded: false }.on_box(sides);
+            let apart = |found: &Local| matches!(found, Local::True { .. });
+            if apart(&not(false)) || apart(&not(true)) { Local::False } else { Local::Open(Vec::new()) }
+        }
+    }
+}
+
+fn look<F: Function>(clause: &[Literal<F>], cell: &Cell) -> Standing {
+    let mut slopes = Vec::new();
+    let mut open = false;
+    let mut candidates = Vec::new();
+    for literal in clause {
+        match one(literal, &cell.sides) {
+            Local::True { method, zero } => {
+                let zero = zero.filter(|_| literal.compared == Compared::NotNegative);
+                return Standing::Closed(vec![method], zero);
+            }
+            Local::False => {}
+            Local::FailsAt(point) => {
+                open = true;
+                candidates.push(point);
+            }
+            Local::Open(own) => {
+                open = true;
+                if slopes.is_empty() {
+                    slopes = own;
+                }
+            }
+        }
+    }
+    if !open {
+        candidates.push(cell.sides.iter().map(Side::middle).collect());
+    }
+    match candidates.into_iter().find(|point| at_point(clause, point) == Signs::Fails) {
+        Some(point) => Standing::Fails(point),
+        None => Standing::Split(slopes),
+    }
+}
+
+/// The side to be divided: along which the function may change most, every third time the widest one.
+fn direction(cell: &Cell, slopes: &[Extended], domain: &[Side]) -> Option<usize> {
+    let width = |k: usize| {
+        let (lo, hi) = cell.sides[k].floats();
+        let (a, b) = domain[k].floats();
+        if cell.sides[k].as_point().is_some() {
+            return 0.0;
+        }
+        let whole = if (b - a).is_finite() { b - a } else { 1.0 };
+        let size = if lo > 0.0 || hi < 0.0 { lo.abs().max(hi.abs()).min(whole) } else { whole };
+        if (hi - lo).is_finite() { (hi - lo) / size } else { f64::INFINITY }
+    };
+    let smear = |k: usize| {
+        let (lo, hi) = cell.sides[k].floats();
+        slopes.get(k).map_or(0.0, |slope| slope.hi.max(-slope.lo) * (hi - lo))
+    };
+    let smears: Vec<f64> = (0..cell.sides.len()).map(smear).collect();
+    let useful = cell.depth % 3 != 2 && smears.iter().all(|x| x.is_finite()) && smears.iter().any(|x| *x > 0.0);
+    let wide: Vec<usize> = (0..cell.sides.len()).filter(|&k| width(k) > THINNEST).collect();
+    let key = |&k: &usize| if useful { smears[k] } else { width(k) };
+    // Of equal ones the first.
+    wide.iter().copied().rev().max_by(|a, b| key(a).total_cmp(&key(b)))
+}
+
+fn halves(cell: &Cell, k: usize) -> [Cell; 2] {
+    let side = &cell.sides[k];
+    let at = match (&side.lo, &side.hi) {
+        (Some(lo), Some(hi)) => (lo + hi) * rational(1, 2),
+        (Some(lo), None) if *lo >= rational(1, 1) => lo * rational(2, 1),
+        (Some(_), None) => rational(1, 1).max(side.lo.clone().unwrap_or_default() + rational(1, 1)),
+        (None, Some(hi)) if *hi <= rational(-1, 1) => hi * rational(2, 1),
+        (None, Some(_)) => rational(-1, 1).min(side.hi.clone().unwrap_or_default() - rational(1, 1)),
+        (None, None) => rational(0, 1),
+    };
+    let with = |side: Side| {
+        let mut sides = cell.sides.clone();
+        sides[k] = side;
+        Cell { sides, depth: cell.depth + 1 }
+    };
+    [with(Side { lo: side.lo.clone(), hi: Some(at.clone()) }), with(Side { lo: Some(at), hi: side.hi.clone() })]
+}
+
+fn volume(sides: &[Side]) -> Option<f64> {
+    let width = |side: &Side| match (&side.lo, &side.hi) {
+        (Some(lo), Some(hi)) if lo == hi => Some(1.0),
+        (Some(lo), Some(hi)) => (hi - lo).to_f64(),
+        _ => None,
+    };
+    sides.iter().map(width).product()
+}
+
+/// Divides the domain into at most about so many boxes.
+pub(super) fn divide<F: Function>(
+    clause: &[Literal<F>],
+    domain: &[Side],
+    effort: Effort,
+    progress: &dyn Progress,
+) -> Result<Decision, Cancelled> {
+    let mut layer = vec![Cell { sides: domain.to_vec(), depth: 0 }];
+    let mut proof = Proof::default();
+    let mut thin = Vec::new();
+    // Large steps cost more in many variables.
+    let most = (effort.boxes / (domain.len() as u64).max(1)).max(16);
+    while !layer.is_empty() && proof.boxes + layer.len() as u64 <= most {
+        proof.boxes += layer.len() as u64;
+        let standing = |cell: &Cell| -> Result<Standing, Cancelled> {
+            progress.checkpoint()?;
+            Ok(look(clause, cell))
+        };
+        let found = layer.par_iter().map(standing).collect::<Result<Vec<_>, _>>()?;
+        let mut next = Vec::new();
+        for (cell, standing) in layer.into_iter().zip(found) {
+            match standing {
+                Standing::Fails(point) => return Ok(Decision::Fails(point)),
+                Standing::Closed(methods, zero) => {
+                    proof.methods.extend(methods);
+                    proof.zeros.extend(zero.filter(|zero| !proof.zeros.contains(zero)));
+                }
+                Standing::Split(slopes) => match direction(&cell, &slopes, domain) {
+                    Some(k) => next.extend(halves(&cell, k)),
+                    None => thin.push(cell),
+                },
+            }
+        }
+        proof.methods.sort_unstable();
+        proof.methods.dedup();
+        layer = next;
+    }
+    layer.extend(thin);
+    if layer.is_empty() {
+        return Ok(Decision::Holds(proof));
+    }
+    let whole = volume(domain).filter(|whole| *whole > 0.0);
+    let parts = layer.iter().map(|cell| volume(&cell.sides)).sum::<Option<f64>>();
+    let share = whole.zip(parts).map(|(whole, parts)| (parts / whole).min(1.0));
+    let why = "the sign could not be told on all boxes".to_string();
+    let boxes = layer.into_iter().take(TOLD).map(|cell| cell.sides).collect();
+    Ok(Decision::Undecided(Open { why, boxes, share, looked: proof.boxes, degrees: Vec::new() }))
+}

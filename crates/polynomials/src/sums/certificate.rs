@@ -1,0 +1,73 @@
+//! Why an inequality holds, in a form that a short separate program checks.
+
+use crate::multivariate::Multivariate;
+use arithmetic::{Rational, rational};
+use num_traits::{Signed, Zero};
+
+type Polynomial = Multivariate<Rational>;
+
+/// `d l²`, with `d >= 0`.
+pub type Square = (Rational, Polynomial);
+
+/// Wherever all `constraints` are at least 0 and all `equalities` are 0, the goal is at least 0 (above 0 where `strict`), because
+///
+/// `(sum of multiplier) goal = sum over terms of (product of the constraints of the term) (sum of its squares) + sum of cofactor equality`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Certificate {
+    /// Names of the variables.
+    pub names: Vec<String>,
+    /// At least 0 by assumption.
+    pub constraints: Vec<Polynomial>,
+    /// 0 by assumption.
+    pub equalities: Vec<Polynomial>,
+    /// What is at least 0.
+    pub goal: Polynomial,
+    /// Whether it is above 0.
+    pub strict: bool,
+    /// Squares with a positive sum: one of them is a constant.
+    pub multiplier: Vec<Square>,
+    /// Numbers of constraints, from 0, and squares.
+    pub terms: Vec<(Vec<usize>, Vec<Square>)>,
+    /// One for each equality.
+    pub cofactors: Vec<Polynomial>,
+}
+
+fn sum(squares: &[Square]) -> Polynomial {
+    squares.iter().fold(Multivariate::of(rational(0, 1)), |sum, (d, l)| sum + (l.clone() * l).scaled(d))
+}
+
+/// Whether a positive constant is among squares that are all not negative.
+fn has_constant(squares: &[Square]) -> bool {
+    squares.iter().any(|(d, l)| d.is_positive() && l.as_constant().is_some_and(|c| !c.is_zero()))
+}
+
+impl Certificate {
+    /// Whether it proves what it says. It is looked at before anybody is told.
+    pub fn is_valid(&self) -> bool {
+        let squares = self.terms.iter().flat_map(|(_, squares)| squares).chain(&self.multiplier);
+        let signs = squares.into_iter().all(|(d, _)| !d.is_negative());
+        let numbers = self.terms.iter().flat_map(|(factors, _)| factors).all(|&k| k < self.constraints.len());
+        if !signs || !numbers || self.cofactors.len() != self.equalities.len() || !has_constant(&self.multiplier) {
+            return false;
+        }
+        let strict = self.terms.iter().any(|(factors, squares)| factors.is_empty() && has_constant(squares));
+        if self.strict && !strict {
+            return false;
+        }
+        self.defect().is_zero()
+    }
+
+    /// The left side of the identity less its right side, as far as there are cofactors.
+    pub(super) fn defect(&self) -> Polynomial {
+        let one = Multivariate::of(rational(1, 1));
+        let mut rest = sum(&self.multiplier) * &self.goal;
+        for (factors, squares) in &self.terms {
+            let product = factors.iter().fold(one.clone(), |product, &k| product * &self.constraints[k]);
+            rest = rest - product * sum(squares);
+        }
+        for (cofactor, equality) in self.cofactors.iter().zip(&self.equalities) {
+            rest = rest - cofactor.clone() * equality;
+        }
+        rest
+    }
+}

@@ -1,0 +1,368 @@
+//! Functions themselves as a scalar: quotients of polynomials in the arguments and in new variables for roots, absolute values, sines and exponentials.
+
+use crate::multivariate::Multivariate;
+use arithmetic::{ArithmeticError, Field, Number, Rational, Ring, Sign, Signed, operators, rational};
+use num_traits::{Signed as _, Zero};
+use std::sync::{Arc, Mutex, PoisonError};
+
+type Polynomial = Multivariate<Rational>;
+
+/// A function whose values have variables of their own; the sine stands after the cosine of the same argument.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Function {
+    Cosine,
+    Exponential,
+    Other(&'static str),
+}
+
+/// What a new variable stands for.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Meaning {
+    /// The square root of the quotient of two polynomials.
+    Root(Polynomial, Polynomial),
+    /// The absolute value of the quotient of two polynomials.
+    Absolute(Polynomial, Polynomial),
+    /// The cosine of an argument; the next variable is the sine.
+    Cosine,
+    /// The sine of the same argument.
+    Sine,
+    /// A positive number of which nothing else is known.
+    Positive,
+    /// A number of which nothing is known.
+    Any,
+    /// A number between two.
+    Between(Rational, Rational),
+}
+
+#[derive(Debug, Default)]
+struct Inner {
+    divisors: Vec<Polynomial>,
+    meanings: Vec<Meaning>,
+    /// Functions of arguments that have a variable already.
+    calls: Vec<(Function, Fraction, usize)>,
+}
+
+/// Where the new variables of one computation are kept.
+#[derive(Debug, Clone)]
+pub struct Extension {
+    arity: usize,
+    inner: Arc<Mutex<Inner>>,
+}
+
+/// Numerator, and powers of the divisors of the extension.
+type Fraction = (Polynomial, Vec<u32>);
+
+/// A function as a quotient of polynomials.
+#[derive(Debug, Clone)]
+pub struct Symbolic {
+    fraction: Fraction,
+    extension: Extension,
+}
+
+/// Larger polynomials are not worth while.
+const MOST_TERMS: usize = 4000;
+
+impl Extension {
+    /// For functions of so many arguments.
+    pub fn new(arity: usize) -> Self {
+        Extension { arity, inner: Arc::default() }
+    }
+
+    /// The arguments.
+    pub fn arguments(&self) -> Vec<Symbolic> {
+        (0..self.arity).map(|k| self.of(Multivariate::x(k))).collect()
+    }
+
+    fn of(&self, polynomial: Polynomial) -> Symbolic {
+        Symbolic { fraction: (polynomial, Vec::new()), extension: self.clone() }
+    }
+
+    fn with<R>(&self, f: impl FnOnce(&mut Inner) -> R) -> R {
+        f(&mut self.inner.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// The meanings of the variables beyond the arguments, in order.
+    pub(crate) fn meanings(&self) -> Vec<Meaning> {
+        self.with(|inner| inner.meanings.clone())
+    }
+
+    /// All that was divided by.
+    pub(crate) fn divisors(&self) -> Vec<Polynomial> {
+        self.with(|inner| inner.divisors.clone())
+    }
+
+    fn variable(&self, meaning: Meaning) -> usize {
+        self.with(|inner| {
+            inner.meanings.push(meaning);
+            self.arity + inner.meanings.len() - 1
+        })
+    }
+
+    /// The variable for a root or an absolute value.
+    fn known(&self, meaning: Meaning) -> usize {
+        let found = self.with(|inner| inner.meanings.iter().position(|own| *own == meaning));
+        found.map_or_else(|| self.variable(meaning), |place| self.arity + place)
+    }
+
+    /// The product of powers of divisors.
+    fn product(&self, powers: &[u32]) -> Polynomial {
+        let one = Multivariate::of(rational(1, 1));
+        self.with(|inner| {
+            let factor = |(k, power): (usize, &u32)| inner.divisors[k].power(u64::from(*power));
+            powers.iter().enumerate().filter(|(_, power)| **power > 0).fold(one, |product, own| product * factor(own))
+        })
+    }
+
+    /// Squares of variables whose square is known are replaced.
+    fn normal(&self, (mut numerator, mut powers): Fraction) -> Fraction {
+        let meanings = self.meanings();
+        for (place, meaning) in meanings.iter().enumerate().rev() {
+            let variable = self.arity + place;
+            if numerator.degree_in(variable) < 2 {
+                continue;
+            }
+            let (over, under) = match meaning {
+                Meaning::Root(over, under) => (over.clone(), under.clone()),
+                Meaning::Absolute(over, under) => (over.square(), under.square()),
+                Meaning::Sine => {
+                    let cosine = Multivariate::x(variable - 1);
+                    (Multivariate::of(rational(1, 1)) - cosine.square(), Multivariate::of(rational(1, 1)))
+                }
+                _ => continue,
+            };
+            let parts = numerator.in_variable(variable);
+            let most = (parts.len() - 1) as u64 / 2;
+            let x = Multivariate::x(variable);
+            let part = |(k, part): (usize, &Polynomial)| {
+                let half = k as u64 / 2;
+                let even = part.clone() * over.power(half) * under.power(most - half);
+                if k % 2 == 1 { even * &x } else { even }
+            };
+            numerator = parts.iter().enumerate().map(part).fold(Multivariate::of(rational(0, 1)), |sum, own| sum + own);
+            if under.as_constant().is_none() {
+                let place = self.divisor(&under);
+                powers.resize(powers.len().max(place + 1), 0);
+                powers[place] += most as u32;
+            }
+        }
+        (numerator, powers)
+    }
+
+    /// The number of a divisor.
+    fn divisor(&self, polynomial: &Polynomial) -> usize {
+        self.with(|inner| {
+            inner.divisors.iter().position(|own| own == polynomial).unwrap_or_else(|| {
+                inner.divisors.push(polynomial.clone());
+                inner.divisors.len() - 1
+            })
+        })
+    }
+}
+
+impl Symbolic {
+    /// Numerator and denominator as a list of divisors with their powers.
+    pub(crate) fn parts(&self) -> (Polynomial, Vec<(Polynomial, u32)>) {
+        let divisors = self.extension.divisors();
+        let powers = self.fraction.1.iter().enumerate().filter(|(_, power)| **power > 0);
+        (self.fraction.0.clone(), powers.map(|(k, power)| (divisors[k].clone(), *power)).collect())
+    }
+
+    fn made(&self, fraction: Fraction) -> Self {
+        Symbolic { fraction: self.extension.normal(fraction), extension: self.extension.clone() }
+    }
+
+    fn raised(&self, powers: &[u32]) -> Polynomial {
+        let missing: Vec<u32> =
+            powers.iter().enumerate().map(|(k, power)| power - self.fraction.1.get(k).unwrap_or(&0)).collect();
+        self.fraction.0.clone() * self.extension.product(&missing)
+    }
+
+    fn plus(a: &Self, b: &Self) -> Self {
+        let (p, q) = (&a.fraction.1, &b.fraction.1);
+        let powers: Vec<u32> = (0..p.len().max(q.len()))
+            .map(|k| p.get(k).copied().unwrap_or(0).max(q.get(k).copied().unwrap_or(0)))
+            .collect();
+        a.made((a.raised(&powers) + b.raised(&powers), powers))
+    }
+
+    fn negated(a: &Self) -> Self {
+        a.made((-a.fraction.0.clone(), a.fraction.1.clone()))
+    }
+
+    fn minus(a: &Self, b: &Self) -> Self {
+        Symbolic::plus(a, &Symbolic::negated(b))
+    }
+
+    fn times(a: &Self, b: &Self) -> Self {
+        let powers = crate::multivariate::monomial_product(&a.fraction.1, &b.fraction.1);
+        if a.fraction.0.terms().len() * b.fraction.0.terms().len() > MOST_TERMS * 8 {
+            // Too large to be of use: a new variable of which nothing is known.
+            let variable = a.extension.variable(Meaning::Any);
+            return a.extension.of(Multivariate::x(variable));
+        }
+        a.made((a.fraction.0.clone() * &b.fraction.0, powers))
+    }
+
+    fn as_constant(&self) -> Option<Rational> {
+        self.fraction.0.as_constant().filter(|c| c.is_zero() || self.fraction.1.iter().all(|power| *power == 0))
+    }
+
+    fn denominator(&self) -> Polynomial {
+        self.extension.product(&self.fraction.1)
+    }
+
+    /// The variable of a function of this argument.
+    fn call(&self, function: Function) -> usize {
+        let known = self.extension.with(|inner| {
+            let same = |own: &&(Function, Fraction, usize)| own.0 == function && own.1 == self.fraction;
+            inner.calls.iter().find(same).map(|(_, _, variable)| *variable)
+        });
+        known.unwrap_or_else(|| {
+            let variable = match function {
+                Function::Cosine => {
+                    let cosine = self.extension.variable(Meaning::Cosine);
+                    self.extension.variable(Meaning::Sine);
+                    cosine
+                }
+                Function::Exponential => self.extension.variable(Meaning::Positive),
+                Function::Other(_) => self.extension.variable(Meaning::Any),
+            };
+            self.extension.with(|inner| inner.calls.push((function, self.fraction.clone(), variable)));
+            variable
+        })
+    }
+
+    /// The value where it is rational, otherwise the variable of the function.
+    fn called(
+        &self,
+        function: Function,
+        exact: impl Fn(&Rational) -> Result<Rational, ArithmeticError>,
+    ) -> Result<Self, ArithmeticError> {
+        if let Some(value) = self.as_constant().and_then(|c| exact(&c).ok()) {
+            return Ok(self.rational(&value));
+        }
+        Ok(self.extension.of(Multivariate::x(self.call(function))))
+    }
+}
+
+operators!([] Symbolic, Symbolic::plus, Symbolic::minus, Symbolic::times, Symbolic::negated);
+
+impl Ring for Symbolic {
+    fn integer(&self, n: i64) -> Self {
+        self.extension.of(Multivariate::of(rational(n, 1)))
+    }
+}
+
+impl Field for Symbolic {
+    fn rational(&self, q: &Rational) -> Self {
+        self.extension.of(Multivariate::of(q.clone()))
+    }
+
+    fn recip(&self) -> Result<Self, ArithmeticError> {
+        let (numerator, denominator) = (&self.fraction.0, self.denominator());
+        if numerator.is_zero() {
+            return Err(ArithmeticError::DivisionByZero);
+        }
+        if let Some(c) = numerator.as_constant() {
+            return Ok(self.made((denominator.scaled(&c.recip()), Vec::new())));
+        }
+        // One term: each variable divides by itself. Others are scaled, so that the first coefficient is 1.
+        let lead = numerator.terms().next().map_or(rational(1, 1), |(_, c)| c.clone());
+        let factors: Vec<(Polynomial, u32)> = match numerator.terms().next() {
+            Some((monomial, _)) if numerator.terms().len() == 1 => monomial
+                .iter()
+                .enumerate()
+                .filter(|(_, power)| **power > 0)
+                .map(|(k, power)| (Multivariate::x(k), *power))
+                .collect(),
+            _ => vec![(numerator.scaled(&lead.recip()), 1)],
+        };
+        let mut powers = Vec::new();
+        for (factor, power) in factors {
+            let place = self.extension.divisor(&factor);
+            powers.resize(powers.len().max(place + 1), 0);
+            powers[place] += power;
+        }
+        Ok(self.made((denominator.scaled(&lead.recip()), powers)))
+    }
+}
+
+impl Signed for Symbolic {
+    fn sign(&self) -> Option<Sign> {
+        Signed::sign(&self.as_constant()?)
+    }
+
+    fn absolute(&self) -> Result<Self, ArithmeticError> {
+        if let Some(c) = self.as_constant() {
+            return Ok(self.rational(&c.abs()));
+        }
+        let meaning = Meaning::Absolute(self.fraction.0.clone(), self.denominator());
+        Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
+    }
+
+    fn larger(&self, other: &Self) -> Result<Self, ArithmeticError> {
+        let apart = (self.clone() - other).absolute()?;
+        Ok((self.clone() + other + apart) * self.ratio(1, 2))
+    }
+
+    fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
+        let apart = (self.clone() - other).absolute()?;
+        Ok((self.clone() + other - apart) * self.ratio(1, 2))
+    }
+}
+
+impl Number for Symbolic {
+    fn circle(&self) -> Result<Self, ArithmeticError> {
+        let scale = num_bigint::BigInt::from(1) << 60u32;
+        let pi = arithmetic::Real::pi(&arithmetic::Interval::from_rational(&rational(1, 1), 100));
+        let lo = (pi.to_rationals().0 * Rational::from_integer(scale.clone())).floor();
+        let end = |q: Rational| q / Rational::from_integer(scale.clone());
+        let meaning = Meaning::Between(end(lo.clone()), end(lo + rational(1, 1)));
+        Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
+    }
+
+    fn sqrt(&self) -> Result<Self, ArithmeticError> {
+        if let Some(c) = self.as_constant() {
+            if c.is_negative() {
+                return Err(ArithmeticError::Argument("sqrt"));
+            }
+            if let Ok(root) = c.sqrt() {
+                return Ok(self.rational(&root));
+            }
+        }
+        let meaning = Meaning::Root(self.fraction.0.clone(), self.denominator());
+        Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
+    }
+
+    fn exp(&self) -> Result<Self, ArithmeticError> {
+        self.called(Function::Exponential, Number::exp)
+    }
+
+    fn ln(&self) -> Result<Self, ArithmeticError> {
+        self.called(Function::Other("ln"), Number::ln)
+    }
+
+    fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
+        if self.as_constant().is_some_and(|c| c.is_zero()) {
+            return Ok((self.zero(), self.one()));
+        }
+        let cosine = self.call(Function::Cosine);
+        let of = |variable: usize| self.extension.of(Multivariate::x(variable));
+        Ok((of(cosine + 1), of(cosine)))
+    }
+
+    fn atan(&self) -> Result<Self, ArithmeticError> {
+        self.called(Function::Other("atan"), Number::atan)
+    }
+
+    fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
+        let up = self.exp()?;
+        let down = up.recip()?;
+        let half = self.ratio(1, 2);
+        Ok(((up.clone() - &down) * &half, (up + down) * half))
+    }
+
+    fn angle(_: &Self, _: &Self) -> Result<Self, ArithmeticError> {
+        Err(ArithmeticError::Domain("a quotient of polynomials"))
+    }
+}

@@ -1,0 +1,362 @@
+//! A property as functions that are compared with zero: what is needed to decide it where it is attained. Only properties of numbers and functions
+//! of them have that form; those with quantities of a subject have not.
+
+use crate::bindings::{Bindings, Value};
+use crate::syntax::{Kind, Node, Relation};
+use arithmetic::{ArithmeticError, Number, Rational, rational};
+use num_traits::{Signed, ToPrimitive, Zero};
+use polynomials::{Compared, Function, Literal};
+use std::sync::Arc;
+
+/// A function of one number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Elementary {
+    Root,
+    Exponential,
+    Logarithm,
+    Sine,
+    Cosine,
+}
+
+impl Elementary {
+    fn of<T: Number>(self, x: &T) -> Result<T, ArithmeticError> {
+        match self {
+            Elementary::Root => x.sqrt(),
+            Elementary::Exponential => x.exp(),
+            Elementary::Logarithm => x.ln(),
+            Elementary::Sine => x.sin(),
+            Elementary::Cosine => x.cos(),
+        }
+    }
+}
+
+/// An expression of bound numbers.
+#[derive(Debug, Clone, PartialEq)]
+enum Term {
+    Number(Rational),
+    /// The one of that number among the names that stand for intervals.
+    Variable(usize),
+    Pi,
+    Negated(Arc<Term>),
+    Sum(Vec<Term>),
+    Product(Vec<Term>),
+    Reciprocal(Arc<Term>),
+    Power(Arc<Term>, u64),
+    Call(Elementary, Arc<Term>),
+    Absolute(Arc<Term>),
+    /// The larger one, or the smaller one.
+    Extreme(bool, Vec<Term>),
+}
+
+/// An expression as a function of the names that stand for intervals.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Formula {
+    term: Arc<Term>,
+    arity: usize,
+}
+
+/// One of several literals is true.
+pub(crate) type Clause = Vec<Literal<Formula>>;
+
+/// More clauses, or literals in one, are not decided in this way.
+const MOST_CLAUSES: usize = 64;
+const MOST_LITERALS: usize = 12;
+
+impl Function for Formula {
+    fn arity(&self) -> usize {
+        self.arity
+    }
+
+    fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
+        let like = at.first().ok_or(ArithmeticError::Domain("a variable"))?;
+        self.term.value(at, like)
+    }
+}
+
+impl Term {
+    fn value<T: Number>(&self, at: &[T], like: &T) -> Result<T, ArithmeticError> {
+        let all = |terms: &[Term]| terms.iter().map(|term| term.value(at, like)).collect::<Result<Vec<T>, _>>();
+        Ok(match self {
+            Term::Number(q) => like.rational(q),
+            Term::Variable(k) => at.get(*k).cloned().ok_or(ArithmeticError::Domain("a variable"))?,
+            Term::Pi => like.circle()?,
+            Term::Negated(body) => -body.value(at, like)?,
+            Term::Sum(terms) => all(terms)?.into_iter().reduce(|a, b| a + b).unwrap_or_else(|| like.zero()),
+            Term::Product(terms) => {
+                // Equal factors are squares, which are never negative.
+                if let [a, b] = &terms[..]
+                    && a == b
+                {
+                    return Ok(a.value(at, like)?.square());
+                }
+                all(terms)?.into_iter().reduce(|a, b| a * b).unwrap_or_else(|| like.one())
+            }
+            Term::Reciprocal(body) => body.value(at, like)?.recip()?,
+            Term::Power(body, exponent) => body.value(at, like)?.power(*exponent),
+            Term::Call(function, body) => function.of(&body.value(at, like)?)?,
+            Term::Absolute(body) => body.value(at, like)?.absolute()?,
+            Term::Extreme(larger, terms) => {
+                let mut values = all(terms)?.into_iter();
+                let first = values.next().ok_or(ArithmeticError::Domain("an argument"))?;
+                values.try_fold(first, |best, x| if *larger { best.larger(&x) } else { best.smaller(&x) })?
+            }
+        })
+    }
+
+    fn as_number(&self) -> Option<&Rational> {
+        match self {
+            Term::Number(q) => Some(q),
+            _ => None,
+        }
+    }
+}
+
+/// Reads expressions in one case, and notes where they have values.
+struct Reader<'a> {
+    bindings: &'a Bindings,
+    variables: Vec<&'a str>,
+    conditions: Vec<(Term, Compared)>,
+}
+
+/// A property, and what `where` says, as clauses; `None` where they have not that form.
+pub(crate) fn clauses(bindings: &Bindings, restriction: Option<&Node>, property: &Node) -> Option<Vec<Clause>> {
+    let variables: Vec<&str> = bindings.iter().filter(|(_, value)| value.is_interval()).map(|(name, _)| name).collect();
+    if bindings.iter().any(|(_, value)| matches!(value, Value::Integers(..))) {
+        return None;
+    }
+    let reader = || Reader { bindings, variables: variables.clone(), conditions: Vec::new() };
+    let mut all = reader().property(property, true)?;
+    if let Some(restriction) = restriction {
+        all = either(&[reader().property(restriction, false)?, all])?;
+    }
+    // A literal that is true whatever happens makes its clause true.
+    all.retain(|clause| !clause.iter().any(|literal| constant(literal) == Some(true)));
+    all.iter_mut().for_each(|clause| clause.retain(|literal| constant(literal).is_none()));
+    Some(all)
+}
+
+fn constant(literal: &Literal<Formula>) -> Option<bool> {
+    use arithmetic::Signed as _;
+    let sign = literal.function.term.as_number()?.sign()?;
+    Some(literal.compared.admits(sign))
+}
+
+/// Of lists of clauses that all have to hold, one list: clauses that hold where one of the lists does.
+fn either(lists: &[Vec<Clause>]) -> Option<Vec<Clause>> {
+    let mut all: Vec<Clause> = vec![Vec::new()];
+    for list in lists {
+        all = all
+            .iter()
+            .flat_map(|clause| list.iter().map(move |other| [clause.clone(), other.clone()].concat()))
+            .collect();
+        if all.len() > MOST_CLAUSES || all.iter().any(|clause| clause.len() > MOST_LITERALS) {
+            return None;
+        }
+    }
+    Some(all)
+}
+
+impl Reader<'_> {
+    fn property(&mut self, node: &Node, positive: bool) -> Option<Vec<Clause>> {
+        let lists = |reader: &mut Self, nodes: &[(&Node, bool)]| {
+            nodes.iter().map(|(node, positive)| reader.property(node, *positive)).collect::<Option<Vec<_>>>()
+        };
+        let parts: Vec<(&Node, bool)> = match &node.kind {
+            Kind::Not(body) => return self.property(body, !positive),
+            Kind::And(nodes) | Kind::Or(nodes) => nodes.iter().map(|node| (node, positive)).collect(),
+            Kind::Implies(first, second) => vec![(first, !positive), (second, positive)],
+            Kind::Relation(first, others) => return self.chain(first, others, positive),
+            _ => return None,
+        };
+        let all = lists(self, &parts)?;
+        let together = matches!(node.kind, Kind::And(_)) == positive;
+        let joined = if together { Some(all.concat()) } else { either(&all) };
+        joined.filter(|clauses| clauses.len() <= MOST_CLAUSES)
+    }
+
+    fn chain(&mut self, first: &Node, others: &[(Relation, Node)], positive: bool) -> Option<Vec<Clause>> {
+        let mut links = Vec::new();
+        let mut left = first;
+        for (relation, right) in others {
+            let relation = if positive { *relation } else { relation.turned() };
+            links.push(self.link(left, relation, right)?);
+            left = right;
+        }
+        if positive { Some(links.concat()) } else { either(&links) }
+    }
+
+    /// A comparison with the conditions under which both sides have values.
+    fn link(&mut self, left: &Node, relation: Relation, right: &Node) -> Option<Vec<Clause>> {
+        self.conditions.clear();
+        let (a, b) = (self.term(left)?, self.term(right)?);
+        let difference = |a: Term, b: Term| sum(vec![a, negated(b)]);
+        let (term, compared) = match relation {
+            Relation::Less => (difference(b, a), Compared::Positive),
+            Relation::AtMost => (difference(b, a), Compared::NotNegative),
+            Relation::Greater => (difference(a, b), Compared::Positive),
+            Relation::AtLeast => (difference(a, b), Compared::NotNegative),
+            Relation::Equal => (difference(a, b), Compared::Zero),
+            Relation::Different => (difference(a, b), Compared::NotZero),
+        };
+        let arity = self.variables.len();
+        let conditions = std::mem::take(&mut self.conditions);
+        let all = conditions.into_iter().chain([(term, compared)]);
+        let clause = |(term, compared)| {
+            vec![Literal { function: Formula { term: Arc::new(term), arity }, compared, guarded: true }]
+        };
+        Some(all.map(clause).collect())
+    }
+
+    fn condition(&mut self, term: &Term, compared: Compared) {
+        let known = match term {
+            Term::Number(q) => arithmetic::Signed::sign(q).is_some_and(|sign| compared.admits(sign)),
+            _ => false,
+        };
+        if !known && !self.conditions.iter().any(|own| own.0 == *term && own.1 == compared) {
+            self.conditions.push((term.clone(), compared));
+        }
+    }
+
+    fn term(&mut self, node: &Node) -> Option<Term> {
+        match &node.kind {
+            Kind::Number(q) => Some(Term::Number(q.clone())),
+            Kind::Negated(body) => Some(negated(self.term(body)?)),
+            Kind::Sum(terms) => {
+                let one = |(minus, node): &(bool, Node)| {
+                    let term = self.term(node)?;
+                    Some(if *minus { negated(term) } else { term })
+                };
+                terms.iter().map(one).collect::<Option<Vec<_>>>().map(sum)
+            }
+            Kind::Product(factors) => {
+                let one = |(divides, node): &(bool, Node)| {
+                    let term = self.term(node)?;
+                    if *divides { self.reciprocal(term) } else { Some(term) }
+                };
+                factors.iter().map(one).collect::<Option<Vec<_>>>().map(product)
+            }
+            Kind::Power(base, exponent) => {
+                let (base, exponent) = (self.term(base)?, self.term(exponent)?);
+                self.power(base, exponent)
+            }
+            Kind::Name { name, called: false, .. } if name != "pi" => match self.bindings.get(name)? {
+                Value::Number(q) => Some(Term::Number(q.clone())),
+                _ => self.variables.iter().position(|own| own == name).map(Term::Variable),
+            },
+            Kind::Name { name, arguments, .. } => {
+                let terms = arguments.iter().map(|node| self.term(node)).collect::<Option<Vec<_>>>()?;
+                self.call(name, terms)
+            }
+            _ => None,
+        }
+    }
+
+    fn reciprocal(&mut self, term: Term) -> Option<Term> {
+        if let Some(q) = term.as_number() {
+            return (!q.is_zero()).then(|| Term::Number(q.recip()));
+        }
+        self.condition(&term, Compared::NotZero);
+        Some(Term::Reciprocal(Arc::new(term)))
+    }
+
+    fn power(&mut self, base: Term, exponent: Term) -> Option<Term> {
+        const LARGEST: u64 = 64;
+        let call = |function: Elementary, term: Term| Term::Call(function, Arc::new(term));
+        let Some(q) = exponent.as_number() else {
+            self.condition(&base, Compared::Positive);
+            let logarithm = call(Elementary::Logarithm, base);
+            return Some(call(Elementary::Exponential, product(vec![exponent, logarithm])));
+        };
+        let size = q.numer().magnitude().to_u64().filter(|size| *size <= LARGEST)?;
+        let root = match q.denom().to_u64()? {
+            1 => base,
+            degree @ (2 | 4 | 8) => {
+                self.condition(&base, Compared::NotNegative);
+                (0..degree.trailing_zeros()).fold(base, |root, _| call(Elementary::Root, root))
+            }
+            // Other roots have their value at 0, which the logarithm has not.
+            _ => return None,
+        };
+        let power = match (size, root.as_number()) {
+            (0, _) => return None,
+            (1, _) => root,
+            (_, Some(value)) => Term::Number(arithmetic::Ring::power(value, size)),
+            _ => Term::Power(Arc::new(root), size),
+        };
+        if q.is_negative() { self.reciprocal(power) } else { Some(power) }
+    }
+
+    fn call(&mut self, name: &str, mut terms: Vec<Term>) -> Option<Term> {
+        let function = match name {
+            "pi" if terms.is_empty() => return Some(Term::Pi),
+            "min" | "max" if !terms.is_empty() => return Some(Term::Extreme(name == "max", terms)),
+            "abs" => return terms.pop().map(|term| Term::Absolute(Arc::new(term))),
+            "sqrt" => Elementary::Root,
+            "exp" => Elementary::Exponential,
+            "log" => Elementary::Logarithm,
+            "sin" => Elementary::Sine,
+            "cos" => Elementary::Cosine,
+            _ => return None,
+        };
+        let term = terms.pop()?;
+        match function {
+            Elementary::Root => self.condition(&term, Compared::NotNegative),
+            Elementary::Logarithm => self.condition(&term, Compared::Positive),
+            _ => {}
+        }
+        Some(Term::Call(function, Arc::new(term)))
+    }
+}
+
+fn negated(term: Term) -> Term {
+    match term {
+        Term::Number(q) => Term::Number(-q),
+        Term::Negated(body) => body.as_ref().clone(),
+        term => Term::Negated(Arc::new(term)),
+    }
+}
+
+/// With the numbers added.
+fn sum(terms: Vec<Term>) -> Term {
+    let mut number = rational(0, 1);
+    let mut others = Vec::new();
+    for term in terms {
+        match term {
+            Term::Number(q) => number += q,
+            Term::Sum(own) => others.extend(own),
+            term => others.push(term),
+        }
+    }
+    if !number.is_zero() {
+        others.push(Term::Number(number));
+    }
+    match others.len() {
+        0 => Term::Number(rational(0, 1)),
+        1 => others.remove(0),
+        _ => Term::Sum(others),
+    }
+}
+
+/// With the numbers multiplied.
+fn product(terms: Vec<Term>) -> Term {
+    let mut number = rational(1, 1);
+    let mut others = Vec::new();
+    for term in terms {
+        match term {
+            Term::Number(q) => number *= q,
+            term => others.push(term),
+        }
+    }
+    // Zero times what may be missing is not zero: its conditions are looked at separately.
+    if number.is_zero() {
+        return Term::Number(number);
+    }
+    if number != rational(1, 1) {
+        others.insert(0, Term::Number(number));
+    }
+    match others.len() {
+        0 => Term::Number(rational(1, 1)),
+        1 => others.remove(0),
+        _ => Term::Product(others),
+    }
+}
