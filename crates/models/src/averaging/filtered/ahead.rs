@@ -44,8 +44,10 @@ pub(super) struct Ahead<'a> {
     speed: f64,
     /// The same of the changes of velocities in a step.
     change: f64,
-    /// Of a step.
+    /// Of a step, over the largest number.
     rounding: f64,
+    /// No number of the rest is larger.
+    largest: f64,
     steps: u64,
     /// Whether joined pairs are looked at.
     with_edges: bool,
@@ -89,6 +91,7 @@ impl<'a> Ahead<'a> {
             change: 0.0,
             // Of the difference of two averages of numbers up to 1, each with so many roundings.
             rounding: f64::EPSILON * (4.0 * neighbours + 32.0) * root,
+            largest: whole.rest.iter().fold(0.0f64, |most, z| most.max(z.abs())),
             steps: 0,
             with_edges: true,
             due: BinaryHeap::new(),
@@ -195,7 +198,7 @@ impl<'a> Ahead<'a> {
         // In s steps the distance changes by at most s (speed + s change), and by 2 s times the speed of all.
         let speed =
             (0..self.dimension).map(|k| (self.pull(i as usize, k) - self.pull(j as usize, k)).powi(2)).sum::<f64>();
-        let (speed, change) = (speed.sqrt() + 4.0 * self.error, self.change);
+        let (speed, change) = (speed.sqrt() + 2.0 * self.pull_error(), self.change);
         let steady = gap / (2.0 * self.speed);
         let turning = 2.0 * gap / (speed + (speed * speed + 4.0 * gap * change).sqrt());
         let steps = steady.max(turning) * (1.0 - 1e-9);
@@ -222,6 +225,11 @@ impl<'a> Ahead<'a> {
         pull(self.part, &self.rest, self.dimension, i, k)
     }
 
+    /// Of `(I - P) z`: what `z` is off by, and what rounding adds, which is no more than in a step.
+    fn pull_error(&self) -> f64 {
+        2.0 * (self.error + self.rounding * self.largest)
+    }
+
     fn measure(&mut self) {
         let d = self.dimension;
         let of = |list: &[f64]| -> Vec<f64> {
@@ -230,8 +238,7 @@ impl<'a> Ahead<'a> {
         let most = |list: &[f64]| list.chunks(d).fold(0.0f64, |most, v| most.max(norm(v)));
         let speeds = of(&self.rest);
         let changes = of(&speeds);
-        // What rounding adds to both, and what the rest is off by.
-        (self.speed, self.change) = (most(&speeds) + 2.0 * self.error, most(&changes) + 4.0 * self.error);
+        (self.speed, self.change) = (most(&speeds) + self.pull_error(), most(&changes) + 2.0 * self.pull_error());
     }
 
     fn step(&mut self) {
@@ -247,6 +254,7 @@ impl<'a> Ahead<'a> {
         }
         std::mem::swap(&mut self.rest, &mut self.next);
         self.error += self.rounding * largest;
+        self.largest = largest;
         self.steps += 1;
     }
 }

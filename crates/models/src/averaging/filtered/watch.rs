@@ -85,7 +85,9 @@ impl Snapshot {
         let (positions, velocities) = balls.floats();
         let (position_error, velocity_error) = balls.errors();
         let largest = positions.iter().fold(1.0f64, |most, x| most.max(x.abs()));
-        let error = 4.0 * (position_error + SLACK * 1e-3 * largest) + 4.0 * velocity_error;
+        // Coordinates of differences err by twice as much as those of birds.
+        let root = (balls.dimension() as f64).sqrt();
+        let error = 4.0 * root * (position_error + SLACK * 1e-3 * largest + velocity_error);
         Snapshot { dimension: balls.dimension(), positions, velocities, velocity_error, error }
     }
 
