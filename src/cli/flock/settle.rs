@@ -54,9 +54,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let mut found = |switch: &Switch| {
         switch.apply_to(&mut network);
         let event = switch_json(switch);
-        let text = line.of(switch, &network);
         if !arguments.json && !arguments.quiet {
-            interrupt::keep(&text);
+            interrupt::keep(&line.of(switch, &network));
         }
         let written = log.write(&event);
         switches.push(event);

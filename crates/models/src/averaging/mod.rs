@@ -3,6 +3,7 @@
 //! certified positions.
 
 mod affine;
+mod boxes;
 mod contraction;
 mod declaration;
 mod filling;
