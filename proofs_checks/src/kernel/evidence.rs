@@ -40,6 +40,7 @@ impl Proofs for Development {
             let skipped = if covers == Covers::Corrected { printed } else { 0 };
             let clauses: Vec<usize> = theorem.clauses.iter().map(|k| k + skipped).collect();
             let evidence = Evidence::new(grade, part, detail).on(clauses);
+            let evidence = if covers == Covers::Negation { evidence.refuting() } else { evidence };
             Ok(if theorem.whole && grade == Grade::Kernel { evidence.for_all() } else { evidence })
         });
         support.collect()
