@@ -9,11 +9,10 @@ use std::sync::OnceLock;
 /// A development.
 #[derive(Debug, Clone)]
 pub struct Development {
-    /// The sources.
-    pub files: Vec<Source>,
-    /// What the audits state, by their places among the files.
-    stated: BTreeMap<usize, Vec<Stated>>,
-    meanings: Meanings,
+    files: Vec<Source>,
+    /// What the audits state, by their places among the files; read where it is first asked for, as are the meanings.
+    stated: OnceLock<BTreeMap<usize, Vec<Stated>>>,
+    meanings: OnceLock<Meanings>,
     /// The rows of `theorems.tsv`.
     pub theorems: Vec<Theorem>,
     /// The rows of `audited.tsv`.
@@ -43,14 +42,24 @@ impl Development {
         audited: BTreeSet<&'static str>,
         transcript: Transcript,
     ) -> Self {
-        let audits = files.iter().enumerate().filter(|(_, file)| file.name.starts_with("audit"));
-        let stated = audits.map(|(place, audit)| (place, stated_in(audit.text))).collect();
-        Development { meanings: Meanings::of(&files), stated, files, theorems, audited, transcript }
+        Development { meanings: OnceLock::new(), stated: OnceLock::new(), files, theorems, audited, transcript }
+    }
+
+    /// The sources, what a file needs before it.
+    pub fn files(&self) -> &[Source] {
+        &self.files
+    }
+
+    fn stated(&self) -> &BTreeMap<usize, Vec<Stated>> {
+        self.stated.get_or_init(|| {
+            let audits = self.files.iter().enumerate().filter(|(_, file)| file.name.starts_with("audit"));
+            audits.map(|(place, audit)| (place, stated_in(audit.text))).collect()
+        })
     }
 
     /// The statement of a theorem as the audit writes it out again, and the audit it stands in.
     pub fn audited(&self, theorem: &Theorem) -> Option<(&Source, &'static str)> {
-        self.stated.iter().find_map(|(&place, stated)| {
+        self.stated().iter().find_map(|(&place, stated)| {
             let audit = self.files.get(place).filter(|audit| audit.needs.contains(&theorem.file))?;
             let by = |name: &str| stated.iter().find(|stated| stated.name == name);
             Some((audit, by(&theorem.path()).or_else(|| by(theorem.name))?.statement))
@@ -63,7 +72,8 @@ impl Development {
         match self.audited(theorem) {
             None => row_with(theorem, "", ""),
             Some((audit, statement)) => {
-                row_with(theorem, statement, &self.meanings.behind(statement, &self.behind(audit)))
+                let meanings = self.meanings.get_or_init(|| Meanings::of(&self.files));
+                row_with(theorem, statement, &meanings.behind(statement, &self.behind(audit)))
             }
         }
     }

@@ -33,10 +33,11 @@ fn altered(file: &str, change: impl Fn(&str) -> String, compiled_again: bool) ->
         Box::leak(text.into_boxed_str())
     };
     let sources: Vec<(&'static str, &'static str)> =
-        own.files.iter().map(|source| (source.name, text(source))).collect();
+        own.files().iter().map(|source| (source.name, text(source))).collect();
     let mut copy = own.with_sources(&sources);
     if compiled_again {
-        copy.transcript.digests = copy.files.iter().map(|file| (file.name.to_string(), file.digest.clone())).collect();
+        let now = copy.files().iter().map(|file| (file.name.to_string(), file.digest.clone())).collect();
+        copy.transcript.digests = now;
     }
     copy
 }
@@ -56,7 +57,7 @@ fn nothing_is_noticed_where_nothing_is_changed() {
 fn changed_files_are_noticed() {
     let own = Development::own();
     let (audit, statement) = own.audited(theorem()).unwrap();
-    let file = own.files.iter().find(|file| file.name == theorem().file).unwrap();
+    let file = own.files().iter().find(|file| file.name == theorem().file).unwrap();
     for name in file.needs.iter().copied().chain([file.name, audit.name]) {
         assert_noticed(name, altered(name, |text| format!("{text}\n(* end *)\n"), false));
     }
@@ -83,7 +84,7 @@ fn changed_files_are_noticed() {
 fn changed_definitions_are_noticed() {
     let own = Development::own();
     let (audit, statement) = own.audited(theorem()).unwrap();
-    let defined = proofs::kernel::definitions_of(statement, &own.files);
+    let defined = proofs::kernel::definitions_of(statement, own.files());
     let behind = |name: &str| name == audit.name || audit.needs.contains(&name);
     let definition =
         defined.iter().find(|definition| behind(definition.file)).expect("the statement has words of its own");
