@@ -256,7 +256,7 @@ def _entry(found: dict[str, Any], derivation: str) -> Entry:
     evidence = tuple(Evidence(**{**e, "clauses": tuple(e["clauses"])}) for e in found["evidence"])
     c = found["controls"]
     controls = Controls(c["refuted"], c["total"], tuple(c["what"]), tuple(c["failed"]))
-    lists = {k: tuple(found[k]) for k in ("clauses", "clause_verdicts", "witnesses")}
+    lists: dict[str, Any] = {k: tuple(found[k]) for k in ("clauses", "clause_verdicts", "witnesses")}
     rest = {k: v for k, v in found.items() if k not in ("evidence", "controls", *lists)}
     return Entry(evidence=evidence, controls=controls, derivation=derivation, **lists, **rest)
 
