@@ -74,7 +74,7 @@ pub fn peak_on_graph(
 /// # Errors
 /// [`PeakError`].
 pub fn peak_of_system(system: &StateSpace, digits: u32, progress: &dyn Progress) -> Result<Peak, PeakError> {
-    let transfer = system.transfer_watched(progress).map_err(|error| match error {
+    let transfer = system.transfer(progress).map_err(|error| match error {
         MatrixError::Cancelled(cancelled) => cancelled.into(),
         other => PeakError::Matrix(other),
     })?;
