@@ -5,8 +5,9 @@
 //! Hurwitz; then the squared response is a quotient with a positive denominator, whose largest value for `x >= 0` is enclosed by
 //! [`largest_quotient`] (`notes/resonance.md`).
 
+use super::communication_graph::CommunicationGraph;
+use super::law::Gains;
 use super::state_space::{StateSpace, StateSpaceError};
-use super::{CommunicationGraph, Gains};
 use algebra::matrix::MatrixError;
 use algebra::spectrum::{Largest, LargestError, Place, Polynomial, largest_quotient};
 use arithmetic::{ArithmeticError, Cancelled, Dyadic, Interval, Number, Progress, Rational};

@@ -9,9 +9,10 @@
 //! What is left to compute: one zero of `F'`, enclosed by interval Newton steps (which include the sign change), and that
 //! it lies in `(0, w_h]`. For `M = 1` there is no other zero.
 
-use super::response::positive_root;
-use super::shape::frequency_response;
-use super::{FrequencyResponse, Gains, chebyshev, theorem1};
+use super::law::Gains;
+use super::response::{chebyshev, positive_root};
+use super::shape::{FrequencyResponse, frequency_response};
+use super::theorem1;
 use arithmetic::{
     ArithmeticError, Ball, Complex, Dyadic, Field, Interval, Number, Rational, Ring, Sign, Signed, significant_digits,
 };

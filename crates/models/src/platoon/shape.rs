@@ -1,6 +1,6 @@
 //! The inverse squared response `F(w) = |T_M(gamma(w))|²` of the last car with its first two derivatives.
 
-use super::Gains;
+use super::law::Gains;
 use super::response::complex_gain;
 use arithmetic::{ArithmeticError, Complex, Field, Ring};
 

@@ -1,9 +1,10 @@
 //! The response of any linear system `x' = A x + B u, y = C x + D u` to a leader that swings, such as a platoon whose matrices were
 //! written by another program.
 
+use super::communication_graph::CommunicationGraph;
+use super::law::Gains;
 use super::observe::{Extreme, largest};
 use super::vector_form::motion_rows_of_cars;
-use super::{CommunicationGraph, Gains};
 use algebra::matrix::{MatrixError, RationalMatrix, SparseMatrix, Transfer, transfer_function_watched};
 use algebra::spectrum::matrix_spectrum;
 use arithmetic::{ArithmeticError, Complex, Field, Progress, Rational, Ring};

@@ -7,7 +7,7 @@ use super::wholes::{Velocities, Whole, wholes};
 use super::words::Words;
 use crate::averaging::flock::IntegerState;
 use crate::averaging::hysteresis::Threshold;
-use crate::averaging::{FlockError, Weights};
+use crate::averaging::weights::{FlockError, Weights};
 use arithmetic::{Interval, Rational, Ring, Signed};
 use num_bigint::BigInt;
 use num_traits::Signed as _;

@@ -4,7 +4,7 @@
 //! weights of the same velocities. Birds of different classes may have equal velocities too.
 
 use super::links::Links;
-use crate::averaging::Weights;
+use crate::averaging::weights::Weights;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The classes of all birds, and the pairs at distance exactly 1 that have been of one class ever since that was found.

@@ -1,6 +1,6 @@
 //! Who is joined to whom, as lists that change a pair at a time.
 
-use crate::averaging::{FlockError, Weights};
+use crate::averaging::weights::{FlockError, Weights};
 use algebra::graph::{Graph, component_numbers};
 use arithmetic::{Rational, Ring, lcm};
 use num_bigint::BigInt;

@@ -4,8 +4,8 @@
 
 use super::balls::Balls;
 use super::wholes::{SLACK, Whole, norm};
-use crate::averaging::FlockError;
 use crate::averaging::hysteresis::Threshold;
+use crate::averaging::weights::FlockError;
 use arithmetic::Progress;
 
 /// What is certain about a network.

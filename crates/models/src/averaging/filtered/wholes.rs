@@ -3,7 +3,7 @@
 //! The steps of the argument are those of `notes/exact_flocks.md`.
 
 use super::links::Links;
-use crate::averaging::Weights;
+use crate::averaging::weights::Weights;
 use num_traits::ToPrimitive;
 
 /// Relative rounding, generously.
