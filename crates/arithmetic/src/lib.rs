@@ -66,7 +66,7 @@ pub use number::{NumberError, decimal, parse_rational, shown};
 pub use probe::Probe;
 pub use progress::{Cancelled, Progress, Unwatched};
 pub use radical::RadicalSum;
-pub use rational::{NoRational, Rational, common_denominator, content, gcd, lcm, quotient, rational, simplest_between};
+pub use rational::{NoRational, Rational, common_denominator, content, gcd, lcm, rational, simplest_between};
 pub use real_cyclotomic::{CosineField, RealCyclotomic};
 pub use real_number::{Algebraic, Obstacle, PreciseNumber, RealNumber};
 pub use regression::regression_line;

@@ -6,10 +6,7 @@ use num_traits::ToPrimitive;
 /// A function of several numbers, written once over the scalar: rationals give its values exactly, intervals bounds, dual numbers derivatives, the
 /// scalar [`Symbolic`](crate::Symbolic) the function itself.
 pub trait Function: Sync {
-    /// The number of its arguments.
-    fn arity(&self) -> usize;
-
-    /// The value; `at` has [`Function::arity`] numbers.
+    /// The value at a point of the domain.
     ///
     /// # Errors
     /// [`ArithmeticError`] where there is none, or the scalar cannot hold it.
@@ -90,11 +87,6 @@ impl Side {
             (_, Some(hi)) if x > *hi => hi.clone(),
             _ => x,
         }
-    }
-
-    /// Whether the number lies in the range.
-    pub fn contains(&self, x: &Rational) -> bool {
-        self.lo.as_ref().is_none_or(|lo| lo <= x) && self.hi.as_ref().is_none_or(|hi| x <= hi)
     }
 
     /// A number inside, in the middle where there is one.

@@ -114,16 +114,7 @@ impl Question {
     }
 }
 
-impl Tabulated {
-    /// The value as tables show it: exact, enclosed, `true` or `false`; empty where it is not known.
-    pub fn text(&self) -> String {
-        match self {
-            Tabulated::Number(number) => number.text(),
-            Tabulated::Truth(truth) => truth.to_string(),
-            Tabulated::Unknown(_) => String::new(),
-        }
-    }
-}
+impl Tabulated {}
 
 /// A value of `[values]`.
 #[derive(Debug, Clone)]

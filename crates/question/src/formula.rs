@@ -52,7 +52,6 @@ enum Term {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Formula {
     term: Arc<Term>,
-    arity: usize,
 }
 
 /// One of several literals is true.
@@ -63,10 +62,6 @@ const MOST_CLAUSES: usize = 64;
 const MOST_LITERALS: usize = 12;
 
 impl Function for Formula {
-    fn arity(&self) -> usize {
-        self.arity
-    }
-
     fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
         let like = at.first().ok_or(ArithmeticError::Domain("a variable"))?;
         self.term.value(at, like)
@@ -198,12 +193,10 @@ impl Reader<'_> {
             Relation::Equal => (difference(a, b), Compared::Zero),
             Relation::Different => (difference(a, b), Compared::NotZero),
         };
-        let arity = self.variables.len();
         let conditions = std::mem::take(&mut self.conditions);
         let all = conditions.into_iter().chain([(term, compared)]);
-        let clause = |(term, compared)| {
-            vec![Literal { function: Formula { term: Arc::new(term), arity }, compared, guarded: true }]
-        };
+        let clause =
+            |(term, compared)| vec![Literal { function: Formula { term: Arc::new(term) }, compared, guarded: true }];
         Some(all.map(clause).collect())
     }
 

@@ -17,9 +17,6 @@ use models::platoon::Communication;
 use std::fmt::Write;
 use std::sync::{Arc, OnceLock};
 
-/// Gives the text of a file that a question names, or why there is none.
-pub type Files<'a> = &'a dyn Fn(&str) -> Result<String, String>;
-
 /// An expression with the byte of the file where it starts.
 #[derive(Debug, Clone)]
 pub(crate) struct Expression {

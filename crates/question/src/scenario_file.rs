@@ -1,13 +1,15 @@
 //! The scenario of a question: a flock in JSON or a motion in TOML, with the bound numbers put in.
 
 use crate::bindings::{Bindings, Value};
-use crate::question::Files;
 use crate::subject::motion::Start as List;
 use arithmetic::{Rational, rational};
 use models::averaging::Start;
 use models::averaging::read::{Model, flock_of};
 use scenario::{ConfigError, ExactMotion, OwnSteps, Path, Scenario, Source, Step, WithLaw, with_law};
 use serde_json::Value as Json;
+
+/// Gives the text of a file that a question names, or why there is none.
+pub type Files<'a> = &'a dyn Fn(&str) -> Result<String, String>;
 
 /// A scenario as its file has it.
 #[derive(Debug, Clone)]

@@ -4,8 +4,8 @@ use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::syntax::Node;
 use crate::truth::{Doubt, Margin, Truth};
-use arithmetic::Rational;
 use arithmetic::RealNumber as Number;
+use arithmetic::{Rational, rational};
 
 /// A quantity that was measured.
 #[derive(Debug, Clone)]
@@ -64,4 +64,47 @@ pub(crate) trait Timeline {
 pub(crate) fn clock(time: f64) -> String {
     let text = format!("{time:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+/// What steps through the whole numbers.
+pub(crate) trait Steps {
+    /// As [`Timeline::pieces`].
+    fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure>;
+
+    /// As [`Timeline::moment`].
+    fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure>;
+}
+
+impl<T: Steps> Timeline for T {
+    fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure> {
+        Steps::pieces(self, from, to, moving)
+    }
+
+    fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure> {
+        Steps::moment(self, piece)
+    }
+
+    fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {
+        let to = piece.to.as_ref()?;
+        if *to <= piece.from {
+            return None;
+        }
+        let middle = ((&piece.from + to) * rational(1, 2)).floor();
+        Some([
+            Piece { from: piece.from.clone(), to: Some(middle.clone()) },
+            Piece { from: middle + rational(1, 1), to: Some(to.clone()) },
+        ])
+    }
+
+    fn prepare(&self, _: &Rational) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn is_discrete(&self) -> bool {
+        true
+    }
+
+    fn inside(&self, from: Rational, to: Option<Rational>) -> (Rational, Option<Rational>) {
+        (from.ceil(), to.map(|to| to.floor()))
+    }
 }

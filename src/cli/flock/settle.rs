@@ -75,8 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.json {
         output::print_json(&stamped(&input, &limits, document(&settled, switches, &declared)))?;
     } else {
-        let count = switches.len();
-        let head = format!("{count} switch{}", if count == 1 { "" } else { "es" });
+        let head = output::counted(switches.len(), "switch");
         let list = interrupt::kept();
         let tail = if list.is_empty() { format!("{head}\n") } else { format!("{head}:\n{list}") };
         output::print(&(closing(&settled) + &tail))?;

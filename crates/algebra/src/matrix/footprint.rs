@@ -47,11 +47,6 @@ impl Footprint {
         self.rows
     }
 
-    /// Number of columns.
-    pub fn cols(&self) -> usize {
-        self.cols
-    }
-
     /// Whether entry `(i, j)`, counted from 0, is not zero; outside the matrix there are only zeros.
     pub fn get(&self, i: usize, j: usize) -> bool {
         i < self.rows && j < self.cols && self.bits[i * self.words + j / 64] >> (j % 64) & 1 == 1

@@ -98,11 +98,6 @@ impl StabiliserStream {
         }
     }
 
-    /// The number of factors so far.
-    pub fn factors(&self) -> usize {
-        self.factors
-    }
-
     /// The stabilisers that the factors so far support, in order.
     pub fn stabilisers(&self) -> impl Iterator<Item = &Stabiliser> {
         self.levels.iter().map(|level| &level.found)

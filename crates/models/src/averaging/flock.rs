@@ -1,8 +1,9 @@
 //! Model D in any dimension, stepped exactly: integers over one common denominator.
 
-use super::hysteresis::Threshold;
+use super::hysteresis::{Hysteresis, Threshold};
 use super::rule::Rule;
-use super::{FlockError, Hysteresis, Weights, boxes};
+use super::boxes;
+use super::weights::{FlockError, Weights};
 use algebra::graph::Graph;
 use algebra::matrix::{IntegerRows, RationalMatrix};
 use arithmetic::{Cancelled, Progress, Rational, Ring, common_denominator, content};

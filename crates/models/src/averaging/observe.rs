@@ -1,7 +1,7 @@
 //! What a run shows besides its network: footprints, stabilisers, ergodicity, lengths of numbers. One network at a time, in
 //! memory that does not grow with the run (but for the exact product, whose numbers grow).
 
-use super::{Weights, transition_matrix};
+use super::weights::{Weights, transition_matrix};
 use algebra::graph::Graph;
 use algebra::matrix::{Footprint, MatrixError, Stabiliser, StabiliserStream, StochasticMatrix, tau_2_squared_watched};
 use arithmetic::{Progress, Rational};

@@ -1,6 +1,6 @@
 //! One averaging step as integers.
 
-use super::{FlockError, Weights};
+use super::weights::{FlockError, Weights};
 use algebra::graph::Graph;
 use algebra::matrix::AverageRow;
 use arithmetic::{Rational, Ring, lcm};

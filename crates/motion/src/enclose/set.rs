@@ -79,11 +79,6 @@ impl Set {
         self.polynomials.iter().zip(&self.rest.radii()).map(|(p, r)| range(&self.shape, p, whole) + around(r)).collect()
     }
 
-    /// How far the polynomials are from the set, at most.
-    pub fn rest_radius(&self) -> f64 {
-        self.rest.radii().into_iter().fold(0.0, f64::max)
-    }
-
     /// The set plus a box; `None` where it is not bounded.
     pub fn plus(&self, shift: &[FloatInterval]) -> Option<Self> {
         // The middle goes to the polynomials, where it is rounded.

@@ -31,14 +31,9 @@ const BOXES: u64 = 4000;
 /// A polynomial as a function.
 struct Plain<'a> {
     polynomial: &'a Polynomial,
-    arity: usize,
 }
 
 impl Function for Plain<'_> {
-    fn arity(&self) -> usize {
-        self.arity
-    }
-
     fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
         let like = at.first().ok_or(ArithmeticError::Domain("a variable"))?;
         Ok(self.polynomial.at(at, like, |c| like.rational(c)))
@@ -186,7 +181,7 @@ impl Prover<'_> {
             return None;
         }
         let one = |polynomial: &Polynomial| {
-            let function = Plain { polynomial, arity: self.domain.len() };
+            let function = Plain { polynomial };
             let literal = Literal { function, compared: Compared::Positive, guarded: false };
             let effort = Effort { boxes: BOXES, squares: false };
             matches!(subdivision::divide(&[literal], self.domain, effort, self.progress), Ok(super::Decision::Holds(_)))
@@ -380,8 +375,7 @@ impl Prover<'_> {
             .collect();
         let mut zeros = Vec::new();
         if relations.is_empty() {
-            let literal =
-                |polynomial, compared| Literal { function: Plain { polynomial, arity }, compared, guarded: false };
+            let literal = |polynomial, compared| Literal { function: Plain { polynomial }, compared, guarded: false };
             let turned: Vec<(Polynomial, bool)> = constraints.iter().map(|(p, strict)| (-p.clone(), *strict)).collect();
             let own = if goal.strict { Compared::Positive } else { Compared::NotNegative };
             let clause: Vec<_> =

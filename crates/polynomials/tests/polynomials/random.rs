@@ -7,13 +7,9 @@ use rand_chacha::rand_core::Rng;
 
 type P = Multivariate<Rational>;
 
-struct Plain(P, usize);
+struct Plain(P);
 
 impl Function for Plain {
-    fn arity(&self) -> usize {
-        self.1
-    }
-
     fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
         Ok(self.0.at(at, &at[0], |c| at[0].rational(c)))
     }
@@ -53,8 +49,7 @@ fn random_polynomials_get_no_wrong_answer() {
         let dip = sum.clone() - P::of(rational(1, 1_000_000));
         let domain = vec![Side::between(rational(-1, 1), rational(1, 1)); variables];
         let decided = |p: &P| {
-            let literal =
-                Literal { function: Plain(p.clone(), variables), compared: Compared::NotNegative, guarded: false };
+            let literal = Literal { function: Plain(p.clone()), compared: Compared::NotNegative, guarded: false };
             decide(&[literal], &domain, Effort { boxes: 1000, squares: true }, &Unwatched).unwrap()
         };
         match decided(&sum) {

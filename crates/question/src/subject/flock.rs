@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::number::Number;
 use crate::subject::measured::measured;
-use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
+use crate::timeline::{Covered, Measured, Moment, Piece, Steps};
 use crate::truth::Doubt;
 use algebra::graph::Graph;
 use arithmetic::{Progress, Rational, rational};
@@ -152,7 +152,7 @@ impl FlockSubject<'_> {
     }
 }
 
-impl Timeline for FlockSubject<'_> {
+impl Steps for FlockSubject<'_> {
     /// Pieces on which a quantity is constant, as far as it is known.
     fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure> {
         let integer = |q: &BigInt| Rational::from_integer(q.clone());
@@ -202,30 +202,6 @@ impl Timeline for FlockSubject<'_> {
 
     fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure> {
         Ok(Box::new(At { flock: self, time: piece.from.to_integer() }))
-    }
-
-    fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {
-        let to = piece.to.as_ref()?;
-        if *to <= piece.from {
-            return None;
-        }
-        let middle = ((&piece.from + to) * rational(1, 2)).floor();
-        Some([
-            Piece { from: piece.from.clone(), to: Some(middle.clone()) },
-            Piece { from: middle + rational(1, 1), to: Some(to.clone()) },
-        ])
-    }
-
-    fn prepare(&self, _: &Rational) -> Result<(), Failure> {
-        Ok(())
-    }
-
-    fn is_discrete(&self) -> bool {
-        true
-    }
-
-    fn inside(&self, from: Rational, to: Option<Rational>) -> (Rational, Option<Rational>) {
-        (from.ceil(), to.map(|to| to.floor()))
     }
 }
 

@@ -8,7 +8,7 @@ use super::wholes::{Velocities, Whole, wholes};
 use super::words::Words;
 use crate::averaging::flock::IntegerState;
 use crate::averaging::hysteresis::Threshold;
-use crate::averaging::{FlockError, Weights};
+use crate::averaging::weights::{FlockError, Weights};
 use algebra::graph::Graph;
 use arithmetic::{Interval, Rational, Ring, Signed};
 use num_bigint::BigInt;

@@ -3,7 +3,7 @@
 //! Two birds of one class have the same velocity, whatever it is: they had the same once, and every averaging since took the same
 //! weights of the same velocities. Birds of different classes may have equal velocities too.
 
-use crate::averaging::Weights;
+use crate::averaging::weights::Weights;
 use algebra::graph::Graph;
 use std::collections::{BTreeMap, BTreeSet};
 

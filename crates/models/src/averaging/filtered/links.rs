@@ -1,6 +1,6 @@
 //! What a network and its changes mean for the averaging.
 
-use crate::averaging::{FlockError, Weights};
+use crate::averaging::weights::{FlockError, Weights};
 use algebra::graph::Graph;
 use arithmetic::{Rational, Ring, lcm};
 use num_bigint::BigInt;

@@ -13,7 +13,7 @@ mod words;
 
 use super::flock::{Flock, IntegerState, Start, Switch};
 use super::hysteresis::Threshold;
-use super::{FlockError, Weights};
+use super::weights::{FlockError, Weights};
 use algebra::graph::Graph;
 use arithmetic::Progress;
 use balls::{Balls, PairBall};

@@ -7,7 +7,7 @@ use super::balls::Balls;
 use super::classes::Classes;
 use super::watch::quiet_steps;
 use super::wholes::{SLACK, Whole, norm};
-use crate::averaging::FlockError;
+use crate::averaging::weights::FlockError;
 use crate::averaging::boxes::{Between, Boxes};
 use crate::averaging::hysteresis::Threshold;
 use arithmetic::{Cancelled, Progress};

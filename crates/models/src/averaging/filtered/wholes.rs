@@ -2,7 +2,7 @@
 //!
 //! The steps of the argument are those of `notes/exact_flocks.md`.
 
-use crate::averaging::Weights;
+use crate::averaging::weights::Weights;
 use algebra::graph::Graph;
 use algebra::matrix::SparseLdl;
 use num_traits::ToPrimitive;
