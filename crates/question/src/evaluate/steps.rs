@@ -143,7 +143,8 @@ struct Body<'a, 'c, 'q> {
 
 impl<'a, 'c, 'q> Body<'a, 'c, 'q> {
     fn read(place: &Place<'a, 'c, 'q>, node: &'a Node, range: &Stretch) -> Result<Self, Failure> {
-        let (mut operators, mut changes) = (Vec::new(), BTreeSet::new());
+        // The stretches of operators in it are those of their first period only.
+        let (mut operators, mut changes) = (Vec::new(), place.every_step(range, &BigInt::ZERO)?);
         let mut open = vec![node];
         while let Some(part) = open.pop() {
             match &part.kind {
