@@ -259,9 +259,14 @@ impl Operator<'_, '_, '_> {
                 }
                 truth => {
                     let wanted = judged < MOST_JUDGED && depth > 0 && (doubt.is_none() || depth > DEPTH - 4);
-                    match self.timeline.halves(&piece).filter(|_| wanted) {
-                        Some([first, second]) => queue.extend([(second, depth - 1), (first, depth - 1)]),
-                        None => {
+                    let halves = self.timeline.halves(&piece);
+                    match halves {
+                        Some([first, second]) if wanted => queue.extend([(second, depth - 1), (first, depth - 1)]),
+                        halves => {
+                            // Of a piece that begins just where it becomes false.
+                            if let Some(own) = self.fails_between(halves, sure.as_ref())? {
+                                return Ok((Truth::False, Margin { lo: f64::NEG_INFINITY, hi: margin.least(own).hi }));
+                            }
                             margin = margin.least(own);
                             doubt.get_or_insert_with(|| at_time(truth, &piece));
                         }
@@ -276,6 +281,24 @@ impl Operator<'_, '_, '_> {
             (Some(doubt), _) => Ok((Truth::Unknown(doubt), margin)),
             (None, Some(failure)) => Err(failure),
             (None, None) => Ok((Truth::True, margin)),
+        }
+    }
+
+    /// The margin at the time between two halves of a piece, if it is meant for sure and the body is false there.
+    fn fails_between(
+        &self,
+        halves: Option<[Piece; 2]>,
+        sure: Option<&(Rational, Option<Rational>)>,
+    ) -> Result<Option<Margin>, Failure> {
+        let Some([_, second]) = halves else { return Ok(None) };
+        let middle = Piece { from: second.from.clone(), to: Some(second.from) };
+        if !sure.is_some_and(|sure| meets(&middle, sure)) {
+            return Ok(None);
+        }
+        match self.judge(&middle) {
+            Ok((Truth::False, margin)) => Ok(Some(margin)),
+            Ok(_) | Err(Failure::Refused(..) | Failure::Open(_)) => Ok(None),
+            Err(stopped) => Err(stopped),
         }
     }
 
