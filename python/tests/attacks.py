@@ -1,4 +1,4 @@
-"""Attacks on the results of the project's own: each is read from its words alone and tried on cases that were not chosen by who stated it."""
+"""Attacks on results of the project's own: read from their words alone, on cases that nobody chose who stated them."""
 
 from __future__ import annotations
 

@@ -263,9 +263,11 @@ impl Operator<'_, '_, '_> {
                     match halves {
                         Some([first, second]) if wanted => queue.extend([(second, depth - 1), (first, depth - 1)]),
                         halves => {
-                            // Of a piece that begins just where it becomes false.
-                            if let Some(own) = self.fails_between(halves, sure.as_ref())? {
-                                return Ok((Truth::False, Margin { lo: f64::NEG_INFINITY, hi: margin.least(own).hi }));
+                            // Of a piece that begins or ends just where it becomes false.
+                            if let Some(found) = self.fails_inside(&piece, halves.is_some(), sure.as_ref())? {
+                                let rest = if covered.rest.is_none() { self.least(&queue) } else { f64::NEG_INFINITY };
+                                let margin = margin.least(found);
+                                return Ok((Truth::False, Margin { lo: margin.lo.min(own.lo).min(rest), ..margin }));
                             }
                             margin = margin.least(own);
                             doubt.get_or_insert_with(|| at_time(truth, &piece));
@@ -284,22 +286,27 @@ impl Operator<'_, '_, '_> {
         }
     }
 
-    /// The margin at the time between two halves of a piece, if it is meant for sure and the body is false there.
-    fn fails_between(
+    /// The margin at a time in a piece of some length, if that time is meant for sure and the body is false then.
+    fn fails_inside(
         &self,
-        halves: Option<[Piece; 2]>,
+        piece: &Piece,
+        is_long: bool,
         sure: Option<&(Rational, Option<Rational>)>,
     ) -> Result<Option<Margin>, Failure> {
-        let Some([_, second]) = halves else { return Ok(None) };
-        let middle = Piece { from: second.from.clone(), to: Some(second.from) };
-        if !sure.is_some_and(|sure| meets(&middle, sure)) {
-            return Ok(None);
+        let Some((to, sure)) = piece.to.as_ref().filter(|_| is_long).zip(sure) else { return Ok(None) };
+        for part in [rational(1, 8), rational(1, 2), rational(7, 8)] {
+            let time = &piece.from + (to - &piece.from) * part;
+            let moment = Piece { from: time.clone(), to: Some(time) };
+            if !meets(&moment, sure) {
+                continue;
+            }
+            match self.judge(&moment) {
+                Ok((Truth::False, margin)) => return Ok(Some(margin)),
+                Ok(_) | Err(Failure::Refused(..) | Failure::Open(_)) => {}
+                Err(stopped) => return Err(stopped),
+            }
         }
-        match self.judge(&middle) {
-            Ok((Truth::False, margin)) => Ok(Some(margin)),
-            Ok(_) | Err(Failure::Refused(..) | Failure::Open(_)) => Ok(None),
-            Err(stopped) => Err(stopped),
-        }
+        Ok(None)
     }
 
     /// A bound of the margins, if the body is false at all times of a piece: of short windows no time is meant at every time of a piece, but each of its times
