@@ -6,6 +6,7 @@ use crate::syntax::Node;
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::RealNumber as Number;
 use arithmetic::{Rational, rational};
+use num_bigint::BigInt;
 
 /// A quantity that was measured.
 #[derive(Debug, Clone)]
@@ -37,10 +38,30 @@ pub(crate) struct Covered {
     pub rest: Option<Doubt>,
 }
 
+/// From a step on, what is asked for at a step is what it was a period before.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Repeats {
+    pub from: BigInt,
+    /// At least 1.
+    pub period: BigInt,
+}
+
+impl Repeats {
+    /// How far a step can be moved back by whole periods so that it is at least `least`, which is not before all repeats; 0 for one before it.
+    pub fn whole_periods(&self, step: &BigInt, least: &BigInt) -> BigInt {
+        if step < least { BigInt::ZERO } else { (step - least) / &self.period * &self.period }
+    }
+}
+
 /// Something that moves, with its time cut into pieces.
 pub(crate) trait Timeline {
     /// The pieces that a stretch begins with; `moving` are the names of the moving quantities that are asked for.
     fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure>;
+
+    /// Whether these moving quantities are known to repeat for ever, where times up to `to` are asked for.
+    fn repeats(&self, _to: Option<&Rational>, _moving: &[&str]) -> Result<Option<Repeats>, Failure> {
+        Ok(None)
+    }
 
     /// Everything that is measured in a piece, enclosed for all its times at once.
     fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure>;
@@ -71,6 +92,11 @@ pub(crate) trait Steps {
     /// As [`Timeline::pieces`].
     fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure>;
 
+    /// As [`Timeline::repeats`].
+    fn repeats(&self, _to: Option<&Rational>, _moving: &[&str]) -> Result<Option<Repeats>, Failure> {
+        Ok(None)
+    }
+
     /// As [`Timeline::moment`].
     fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure>;
 }
@@ -78,6 +104,10 @@ pub(crate) trait Steps {
 impl<T: Steps> Timeline for T {
     fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure> {
         Steps::pieces(self, from, to, moving)
+    }
+
+    fn repeats(&self, to: Option<&Rational>, moving: &[&str]) -> Result<Option<Repeats>, Failure> {
+        Steps::repeats(self, to, moving)
     }
 
     fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure> {

@@ -259,9 +259,16 @@ impl Operator<'_, '_, '_> {
                 }
                 truth => {
                     let wanted = judged < MOST_JUDGED && depth > 0 && (doubt.is_none() || depth > DEPTH - 4);
-                    match self.timeline.halves(&piece).filter(|_| wanted) {
-                        Some([first, second]) => queue.extend([(second, depth - 1), (first, depth - 1)]),
-                        None => {
+                    let halves = self.timeline.halves(&piece);
+                    match halves {
+                        Some([first, second]) if wanted => queue.extend([(second, depth - 1), (first, depth - 1)]),
+                        halves => {
+                            // Of a piece that begins or ends just where it becomes false.
+                            if let Some(found) = self.fails_inside(&piece, halves.is_some(), sure.as_ref())? {
+                                let rest = if covered.rest.is_none() { self.least(&queue) } else { f64::NEG_INFINITY };
+                                let margin = margin.least(found);
+                                return Ok((Truth::False, Margin { lo: margin.lo.min(own.lo).min(rest), ..margin }));
+                            }
                             margin = margin.least(own);
                             doubt.get_or_insert_with(|| at_time(truth, &piece));
                         }
@@ -277,6 +284,29 @@ impl Operator<'_, '_, '_> {
             (None, Some(failure)) => Err(failure),
             (None, None) => Ok((Truth::True, margin)),
         }
+    }
+
+    /// The margin at a time in a piece of some length, if that time is meant for sure and the body is false then.
+    fn fails_inside(
+        &self,
+        piece: &Piece,
+        is_long: bool,
+        sure: Option<&(Rational, Option<Rational>)>,
+    ) -> Result<Option<Margin>, Failure> {
+        let Some((to, sure)) = piece.to.as_ref().filter(|_| is_long).zip(sure) else { return Ok(None) };
+        for part in [rational(1, 8), rational(1, 2), rational(7, 8)] {
+            let time = &piece.from + (to - &piece.from) * part;
+            let moment = Piece { from: time.clone(), to: Some(time) };
+            if !meets(&moment, sure) {
+                continue;
+            }
+            match self.judge(&moment) {
+                Ok((Truth::False, margin)) => return Ok(Some(margin)),
+                Ok(_) | Err(Failure::Refused(..) | Failure::Open(_)) => {}
+                Err(stopped) => return Err(stopped),
+            }
+        }
+        Ok(None)
     }
 
     /// A bound of the margins, if the body is false at all times of a piece: of short windows no time is meant at every time of a piece, but each of its times

@@ -134,6 +134,7 @@ impl Moment for At<'_, '_> {
             ..View::new(Model::Own, Links::These(order, links.into()))
         };
         let found = scenario::measure(quantity.name, &view).ok().flatten();
-        measured(found.ok_or_else(|| Failure::open("it is not measured", None))?, 1, precision)
+        let none = || Failure::open(format!("`{}` has no value in this state", quantity.name), None);
+        measured(found.ok_or_else(none)?, 1, precision)
     }
 }
