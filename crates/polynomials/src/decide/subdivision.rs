@@ -125,7 +125,8 @@ fn halves(cell: &Cell, k: usize) -> [Cell; 2] {
     [with(Side { lo: side.lo.clone(), hi: Some(at.clone()) }), with(Side { lo: Some(at), hi: side.hi.clone() })]
 }
 
-fn volume(sides: &[Side]) -> Option<f64> {
+/// The product of the widths, where all are bounded; a side that is a number counts as 1.
+pub(super) fn volume(sides: &[Side]) -> Option<f64> {
     let width = |side: &Side| match (&side.lo, &side.hi) {
         (Some(lo), Some(hi)) if lo == hi => Some(1.0),
         (Some(lo), Some(hi)) => (hi - lo).to_f64(),

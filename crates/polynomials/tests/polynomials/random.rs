@@ -55,7 +55,7 @@ fn random_polynomials_get_no_wrong_answer() {
         let decided = |p: &P| {
             let literal =
                 Literal { function: Plain(p.clone(), variables), compared: Compared::NotNegative, guarded: false };
-            decide(&[literal], &domain, Effort { boxes: 1000, squares: true }, &Unwatched).unwrap()
+            decide(&[literal], &domain, Effort { boxes: 1000, ..Effort::default() }, &Unwatched).unwrap()
         };
         match decided(&sum) {
             Decision::Holds(_) => {}
