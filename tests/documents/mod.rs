@@ -160,6 +160,10 @@ fn shown_files_can_be_read() {
                     let read = Question::read(&contents, &files);
                     assert!(read.is_ok(), "{place}: {:?}", read.err());
                 }
+                "toml" if contents.contains("[[mode]]") => {
+                    let read = flockproof::reach::System::read(&contents);
+                    assert!(read.is_ok(), "{place}: {:?}", read.err());
+                }
                 "toml" => {
                     let read = Ensemble::read(&contents).and_then(|many| match many {
                         Some(_) => Ok(()),

@@ -21,6 +21,9 @@ impl FloatInterval {
     /// All real numbers.
     pub const LINE: Self = FloatInterval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 
+    /// Zero alone.
+    pub const ZERO: Self = FloatInterval { lo: 0.0, hi: 0.0 };
+
     /// One number; all of them where it is not finite.
     #[inline]
     pub fn point(x: f64) -> Self {

@@ -1,7 +1,7 @@
 //! Evidence of each grade, and what a check makes of it.
 
 use arithmetic::Interval;
-use ledger::{CheckError, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Counterexample, Evidence, Grade, Outcome, Run};
 
 /// Exact arithmetic on instances.
 pub(crate) fn exact(part: impl Into<String>, detail: impl Into<String>) -> Evidence {
@@ -34,7 +34,7 @@ pub(crate) fn list<T: ToString>(numbers: impl IntoIterator<Item = T>) -> String 
 }
 
 /// The evidence, if nothing is wrong.
-pub(crate) fn unless(wrong: Option<String>, evidence: Evidence) -> Result<Outcome, CheckError> {
+pub(crate) fn unless(wrong: Option<impl Into<Counterexample>>, evidence: Evidence) -> Result<Outcome, CheckError> {
     Ok(match wrong {
         Some(counterexample) => Outcome::fails(counterexample, evidence),
         None => Outcome::Holds(vec![evidence]),

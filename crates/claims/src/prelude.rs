@@ -8,4 +8,6 @@ pub(crate) use arithmetic::identity::Identity;
 pub(crate) use arithmetic::{
     ArithmeticError, Complex, Dual, Field, Interval, Number, Probe, Rational, Real, Ring, rational,
 };
-pub(crate) use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
+pub(crate) use ledger::{
+    CheckError, Counterexample, Evidence, Fault, Grade, Outcome, Record, Run, Witness, interval_value,
+};

@@ -1,6 +1,6 @@
 //! What the ledger says about one claim; the JSON of `verify --json`.
 
-use super::{Evidence, Fault, Grade, Scope, Verdict};
+use super::{Evidence, Fault, Grade, Scope, Verdict, Witness};
 use arithmetic::{ArithmeticError, Interval, RealCyclotomic, decimals};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -41,6 +41,9 @@ pub struct Entry {
     pub corrected: Option<String>,
     /// Where the printed claim fails.
     pub counterexample: Option<String>,
+    /// What is in the counterexample, with its numbers.
+    #[serde(default)]
+    pub witnesses: Vec<Witness>,
     /// The evidence.
     pub evidence: Vec<Evidence>,
     /// The negative controls.

@@ -1,6 +1,6 @@
 //! From the outcomes of a check to a verdict.
 
-use super::{CheckError, Claim, Controls, Entry, Evidence, Fault, Form, Outcome, Source, Verdict};
+use super::{CheckError, Claim, Controls, Counterexample, Entry, Evidence, Fault, Form, Outcome, Source, Verdict};
 use std::collections::BTreeMap;
 
 /// What the check said of one form, and the numbers that it recorded on the way.
@@ -20,7 +20,7 @@ struct Ruling {
     verdict: Verdict,
     fault: Option<Fault>,
     evidence: Vec<Evidence>,
-    counterexample: Option<String>,
+    counterexample: Option<Counterexample>,
     corrected: Option<String>,
     why: Option<String>,
 }
@@ -98,6 +98,8 @@ impl Judge<'_> {
         if ruling.corrected.is_some() {
             clauses.extend(self.corrected_clauses().into_iter().map(|clause| format!("{CORRECTED}{clause}")));
         }
+        let (text, witnesses) = ruling.counterexample.map(|found| (found.text, found.witnesses)).unzip();
+        let witnesses = witnesses.unwrap_or_default();
         let id = if self.correction { correction_id(self.claim.id()) } else { self.claim.id().to_string() };
         Entry {
             paper: id.split('.').next().unwrap_or_default().to_string(),
@@ -109,7 +111,8 @@ impl Judge<'_> {
             verdict: ruling.verdict,
             fault: ruling.fault,
             corrected: ruling.corrected,
-            counterexample: ruling.counterexample,
+            counterexample: text,
+            witnesses,
             evidence: ruling.evidence,
             controls,
             values,
@@ -171,11 +174,11 @@ impl Judge<'_> {
 
     fn refuted(
         &self,
-        counterexample: &str,
+        counterexample: &Counterexample,
         mut evidence: Vec<Evidence>,
         values: &mut BTreeMap<String, String>,
     ) -> Ruling {
-        let counterexample = Some(counterexample.to_string());
+        let counterexample = Some(counterexample.clone());
         let Some(repair) = self.claim.correction().filter(|_| !self.correction) else {
             let fault = Some(Fault::False);
             return Ruling { fault, counterexample, ..Ruling::of(Verdict::False, evidence) };
@@ -209,7 +212,7 @@ impl Judge<'_> {
                 failures.extend(self.failure(&(k + 1).to_string(), form));
             }
             let (refuted, said) = match self.outcome(form, &mut BTreeMap::new()) {
-                Ok(Outcome::Fails { counterexample, .. }) => (true, counterexample.clone()),
+                Ok(Outcome::Fails { counterexample, .. }) => (true, counterexample.text.clone()),
                 Ok(Outcome::Holds(_)) => (false, "it holds".to_string()),
                 Ok(Outcome::Undecided(why) | Outcome::NotCheckable(why, _)) => (false, why.clone()),
                 Err(error) => (false, error.to_string()),

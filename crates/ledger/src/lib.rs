@@ -17,6 +17,7 @@ mod run;
 mod runner;
 mod tables;
 mod verdict;
+mod witness;
 
 pub use claim::{Claim, Correction, Form, Source};
 pub use document::{Document, DocumentError, to_json, to_json_with};
@@ -30,6 +31,7 @@ pub use run::Run;
 pub use runner::{Ledger, LedgerError, Options, Report, is_of_paper, recorded_row};
 pub use tables::{Listed, Recorded, listed, recorded};
 pub use verdict::{Fault, Verdict};
+pub use witness::{Counterexample, Link, Number, Point, Witness};
 
 /// The generator of [`Run::random`] stands in its signature.
 pub use rand_chacha;

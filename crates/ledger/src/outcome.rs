@@ -1,6 +1,6 @@
 //! What a check says.
 
-use super::Evidence;
+use super::{Counterexample, Evidence, Witness};
 
 /// What the check says of one variant.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,7 +10,7 @@ pub enum Outcome {
     /// It fails.
     Fails {
         /// Where it fails, so that anyone can check.
-        counterexample: String,
+        counterexample: Counterexample,
         /// How that was established.
         evidence: Vec<Evidence>,
         /// The parts after it that fail as well; [`Run::all`](super::Run::all) fills them in.
@@ -24,7 +24,7 @@ pub enum Outcome {
 
 impl Outcome {
     /// A failure on several pieces of evidence.
-    pub fn failure(counterexample: impl Into<String>, evidence: Vec<Evidence>) -> Self {
+    pub fn failure(counterexample: impl Into<Counterexample>, evidence: Vec<Evidence>) -> Self {
         Outcome::Fails { counterexample: counterexample.into(), evidence, later: Vec::new() }
     }
 
@@ -39,8 +39,16 @@ impl Outcome {
     }
 
     /// A failure on one piece of evidence.
-    pub fn fails(counterexample: impl Into<String>, evidence: Evidence) -> Self {
+    pub fn fails(counterexample: impl Into<Counterexample>, evidence: Evidence) -> Self {
         Outcome::failure(counterexample, vec![evidence])
+    }
+
+    /// The same, where it fails, with something more that is to be seen.
+    pub fn seen(mut self, witness: Witness) -> Self {
+        if let Outcome::Fails { counterexample, .. } = &mut self {
+            counterexample.witnesses.insert(0, witness);
+        }
+        self
     }
 
     /// The same with evidence that bears on these clauses, counted from 1.

@@ -33,6 +33,7 @@ pub(super) fn join(entry: &mut Entry, proofs: &dyn Proofs) {
             entry.fault = None;
             entry.evidence.clear();
             (entry.corrected, entry.counterexample) = (None, None);
+            entry.witnesses.clear();
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What a check is given: seeded randomness, a limit of work, a place for values.
 
-use super::{CheckError, Evidence, Grade, Outcome, Scope};
+use super::{CheckError, Counterexample, Evidence, Grade, Number, Outcome, Scope, Witness};
 use arithmetic::Progress;
 use arithmetic::identity::{Identity, IdentityOutcome, test_identity};
 use arithmetic::random::generator;
@@ -90,8 +90,11 @@ impl Run {
                 let point: Vec<String> = (0..).zip(&at).map(|(k, x)| format!("{} = {x}", name(k))).collect();
                 let named = identity.components().get(component).cloned();
                 let what = named.unwrap_or_else(|| format!("component {}", component + 1));
+                let values = (0..).zip(&at).map(|(k, x)| (name(k), Number::from(x))).collect();
+                let witnesses = [Witness::Variables { values }, Witness::compared(&what, &left, "claimed", &right)];
+                let text = format!("{part}: at {}, {what} is {left}, but {right} is claimed", point.join(", "));
                 Outcome::fails(
-                    format!("{part}: at {}, {what} is {left}, but {right} is claimed", point.join(", ")),
+                    Counterexample::new(text, witnesses),
                     Evidence::new(Grade::Exact, part, "the two sides differ at a rational point"),
                 )
             }
@@ -103,12 +106,12 @@ impl Run {
     ///
     /// # Errors
     /// Whatever `wrong` returns; [`CheckError::Limit`].
-    pub fn exhaustive<T>(
+    pub fn exhaustive<T, C: Into<Counterexample>>(
         &self,
         part: &str,
         detail: &str,
         cases: impl IntoIterator<Item = T>,
-        wrong: impl FnMut(T) -> Result<Option<String>, CheckError>,
+        wrong: impl FnMut(T) -> Result<Option<C>, CheckError>,
     ) -> Result<Outcome, CheckError> {
         self.every(Evidence::new(Grade::Exhaustive, part, detail).for_all(), cases, wrong)
     }
@@ -117,12 +120,12 @@ impl Run {
     ///
     /// # Errors
     /// Whatever `wrong` returns; [`CheckError::Limit`].
-    pub fn instances<T>(
+    pub fn instances<T, C: Into<Counterexample>>(
         &self,
         part: &str,
         detail: &str,
         cases: impl IntoIterator<Item = T>,
-        wrong: impl FnMut(T) -> Result<Option<String>, CheckError>,
+        wrong: impl FnMut(T) -> Result<Option<C>, CheckError>,
     ) -> Result<Outcome, CheckError> {
         self.every(Evidence::new(Grade::Exact, part, detail), cases, wrong)
     }
@@ -131,14 +134,15 @@ impl Run {
     ///
     /// # Errors
     /// Whatever `wrong` returns; [`CheckError::Limit`].
-    pub fn every<T>(
+    pub fn every<T, C: Into<Counterexample>>(
         &self,
         evidence: Evidence,
         cases: impl IntoIterator<Item = T>,
-        mut wrong: impl FnMut(T) -> Result<Option<String>, CheckError>,
+        mut wrong: impl FnMut(T) -> Result<Option<C>, CheckError>,
     ) -> Result<Outcome, CheckError> {
         let mut cases = cases.into_iter();
-        count_judged(evidence, &mut || cases.next().map(|case| self.checkpoint().and_then(|()| wrong(case))))
+        let mut judged = |case: T| Ok(wrong(case)?.map(Into::into));
+        count_judged(evidence, &mut || cases.next().map(|case| self.checkpoint().and_then(|()| judged(case))))
     }
 
     /// Runs parts in order; the evidence of all, or the first one that does not hold. After a failure the others are run all the same: those that
@@ -152,7 +156,7 @@ impl Run {
 }
 
 /// What `wrong` says of a case.
-type Judged = Result<Option<String>, CheckError>;
+type Judged = Result<Option<Counterexample>, CheckError>;
 
 /// [`Run::every`], compiled once for cases of all kinds: `next` judges one more, where there is one.
 fn count_judged(evidence: Evidence, next: &mut dyn FnMut() -> Option<Judged>) -> Result<Outcome, CheckError> {

@@ -413,6 +413,7 @@ fn abandoned(registered: &Registered, why: String, after: Duration) -> Entry {
         fault: None,
         corrected: None,
         counterexample: None,
+        witnesses: Vec::new(),
         evidence: Vec::<Evidence>::new(),
         controls: Controls::default(),
         values: BTreeMap::new(),

@@ -8,6 +8,7 @@ mod cells;
 mod descent;
 mod dop853;
 mod dop853_table;
+pub mod enclose;
 mod event;
 mod follow_error;
 mod golden;
@@ -20,7 +21,6 @@ mod sine;
 mod statistics;
 mod system;
 mod turn_count;
-pub mod validated;
 
 pub use cells::{CellError, CellList, first_not_finite, nearest};
 pub use descent::{first_downcrossing, shifted, value_at};

@@ -4,6 +4,7 @@ use super::agents::{Agents, Alignment, PLANE, state_of};
 use super::error::{ConfigError, Problem, RunError};
 use super::exact::ExactMotion;
 use super::individual::{Individual, MOST_TOGETHER, sensing};
+use super::model::{Built, Described};
 use super::network::{Abilities, Network, TIMED};
 use super::potential::PairPotential;
 use super::simulation::{Continuous, Simulation};
@@ -25,7 +26,6 @@ pub(super) const READINGS: [(&str, HeadingDifference); 3] = [
 ];
 
 /// A run of either model as it is described.
-#[derive(Clone)]
 pub(super) struct Aligned {
     start: Start,
     network: Network,
@@ -52,9 +52,10 @@ impl Aligned {
         let reading = || law.get("heading_difference").map_or(Ok(HeadingDifference::Raw), |e| e.choice(&READINGS));
         Ok(Aligned { headings: headings.then(reading).transpose()?, start, network, potential, step })
     }
+}
 
-    /// The motion, for enclosures.
-    pub fn exact(self) -> ExactMotion {
+impl Described for Aligned {
+    fn exact(&self) -> ExactMotion {
         if self.network.next_time().is_some() {
             return ExactMotion::Other(TIMED);
         }
@@ -63,8 +64,8 @@ impl Aligned {
             return ExactMotion::Other("heading alignment is enclosed on networks that do not switch");
         }
         ExactMotion::Velocities {
-            positions: self.start.positions,
-            velocities: self.start.velocities,
+            positions: self.start.positions.clone(),
+            velocities: self.start.velocities.clone(),
             potential: self.potential.exact().clone(),
             pairs: self.network.pairs().to_vec(),
             radius,
@@ -72,9 +73,8 @@ impl Aligned {
         }
     }
 
-    /// The motion in floats.
-    pub fn simulation(self, source: &Source, tolerance: f64) -> Result<Box<dyn Simulation>, ConfigError> {
-        let Aligned { start, mut network, potential, headings, step } = self;
+    fn simulation(self: Box<Self>, source: &Source, tolerance: f64) -> Result<Built, ConfigError> {
+        let Aligned { start, mut network, potential, headings, step } = *self;
         let (positions, velocities) = (start.flat_positions(), start.flat_velocities());
         network.settle(&positions, &velocities);
         let mut list = [positions, velocities].concat();
@@ -98,17 +98,18 @@ impl Aligned {
         }
         let agents = Agents { network, potential, alignment, count: start.agents(), drawn: start.drawn };
         if let (Alignment::Velocities, Some(radius)) = (&agents.alignment, agents.network.radius()) {
-            return within(source, agents, (radius, &state), step, tolerance);
+            return Ok((within(source, agents, (radius, &state), step, tolerance)?, None));
         }
         if let (Some(sensing), None, true) = (sensing(&agents.network), step, agents.count > MOST_TOGETHER) {
             let law = HeadingLaw::new(agents.potential.exact(), headings.unwrap_or(HeadingDifference::Raw));
             let flock = Individual::<_, _, 1, 3>::new(agents, law, sensing, list, tolerance);
-            return Ok(Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?));
+            return Ok((Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?), None));
         }
-        Ok(match step {
+        let simulation: Box<dyn Simulation> = match step {
             Some(step) => Box::new(Stepped::settled(agents, list, step)),
             None => Box::new(Continuous::new(agents, &list, tolerance)),
-        })
+        };
+        Ok((simulation, None))
     }
 }
 

@@ -2,13 +2,12 @@
 
 use super::error::{ConfigError, Problem};
 use super::exact::ExactMotion;
-use super::model::{MODELS, Model};
+use super::model::{Described, MODELS, Row};
 use super::run::{End, Outcome, Schedule, run};
 use super::simulation::Simulation;
 use super::source::{Entry, Section, Source};
-use super::{alignment, fish, noisy, oscillator, own, platoon, vicsek};
 use arithmetic::num_bigint::BigInt;
-use arithmetic::{Progress, Rational, rational};
+use arithmetic::{Progress, Rational};
 use num_traits::{ToPrimitive, Zero};
 use std::sync::{Mutex, PoisonError};
 
@@ -21,18 +20,13 @@ const MOST_ENTRIES: usize = 1 << 22;
 /// Reads the section `[run]` for a model with this time step, if it has one.
 fn read_schedule(
     source: &Source,
-    model: Model,
+    keys: &[&str],
     step: Option<&Rational>,
     agents: usize,
     with_rows: bool,
 ) -> Result<Schedule, ConfigError> {
     let section = source.needed("run")?;
-    let further: &[&str] = match model {
-        Model::Own => &["step", "exact"],
-        Model::Particles | Model::Headings | Model::Velocities => &["step"],
-        _ => &[],
-    };
-    section.allow(&[&["until", "samples", "tolerance", "rows", "observables"], further].concat(), " of this model")?;
+    section.allow(&[&["until", "samples", "tolerance", "rows", "observables"], keys].concat(), " of this model")?;
     let entry = section.need("until", "the last time, a number above 0")?;
     let last = entry.positive()?;
     let until = entry.exact()?;
@@ -60,7 +54,7 @@ fn read_schedule(
         Some(entry) => entry.count(1, most)?,
         None => ROWS.min(most),
     };
-    let steps = step.and_then(|step| fish::steps_to(&until, step));
+    let steps = step.and_then(|step| super::fish::steps_to(&until, step));
     if let Some(steps) = steps {
         rows = rows.min(steps.to_usize().unwrap_or(usize::MAX));
     }
@@ -134,7 +128,7 @@ fn bounded(section: &Section, until: &Entry, last: f64, step: Option<&Rational>)
 
 fn on_grid(entry: &Entry, time: &Rational, step: Option<&Rational>) -> Result<(), ConfigError> {
     match step {
-        Some(step) if !time.is_zero() && fish::steps_to(time, step).is_none() => {
+        Some(step) if !time.is_zero() && super::fish::steps_to(time, step).is_none() => {
             Err(entry.problem(Problem::OffGrid { time: time.to_string(), step: step.to_string() }))
         }
         _ => Ok(()),
@@ -168,23 +162,10 @@ fn tolerance(source: &Source) -> Result<f64, ConfigError> {
     }
 }
 
-/// What a file says of the motion, read once: exact where the motion may be enclosed, else as it is run, with the time step of discrete time and why
-/// there is no enclosure.
-#[derive(Clone)]
-enum Motion {
-    Aligned(alignment::Aligned),
-    Phases(oscillator::PhaseRun),
-    Particles(oscillator::ParticleRun),
-    Platoon(platoon::PlatoonRun),
-    Own(Box<own::Described>),
-    Floats(&'static str),
-}
-
-/// A model and its motion.
-#[derive(Clone)]
+/// A model, and what the file says of the motion.
 pub(super) struct Description {
-    model: Model,
-    motion: Motion,
+    row: &'static Row,
+    motion: Box<dyn Described>,
 }
 
 impl Description {
@@ -199,53 +180,16 @@ impl Description {
     fn of_member(source: &Source) -> Result<Self, ConfigError> {
         let top = source.top();
         top.allow(&["model", "graph", "state", "law", "run", "ensemble", "sweep"], "")?;
-        let entry = top.need("model", &MODELS.map(|(name, _)| name).join(", "))?;
-        let model = entry.choice(&MODELS)?;
+        let names: [(&str, &'static Row); MODELS.len()] = const { &MODELS }.each_ref().map(|row| (row.name, row));
+        let row = top.need("model", &names.map(|(name, _)| name).join(", "))?.choice(&names)?;
         // Of two mistakes the one in [run] comes first.
         tolerance(source)?;
-        let motion = match model {
-            Model::Phase => Motion::Phases(oscillator::PhaseRun::read(source)?),
-            Model::Particles => Motion::Particles(oscillator::ParticleRun::read(source)?),
-            Model::Headings => Motion::Aligned(alignment::Aligned::read(source, true)?),
-            Model::Velocities => Motion::Aligned(alignment::Aligned::read(source, false)?),
-            Model::Platoon => Motion::Platoon(platoon::PlatoonRun::read(source)?),
-            Model::Fish | Model::Vicsek => Motion::Floats("its time is discrete and its numbers are drawn or rounded"),
-            Model::Own => Motion::Own(Box::new(own::describe(source)?)),
-            Model::Noisy | Model::Flock => Motion::Floats("its law is not among those that are enclosed"),
-        };
-        Ok(Description { model, motion })
+        Ok(Description { row, motion: (row.read)(source)? })
     }
 
     /// The motion, for enclosures.
-    pub fn exact(self) -> ExactMotion {
-        match self.motion {
-            Motion::Aligned(run) => run.exact(),
-            Motion::Phases(run) => run.exact(),
-            Motion::Particles(run) => run.exact(),
-            Motion::Platoon(run) => run.exact(),
-            Motion::Own(own) => {
-                own::OwnMotion::of(*own).map_or_else(ExactMotion::Other, |own| ExactMotion::Own(Box::new(own)))
-            }
-            Motion::Floats(why) => ExactMotion::Other(why),
-        }
-    }
-
-    /// The motion in floats; with it the step of discrete time.
-    fn simulation(self, source: &Source) -> Result<(Box<dyn Simulation>, Option<Rational>), ConfigError> {
-        let tolerance = tolerance(source)?;
-        Ok(match (self.motion, self.model) {
-            (Motion::Aligned(run), _) => (run.simulation(source, tolerance)?, None),
-            (Motion::Phases(run), _) => (run.simulation(tolerance), None),
-            (Motion::Particles(run), _) => (run.simulation(source, tolerance)?, None),
-            (Motion::Platoon(run), _) => (run.simulation(tolerance), None),
-            (Motion::Floats(_), Model::Fish) => {
-                let (school, step) = fish::read(source)?;
-                (Box::new(school), Some(step))
-            }
-            (Motion::Floats(_), Model::Vicsek) => (vicsek::read(source)?, Some(rational(1, 1))),
-            (Motion::Own(own), _) => own::simulation(*own, source, tolerance)?,
-            (Motion::Floats(_), _) => (noisy::read(source)?, Some(rational(1, 1))),
-        })
+    pub fn exact(&self) -> ExactMotion {
+        self.motion.exact()
     }
 }
 
@@ -290,12 +234,12 @@ impl Scenario {
         description: Description,
         with_rows: bool,
     ) -> Result<Self, ConfigError> {
-        let model = description.model;
-        let (simulation, step) = description.simulation(source)?;
+        let Description { row, motion } = description;
+        let (simulation, step) = motion.simulation(source, tolerance(source)?)?;
         let agents = simulation.frame().agents();
-        let mut schedule = read_schedule(source, model, step.as_ref(), agents, with_rows)?;
+        let mut schedule = read_schedule(source, row.keys, step.as_ref(), agents, with_rows)?;
         schedule.observables = wanted(source, simulation.as_ref())?;
-        Ok(Scenario { model: model.name(), schedule, simulation, seed: seed(source)? })
+        Ok(Scenario { model: row.name, schedule, simulation, seed: seed(source)? })
     }
 
     /// The seeds of what is drawn, where anything is.

@@ -94,7 +94,8 @@ impl ExactMotion {
     /// As [`Self::read`].
     pub fn of(source: &Source) -> Result<Self, ConfigError> {
         let description = Description::read(source)?;
-        Scenario::of_description(source, description.clone(), true)?;
-        Ok(description.exact())
+        let exact = description.exact();
+        Scenario::of_description(source, description, true)?;
+        Ok(exact)
     }
 }

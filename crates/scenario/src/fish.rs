@@ -1,7 +1,7 @@
 //! The fish of Paley and others (26)-(28): discrete time, zones with a blind spot.
 
 use super::error::{ConfigError, RunError};
-use super::model::Model;
+use super::model::{Built, Model};
 use super::observables::{CLUSTERS, Observable, observe, places};
 use super::simulation::{Event, Frame, Simulation};
 use super::source::Source;
@@ -28,7 +28,7 @@ enum Steering {
 }
 
 /// A school.
-pub(super) struct Fish {
+struct Fish {
     flight: Flight,
     zones: Zones<f64>,
     blind_angle: f64,
@@ -58,7 +58,7 @@ const KEYS: [&str; 12] = [
 ];
 
 /// Reads the fish model; returns its time step too.
-pub(super) fn read(source: &Source) -> Result<(Fish, Rational), ConfigError> {
+pub(super) fn read(source: &Source) -> Result<Built, ConfigError> {
     let start = Start::read(source, Needs { dimension: 2, velocities: false, phases: true })?;
     if let Some(section) = source.section("graph")? {
         section.allow(&[], " of the fish model, whose zones make the network")?;
@@ -125,7 +125,7 @@ pub(super) fn read(source: &Source) -> Result<(Fish, Rational), ConfigError> {
         steps: 0,
         drawn: start.drawn,
     };
-    Ok((fish, exact))
+    Ok((Box::new(fish), Some(exact)))
 }
 
 impl Fish {

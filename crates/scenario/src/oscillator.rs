@@ -4,7 +4,7 @@ use super::error::{ConfigError, Problem};
 use super::exact::ExactMotion;
 use super::individual::{Individual, Located, MOST_TOGETHER, sensing};
 use super::links::Guard;
-use super::model::Model;
+use super::model::{Built, Described, Model};
 use super::network::{Abilities, Change, Kind, Network};
 use super::observables::{CLUSTERS, Observable, observe, places};
 use super::simulation::{Continuous, Frame, Law, Simulation};
@@ -90,7 +90,6 @@ pub(super) const PHASES: Abilities = Abilities {
 };
 
 /// A run of the phase model as it is described.
-#[derive(Clone)]
 pub(super) struct PhaseRun {
     start: Start,
     network: Network,
@@ -109,20 +108,23 @@ impl PhaseRun {
         let orientation = orientation(&law, &network, &frequency)?;
         Ok(PhaseRun { start, network, frequency, orientation })
     }
+}
 
-    /// The motion, for enclosures.
-    pub fn exact(self) -> ExactMotion {
-        let Orientation::Laplacian(gain) = self.orientation else {
+impl Described for PhaseRun {
+    fn exact(&self) -> ExactMotion {
+        let Orientation::Laplacian(gain) = &self.orientation else {
             return ExactMotion::Other("of the phase model only the control K1 is enclosed");
         };
         match self.network.unchanging() {
-            Ok(network) => ExactMotion::Phases { phases: self.start.phases, frequency: self.frequency, gain, network },
+            Ok(network) => {
+                let (phases, frequency) = (self.start.phases.clone(), self.frequency.clone());
+                ExactMotion::Phases { phases, frequency, gain: gain.clone(), network }
+            }
             Err(why) => ExactMotion::Other(why),
         }
     }
 
-    /// The motion in floats.
-    pub fn simulation(self, tolerance: f64) -> Box<dyn Simulation> {
+    fn simulation(self: Box<Self>, _: &Source, tolerance: f64) -> Result<Built, ConfigError> {
         let (frequency, orientation) = (float(&self.frequency), self.orientation.over(&0.0));
         let mean_field = match orientation {
             Orientation::Laplacian(gain) if self.network.is_all_to_all() => {
@@ -132,7 +134,7 @@ impl PhaseRun {
         };
         let phases = self.start.flat_phases();
         let law = Phases { network: self.network, frequency, orientation, mean_field, drawn: self.start.drawn };
-        Box::new(Continuous::new(law, &phases, tolerance))
+        Ok((Box::new(Continuous::new(law, &phases, tolerance)), None))
     }
 }
 
@@ -220,7 +222,6 @@ pub(super) const PARTICLES: Abilities = Abilities {
 };
 
 /// A run of steered particles as it is described.
-#[derive(Clone)]
 pub(super) struct ParticleRun {
     start: Start,
     network: Network,
@@ -258,10 +259,11 @@ impl ParticleRun {
         let drift = vector(law.get("drift").map_or(Ok(Default::default()), |entry| entry.vector())?);
         Ok(ParticleRun { start, network, steering: Steering { frequency, orientation, spacing }, drift, step })
     }
+}
 
-    /// The motion, for enclosures.
-    pub fn exact(self) -> ExactMotion {
-        let Orientation::Laplacian(gain) = self.steering.orientation else {
+impl Described for ParticleRun {
+    fn exact(&self) -> ExactMotion {
+        let Orientation::Laplacian(gain) = &self.steering.orientation else {
             return ExactMotion::Other("of the orientation controls of particles only K1 is enclosed");
         };
         let radius = self.network.exact_radius().cloned();
@@ -271,12 +273,12 @@ impl ParticleRun {
         };
         match network {
             Ok(network) => ExactMotion::Particles {
-                positions: self.start.positions,
-                phases: self.start.phases,
-                frequency: self.steering.frequency,
-                gain,
-                spacing: self.steering.spacing,
-                drift: [self.drift.re, self.drift.im],
+                positions: self.start.positions.clone(),
+                phases: self.start.phases.clone(),
+                frequency: self.steering.frequency.clone(),
+                gain: gain.clone(),
+                spacing: self.steering.spacing.clone(),
+                drift: [self.drift.re.clone(), self.drift.im.clone()],
                 network,
                 radius,
             },
@@ -284,15 +286,14 @@ impl ParticleRun {
         }
     }
 
-    /// The motion in floats.
-    pub fn simulation(self, source: &Source, tolerance: f64) -> Result<Box<dyn Simulation>, ConfigError> {
-        let ParticleRun { start, network, steering, drift, step } = self;
+    fn simulation(self: Box<Self>, source: &Source, tolerance: f64) -> Result<Built, ConfigError> {
+        let ParticleRun { start, network, steering, drift, step } = *self;
         let mut state = start.flat_positions();
         state.extend(start.flat_phases());
         let drift = Complex::new(float(&drift.re), float(&drift.im));
         let mut particles = Particles { network, steering: steering.over(&0.0), drift, drawn: start.drawn };
         particles.settle(&state);
-        Ok(match step {
+        let simulation: Box<dyn Simulation> = match step {
             Some(step) => {
                 // A reference is that of the last particle, and of two at one distance the smaller number is the nearer one.
                 let nameless = !matches!(steering.orientation, Orientation::Reference { .. });
@@ -310,7 +311,8 @@ impl ParticleRun {
                 }
                 None => Box::new(Continuous::new(particles, &state, tolerance)),
             },
-        })
+        };
+        Ok((simulation, None))
     }
 }
 

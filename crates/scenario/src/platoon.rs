@@ -2,10 +2,10 @@
 
 use super::error::{ConfigError, Problem};
 use super::exact::ExactMotion;
-use super::model::Model;
+use super::model::{Built, Described, Model};
 use super::network::{Abilities, Network};
 use super::observables::{Observable, observe};
-use super::simulation::{Continuous, Frame, Law, Simulation};
+use super::simulation::{Continuous, Frame, Law};
 use super::source::{Section, Source};
 use super::start::{Needs, Start, float};
 use super::view::{Law as Measured, Links, Rows, View};
@@ -46,7 +46,6 @@ const COMMUNICATIONS: [(&str, Communication); 2] =
     [("front", Communication::Front), ("front-and-back", Communication::FrontAndBack)];
 
 /// A run of a platoon as it is described.
-#[derive(Clone)]
 pub(super) struct PlatoonRun {
     start: Start,
     gains: (Rational, Rational),
@@ -97,25 +96,25 @@ impl PlatoonRun {
         let (graph, tracking) = tracked(source, &law, &order)?;
         Ok(PlatoonRun { start, gains, spacing, swing, order, graph, tracking })
     }
+}
 
-    /// The motion, for enclosures.
-    pub fn exact(self) -> ExactMotion {
+impl Described for PlatoonRun {
+    fn exact(&self) -> ExactMotion {
         if self.order.first().is_some_and(|leader| *leader > 0) {
             return ExactMotion::Other("another leader than the first car is not enclosed");
         }
         let places = self.start.positions.iter().flatten().zip(0..);
         ExactMotion::Platoon {
             deviations: places.map(|(x, k)| x + &self.spacing * rational(k, 1)).collect(),
-            rates: self.start.velocities.into_iter().flatten().collect(),
-            gains: self.gains,
-            spacing: self.spacing,
-            graph: self.graph,
-            swing: self.swing,
+            rates: self.start.velocities.iter().flatten().cloned().collect(),
+            gains: self.gains.clone(),
+            spacing: self.spacing.clone(),
+            graph: self.graph.clone(),
+            swing: self.swing.clone(),
         }
     }
 
-    /// The motion in floats.
-    pub fn simulation(self, tolerance: f64) -> Box<dyn Simulation> {
+    fn simulation(self: Box<Self>, _: &Source, tolerance: f64) -> Result<Built, ConfigError> {
         let (positions, velocities) = (self.start.flat_positions(), self.start.flat_velocities());
         let gains = Gains { f: float(&self.gains.0), g: float(&self.gains.1) };
         let (spacing, order) = (float(&self.spacing), self.order);
@@ -126,7 +125,7 @@ impl PlatoonRun {
         let state: Vec<f64> = deviations.chain(order[1..].iter().map(|&k| velocities[k])).collect();
         let (graph, tracking, drawn) = (self.graph, self.tracking, self.start.drawn);
         let platoon = Platoon { leader, order, graph, tracking, gains, spacing, drawn };
-        Box::new(Continuous::new(platoon, &state, tolerance))
+        Ok((Box::new(Continuous::new(platoon, &state, tolerance)), None))
     }
 }
 

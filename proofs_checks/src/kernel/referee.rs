@@ -1,7 +1,7 @@
 //! What a referee takes home: the theorems of one claim with what they rest on, and nothing else.
 
 use super::scan::{first_word, sentences};
-use super::{Covers, Source, Theorem, definitions_of, needed, proofs_of, recorded};
+use super::{Covers, Source, Theorem, definitions_of, files, needed, proofs_of, recorded};
 use ledger::Entry;
 use std::fmt::Write;
 
@@ -66,12 +66,19 @@ fn readme(entry: &Entry, theorems: &[Theorem], sources: &[Source]) -> String {
     say(format_args!("\n## What the words mean\n"));
     let all: String = theorems.iter().map(|theorem| stated(theorem)).collect::<Vec<_>>().join("\n");
     let mut file = "";
-    for definition in definitions_of(&all, sources) {
+    let mut places = sources.to_vec();
+    for (audit, _) in theorems.iter().filter_map(Theorem::audited) {
+        if !places.contains(audit) {
+            places.push(audit.clone());
+        }
+    }
+    for definition in definitions_of(&all, &places) {
         if definition.file != file {
             say(format_args!(
                 "{}\nIn `{}.v`:\n\n```coq\n",
                 if file.is_empty() { "" } else { "```\n" },
-                definition.file
+                // What the audits define stands with the statements.
+                if sources.iter().any(|source| source.name == definition.file) { definition.file } else { STATEMENTS }
             ));
             file = definition.file;
         }
@@ -100,13 +107,14 @@ fn script(sources: &[Source]) -> String {
     )
 }
 
-/// A file of Coq that states theorems in the words of their audits, each with those imports of the audit that are there, and asks for the axioms.
+/// A file of Coq that states theorems in the words of their audits, each with those imports and definitions of the audit that it needs, and asks for the axioms.
 pub fn statements(theorems: &[Theorem], sources: &[Source]) -> String {
     let mut text = String::new();
     for (theorem, k) in theorems.iter().zip(1..) {
         let Some((audit, statement)) = theorem.audited() else { continue };
         let (module, path) = (format!("statement_{k}"), theorem.path());
-        let around = surroundings(audit, theorem, sources).join("\n");
+        let own = definitions_of(statement, std::slice::from_ref(audit)).into_iter().map(|own| own.text.to_string());
+        let around = surroundings(audit, theorem, sources).into_iter().chain(own).collect::<Vec<_>>().join("\n");
         text += &format!(
             "Module {module}.\n{around}\nCheck ({path} :\n  {statement}).\nPrint Assumptions {path}.\nEnd {module}.\n\n"
         );
@@ -145,8 +153,11 @@ fn states(sentence: &str, theorem: &Theorem) -> bool {
 
 /// The sentence, without files of the development that are not there.
 fn there(sentence: &str, sources: &[Source]) -> Option<String> {
-    let Some(list) = sentence.strip_prefix("From Flockproof Require") else { return Some(sentence.to_string()) };
-    let kept = |word: &&str| *word == "Import" || sources.iter().any(|source| source.name == *word);
-    let kept: Vec<&str> = list.trim_end_matches('.').split_whitespace().filter(kept).collect();
-    (kept.iter().any(|word| *word != "Import")).then(|| format!("From Flockproof Require {}.", kept.join(" ")))
+    let known = |names: &[&str], word: &str| names.contains(&word);
+    let all: Vec<&str> = files().iter().map(|file| file.name).collect();
+    let own: Vec<&str> = sources.iter().map(|source| source.name).collect();
+    let kept = |word: &&str| !known(&all, word.trim_end_matches('.')) || known(&own, word.trim_end_matches('.'));
+    let words: Vec<&str> = sentence.split_whitespace().filter(kept).collect();
+    let named = words.iter().any(|word| !["From", "Flockproof", "Require", "Import"].contains(word));
+    named.then(|| words.join(" ").trim_end_matches('.').to_string() + ".")
 }

@@ -1,20 +1,28 @@
 //! Connected components of a list of edges, in almost linear time.
 
-/// The connected components of the graph on `0..order` with these edges, each sorted, in the order of their smallest vertex.
-/// Edges to vertices that are not there are left out. Cost: the number of edges and vertices, up to a logarithm.
-pub fn components(order: usize, edges: &[(usize, usize)]) -> Vec<Vec<usize>> {
+/// The number of the connected component of each of `0..order`, in the order of their smallest vertices, and how many there are. Edges to vertices that
+/// are not there are left out. Cost: the number of edges and vertices, up to a logarithm.
+pub fn component_numbers(order: usize, edges: impl IntoIterator<Item = (usize, usize)>) -> (Vec<usize>, usize) {
     let mut parent: Vec<usize> = (0..order).collect();
-    for &(i, j) in edges.iter().filter(|&&(i, j)| i.max(j) < order) {
+    for (i, j) in edges.into_iter().filter(|&(i, j)| i.max(j) < order) {
         let (i, j) = (root(&mut parent, i), root(&mut parent, j));
         // The smallest vertex of a component is its root.
         parent[i.max(j)] = i.min(j);
     }
-    let mut members: Vec<Vec<usize>> = vec![Vec::new(); order];
+    let (mut numbers, mut count) = (vec![0; order], 0);
     for vertex in 0..order {
         let root = root(&mut parent, vertex);
-        members[root].push(vertex);
+        numbers[vertex] = if root == vertex { count } else { numbers[root] };
+        count += usize::from(root == vertex);
     }
-    members.retain(|members| !members.is_empty());
+    (numbers, count)
+}
+
+/// The connected components, each sorted, in that order.
+pub fn components(order: usize, edges: &[(usize, usize)]) -> Vec<Vec<usize>> {
+    let (numbers, count) = component_numbers(order, edges.iter().copied());
+    let mut members = vec![Vec::new(); count];
+    numbers.into_iter().zip(0..).for_each(|(number, vertex)| members[number].push(vertex));
     members
 }
 

@@ -10,7 +10,7 @@ pub mod read;
 mod weighted;
 
 pub use arc_list::ArcList;
-pub use components::components;
+pub use components::{component_numbers, components};
 pub use laplacian::{LaplacianError, LaplacianKind};
 pub use named::{LARGEST_ORDER, NameError, NamedGraph};
 pub use weighted::WeightedGraph;
@@ -203,26 +203,6 @@ impl Graph {
 
     /// The connected components, each sorted, in the order of their smallest vertex.
     pub fn components(&self) -> Vec<Vec<usize>> {
-        let mut seen = vec![false; self.order()];
-        let mut components = Vec::new();
-        for start in 0..self.order() {
-            if seen[start] {
-                continue;
-            }
-            seen[start] = true;
-            let mut members = vec![start];
-            let mut next = 0;
-            while let Some(&i) = members.get(next) {
-                next += 1;
-                for j in self.adjacency.ones(i) {
-                    if !std::mem::replace(&mut seen[j], true) {
-                        members.push(j);
-                    }
-                }
-            }
-            members.sort_unstable();
-            components.push(members);
-        }
-        components
+        components(self.order(), &self.edges())
     }
 }

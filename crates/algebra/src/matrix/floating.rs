@@ -12,21 +12,6 @@ pub fn to_floats(matrix: &RationalMatrix) -> Mat<f64> {
     Mat::from_fn(matrix.rows(), matrix.cols(), |i, j| matrix.entry(i, j).to_f64().unwrap_or(f64::NAN))
 }
 
-/// `max_{i,j} |a_i* - a_j*|_p` over the rows, for `p` = 1, 2 or infinity; tau_1 is half of it for `p` = 1.
-pub fn row_diameter(matrix: &Mat<f64>, p: f64) -> f64 {
-    let distance = |i: usize, j: usize| {
-        let differences = (0..matrix.ncols()).map(|k| (matrix[(i, k)] - matrix[(j, k)]).abs());
-        if p == 1.0 {
-            differences.sum()
-        } else if p == 2.0 {
-            differences.map(|x| x * x).sum::<f64>().sqrt()
-        } else {
-            differences.fold(0.0, f64::max)
-        }
-    };
-    (0..matrix.nrows()).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| distance(i, j)).fold(0.0, f64::max)
-}
-
 /// An eigenvalue with the residual of its eigenvector.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloatEigenvalue {

@@ -16,6 +16,7 @@ mod readers;
 mod simulated;
 mod spectra;
 mod symmetries;
+mod systems;
 mod traces;
 
 pub use readers::{READERS, Reader};
@@ -88,6 +89,7 @@ pub fn table() -> impl Iterator<Item = &'static Invariant> {
         inequalities::TABLE,
         certificates::TABLE,
         traces::TABLE,
+        systems::TABLE,
     ]
     .into_iter()
     .flatten()

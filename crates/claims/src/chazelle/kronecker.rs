@@ -1,6 +1,6 @@
 //! chazelle.kron and chazelle.chi: the Kronecker product, and differences of velocities as rows of a product.
 
-use super::sequences::show_all;
+use super::sequences::{in_turn, show_all};
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{kronecker_of_rows as blocks, product_of_rows as times};
@@ -168,7 +168,7 @@ impl DifferenceVariant {
         d: usize,
         graphs: &[Graph],
         start: &Dense<Rational>,
-    ) -> Result<Option<String>, CheckError> {
+    ) -> Result<Option<Counterexample>, CheckError> {
         let lazy = |graph| Ok(transition_matrix(graph, &Weights::Lazy)?.to_rows());
         let matrices: Vec<Dense<Rational>> = graphs.iter().map(lazy).collect::<Result<_, CheckError>>()?;
         let unit = |order: usize| -> Dense<Rational> {
@@ -186,10 +186,15 @@ impl DifferenceVariant {
                 if left != right {
                     let names = format!("v_{}({t}) - v_{}({t})", i + 1, j + 1);
                     let (start, networks) = (start.iter().flatten().collect::<Vec<_>>(), show_all(&graphs[..t]));
+                    let mut witnesses = vec![in_turn(&graphs[..t])];
+                    if let ([found], [claimed]) = (left.as_slice(), right.as_slice()) {
+                        witnesses.push(Witness::compared(&names, found, "the right side", claimed));
+                    }
                     let (start, left, right) = (list(start), list(left), list(right));
-                    return Ok(Some(format!(
+                    let text = format!(
                         "{n} birds, d = {d}, v(1) = ({start}), {networks}: {names} = ({left}), the right side is ({right})"
-                    )));
+                    );
+                    return Ok(Some(Counterexample::new(text, witnesses)));
                 }
             }
             velocities = times(&blocks(&matrices[t - 1], &unit(d)), &velocities);

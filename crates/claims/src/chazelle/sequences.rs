@@ -34,6 +34,11 @@ pub(super) fn show_all(graphs: &[Graph]) -> String {
     graphs.iter().map(show).collect::<Vec<_>>().join(", then ")
 }
 
+/// Networks in the order of time.
+pub(super) fn in_turn(graphs: &[Graph]) -> Witness {
+    Witness::networks(graphs.first().map_or(0, Graph::order), graphs.iter().map(Graph::edges).collect())
+}
+
 /// The networks of a history.
 pub(super) fn show_history(history: &NetworkHistory) -> String {
     format!("{} birds, {}, and so for ever", history.order(), show_all(history.graphs()))

@@ -1,7 +1,7 @@
 //! chazelle.stab, chazelle.eq3.5 and chazelle.eq3.6: the stabilisers and the product of their blocks.
 
 use super::entries::small_weights;
-use super::sequences::{histories, show_history};
+use super::sequences::{histories, in_turn, show_history};
 use crate::prelude::*;
 use algebra::matrix::{RationalMatrix, Stabiliser, tau_1, tau_2_squared};
 use models::averaging::{NetworkHistory, Weights, transition_matrix};
@@ -12,12 +12,12 @@ const LEVELS: usize = 3;
 
 /// Checks all sequences of 6, 4, 2 networks on 2, 3, 4 birds (`shorter`: 4, 3, 1) with a constant end, then random
 /// ones on up to 6.
-fn over_histories(
+fn over_histories<C: Into<Counterexample>>(
     run: &Run,
     shorter: bool,
     part: &str,
     detail: &str,
-    mut fails: impl FnMut(&NetworkHistory, &mut ChaCha8Rng) -> Result<Option<String>, CheckError>,
+    mut fails: impl FnMut(&NetworkHistory, &mut ChaCha8Rng) -> Result<Option<C>, CheckError>,
 ) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
     let lengths = if shorter { [1, 4, 3, 1] } else { [3, 6, 4, 2] };
@@ -178,7 +178,11 @@ pub struct BlocksVariant {
 }
 
 impl BlocksVariant {
-    fn fails_at(&self, history: &NetworkHistory, random: &mut ChaCha8Rng) -> Result<Option<String>, CheckError> {
+    fn fails_at(
+        &self,
+        history: &NetworkHistory,
+        random: &mut ChaCha8Rng,
+    ) -> Result<Option<Counterexample>, CheckError> {
         let levels = Levels::of(history);
         let factors = Factors::new(history, random)?;
         for k in 1..levels.members.len() {
@@ -192,12 +196,13 @@ impl BlocksVariant {
                     let gap = if i == 1 { 1 } else { self.gap };
                     let factor = factors.product(times[i], times[i - 1] + gap)?.block(rows, cols)?;
                     if right.cols() != factor.rows() {
-                        return Ok(Some(format!(
+                        let text = format!(
                             "{}, k = {k}: {} columns meet {} rows at the factor of T_{i}",
                             show_history(history),
                             right.cols(),
                             factor.rows()
-                        )));
+                        );
+                        return Ok(Some(Counterexample::new(text, [in_turn(history.graphs())])));
                     }
                     right = right.times(&factor)?.reduced();
                 }
@@ -209,7 +214,7 @@ impl BlocksVariant {
                             .collect::<Vec<_>>()
                             .join("; ")
                     };
-                    return Ok(Some(format!(
+                    let text = format!(
                         "{}, lazy weights, s = 1, k = {k}, T = {:?}, V_{k} = {}, t = {t}: the block is [{}], the \
                          product is [{}]",
                         show_history(history),
@@ -217,7 +222,8 @@ impl BlocksVariant {
                         birds(&sets[k]),
                         entry(&left),
                         entry(&right)
-                    )));
+                    );
+                    return Ok(Some(Counterexample::new(text, [in_turn(history.graphs())])));
                 }
             }
         }

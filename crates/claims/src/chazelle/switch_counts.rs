@@ -1,6 +1,6 @@
 //! chazelle.Nts and chazelle.eq3.4: counting network switches while the columns of `P(t, s)` fill.
 
-use super::sequences::{histories, show_history};
+use super::sequences::{histories, in_turn, show_history};
 use crate::prelude::*;
 use models::averaging::{Filling, GroupRule, Hysteresis, NetworkHistory, Start, Weights};
 
@@ -23,7 +23,7 @@ impl CountVariant {
     }
 
     /// What fails for a column and `s`, if anything: one step, the sum.
-    fn failures(&self, history: &NetworkHistory, column: usize, s: usize) -> [Option<String>; 2] {
+    fn failures(&self, history: &NetworkHistory, column: usize, s: usize) -> [Option<Counterexample>; 2] {
         let mut times = vec![s];
         times.extend(history.growth_times(column, s));
         let one_step = times.windows(2).skip(1).filter(|pair| pair[1] == pair[0] + 1).find_map(|pair| {
@@ -36,8 +36,16 @@ impl CountVariant {
         let (whole, sum) =
             (self.count(history, s, last), summands.map(|p| self.count(history, p[0], p[1])).sum::<usize>());
         let additivity = (whole != sum).then(|| format!("N({last}, {s}) = {whole}, but the sum is {sum}"));
-        let place = |what: String| format!("{}, s = {s}, column {}: {what}", show_history(history), column + 1);
-        [one_step.map(place), additivity.map(place)]
+        let place = |what: String| {
+            let text = format!("{}, s = {s}, column {}: {what}", show_history(history), column + 1);
+            Counterexample::new(text, [in_turn(history.graphs())])
+        };
+        let compared = |mut found: Counterexample| {
+            let [whole, sum] = [whole, sum].map(|count| rational(count as i64, 1));
+            found.witnesses.push(Witness::compared(&format!("N({last}, {s})"), &whole, "the sum", &sum));
+            found
+        };
+        [one_step.map(place), additivity.map(place).map(compared)]
     }
 }
 
@@ -109,7 +117,10 @@ fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckEr
         return Ok(Outcome::Holds(evidence));
     }
     evidence.retain(|e: &Evidence| e.grade == Grade::Exact);
-    Ok(Outcome::Fails { counterexample: examples.join("; "), evidence, later: failed_later })
+    let text = examples.iter().map(|example| example.text.as_str()).collect::<Vec<_>>().join("; ");
+    let witnesses = examples.into_iter().flat_map(|example: Counterexample| example.witnesses);
+    let counterexample = Counterexample::new(text, witnesses);
+    Ok(Outcome::Fails { counterexample, evidence, later: failed_later })
 }
 
 /// A bound of the switches until the footprint is stable.

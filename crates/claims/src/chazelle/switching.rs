@@ -1,7 +1,7 @@
 //! chazelle.epsineq, chazelle.lem3.1.count, chazelle.lem3.1 and chazelle.thm1.1.switches: the number of network
 //! switches.
 
-use super::sequences::{histories, settled, show_history};
+use super::sequences::{histories, in_turn, settled, show_history};
 use crate::prelude::*;
 use arithmetic::Signed;
 use models::averaging::{Hysteresis, NetworkHistory, Start, Weights};
@@ -179,7 +179,9 @@ fn check_final_count(variant: &FinalCountVariant, run: &mut Run) -> Result<Outco
             let so_far = what.map_or(String::new(), |what| what + "; ");
             what = Some(format!("{so_far}five birds in the plane, switches at t = 3, 7, 127: {counts}"));
         }
-        Ok(what)
+        let places = [0, 11, 10].map(|x| [rational(x, 1), rational(0, 1)]);
+        let seen = [in_turn(leaving_pair(last)?.graphs()), Witness::agents(&places, &[], &[])];
+        Ok(what.map(|what| Counterexample::new(what, seen)))
     };
     let mut random = run.random(0);
     let sampled = (0..run.cases(300, 6000)).map(|_| {

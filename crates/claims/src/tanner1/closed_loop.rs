@@ -12,13 +12,21 @@ pub(super) fn upwards() -> Vec<Rational> {
 
 pub(super) const UPWARDS: &str = "two agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1), V = 1/s + log s";
 
+/// These agents, to be seen.
+pub(super) fn moving_upwards() -> Witness {
+    let point = |x, y| [x, y].map(|x| rational(x, 1));
+    Witness::agents(&[point(0, 0), point(1, 1)], &[point(0, 2), point(0, 1)], &[])
+}
+
 /// Whether the sides agree at the state above; the counterexample if not, in this part.
 pub(super) fn at_upwards(identity: &Identity, part: &str, what: &str) -> Result<Option<Outcome>, ArithmeticError> {
     let (left, right) = identity.at(&upwards())?;
     let place = left.iter().zip(&right).position(|(l, r)| l != r);
     Ok(place.map(|k| {
+        let text = format!("{UPWARDS}: {what} is {}, but {} is claimed", left[k], right[k]);
+        let compared = Witness::compared(what, &left[k], "claimed", &right[k]);
         Outcome::fails(
-            format!("{UPWARDS}: {what} is {}, but {} is claimed", left[k], right[k]),
+            Counterexample::new(text, [moving_upwards(), compared]),
             exact(part, "exact rates of change; equal headings, so that alignment forces vanish"),
         )
     }))

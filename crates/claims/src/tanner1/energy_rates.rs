@@ -1,6 +1,6 @@
 //! tanner1.eq8, eq9.chain, eq9, Vt_inv, decoupled: rates of energies along the closed loop (1), (4), (5).
 
-use super::closed_loop::{UPWARDS, at_upwards, upwards};
+use super::closed_loop::{UPWARDS, at_upwards, moving_upwards, upwards};
 use super::turning::{ForceVariant, does_no_work, examine_printed};
 use crate::prelude::*;
 use crate::tanner2::fixtures::{on_connected, total};
@@ -166,7 +166,7 @@ fn examine_invariant(variant: &InvariantVariant, run: &mut Run) -> Result<Outcom
         return run.every(evidence, [rate], |rate: Rational| {
             let what =
                 format!("{UPWARDS}: dV_t/dt = {rate} pi/2 > 0, so that {{V_t <= c}} is left for the c of this state");
-            Ok((rate > rational(0, 1)).then_some(what))
+            Ok((rate > rational(0, 1)).then(|| Counterexample::new(what, [moving_upwards()])))
         });
     }
     let steps = "a constant leaves its sublevel sets invariant; notes/tanner1.md, Energy, steps 1 and 2";

@@ -2,7 +2,7 @@
 
 use crate::prelude::*;
 use crate::tanner2::fixtures::{PLANE, printed as printed_potential, sloped, spring};
-use crate::tanner2::graphs::{LaplacianVariant, examine_laplacian, shown, small_graphs};
+use crate::tanner2::graphs::{LaplacianVariant, examine_laplacian, seen, shown, small_graphs};
 use algebra::graph::Graph;
 use arithmetic::{Sign, Signed};
 use models::double_integrator::{Potential, heading};
@@ -36,7 +36,8 @@ fn examine_ones(meant: &OnesVariant, run: &mut Run) -> Result<Outcome, CheckErro
     let kernels = run.every(evidence, small_graphs().into_iter().filter(meant), |graph: Graph| {
         let kernel = graph.laplacian()?.kernel();
         let other = kernel.iter().find(|x| x.iter().any(|value| *value != x[0]));
-        Ok(other.map(|x| format!("{}: ({}) is an eigenvector for 0", shown(&graph), list(x))))
+        let text = |x| format!("{}: ({}) is an eigenvector for 0", shown(&graph), list(x));
+        Ok(other.map(|x| Counterexample::new(text(x), [seen(&graph)])))
     });
     Run::all([kernels.checks("step 3"), argued(&[1], "the kernel of L", "notes/tanner2.md, Laplacians, steps 1 to 3")])
 }
@@ -69,10 +70,11 @@ fn examine_weighted(variant: &WeightedVariant, run: &mut Run) -> Result<Outcome,
                 let incidence = graph.incidence()?;
                 let (rows, cols) = (incidence.rows(), incidence.cols());
                 Ok(incidence.times(&incidence).is_err().then(|| {
-                    format!(
+                    let text = format!(
                         "{}: D is {rows} by {cols} and W is {cols} by {cols}, so that D W D is not defined",
                         shown(&graph)
-                    )
+                    );
+                    Counterexample::new(text, [seen(&graph)])
                 }))
             })
             .on([1]);
@@ -155,7 +157,13 @@ fn examine_monotone(variant: &MonotoneVariant, _run: &mut Run) -> Result<Outcome
         };
         if slope.sign() != Some(claimed) {
             let what = format!("V = 1/s + log s at s = |r_ij|² = {s}: dV/ds = {slope}");
-            return Ok(Outcome::fails(what, evidence));
+            let witness = Witness::Potential {
+                slope: vec![(-1, 1.into()), (-2, (-1).into())],
+                value: [1.into(), 1.into()],
+                tangent: Some([(&s).into(), (&slope).into()]),
+                radius: None,
+            };
+            return Ok(Outcome::fails(Counterexample::new(what, [witness]), evidence));
         }
     }
     holds(evidence.for_all())

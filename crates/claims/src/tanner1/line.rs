@@ -56,6 +56,14 @@ impl Swing {
         places.into_iter().flatten().map(|s| Ok((s.clone(), potential().slope(&s)?))).collect()
     }
 
+    /// The agents, to be seen.
+    fn witness(self) -> Witness {
+        let (c, point) =
+            (Rational::new(self.speed.0.into(), self.speed.1.into()), |x| [rational(x, 1), rational(0, 1)]);
+        let velocity = [c, rational(0, 1)];
+        Witness::agents(&[point(0), point(2)], &[velocity.clone(), velocity], &[(0, 1)])
+    }
+
     fn describe(self) -> String {
         let c = Rational::new(self.speed.0.into(), self.speed.1.into());
         format!("two agents at (0, 0) and (2, 0), linked, both with velocity ({c}, 0), V = 1/s + log s")
@@ -86,15 +94,13 @@ fn ends(swing: Swing, end: End, run: &mut Run) -> Result<Result<Evidence, Outcom
         }
         (Some(false), _) => format!("{}: the front one comes to rest, where it has no heading", swing.describe()),
         (_, true) if end == End::Rest => {
-            return Ok(Err(Outcome::fails(
-                format!(
-                    "{}: both headings stay 0 and the distance swings for ever about 1, as u² + V(s) is constant and \
-                     above V(1) by {}",
-                    swing.describe(),
-                    interval_value(&excess, 12)
-                ),
-                evidence,
-            )));
+            let text = format!(
+                "{}: both headings stay 0 and the distance swings for ever about 1, as u² + V(s) is constant and \
+                 above V(1) by {}",
+                swing.describe(),
+                interval_value(&excess, 12)
+            );
+            return Ok(Err(Outcome::fails(Counterexample::new(text, [swing.witness()]), evidence)));
         }
         _ => return Ok(Ok(evidence)),
     };
@@ -201,6 +207,7 @@ fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckE
             variant.start.describe(),
             slopes.join(", ")
         );
+        let what = Counterexample::new(what, [variant.start.witness()]);
         return Ok(Outcome::fails(what, swing.on([1, 2, 3])));
     }
     let forces = on_connected(run, 3, "the accelerations", |graph| plain_accelerations(graph, variant.equal_headings));

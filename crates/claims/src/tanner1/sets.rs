@@ -66,10 +66,14 @@ fn examine_smooth(variant: &SmoothVariant, run: &mut Run) -> Result<Outcome, Che
         let change = second_acceleration(near(1), variant.wrapped)? - second_acceleration(near(-1), variant.wrapped)?;
         // A law that is smooth there, with slopes of a few units, changes by a few times 10^-9.
         let jumps = !are_within(&change, &change.zero(), &change.ratio(1, 10_000_000))?;
-        Ok(jumps.then(|| format!(
-            "agents at (0, 0) and (1, 0), V = 0, the second with velocity (0, 1): where the first one's velocity passes ({x}, {y}) the second one's acceleration jumps by {:.4}",
-            change.to_f64()
-        )))
+        Ok(jumps.then(|| {
+            let text = format!(
+                "agents at (0, 0) and (1, 0), V = 0, the second with velocity (0, 1): where the first one's velocity passes ({x}, {y}) the second one's acceleration jumps by {:.4}",
+                change.to_f64()
+            );
+            let places = [0, 1].map(|x| [rational(x, 1), rational(0, 1)]);
+            Counterexample::new(text, [Witness::agents(&places, &[], &[])])
+        }))
     });
     Run::all([
         enclosures.checks("the conclusion"),
@@ -265,13 +269,14 @@ fn examine_collision(variant: &CollisionVariant, run: &mut Run) -> Result<Outcom
     let rise = [towards(8)?, towards(12)?];
     let instances = run.instances("V_t where agents meet", detail, meant, |pair: Pair| {
         if !variant.potential.repels() {
-            return Ok(Some(format!(
+            let text = format!(
                 "agents {} and {}: V_ij does not tend to infinity as they approach each other: s dV/ds is {} at s = 4^-8, {} at 4^-12",
                 pair.0 + 1,
                 pair.1 + 1,
                 rise[0],
                 rise[1]
-            )));
+            );
+            return Ok(Some(text.into()));
         }
         let mut places = [0, 1, 3].map(|x| [rational(x, 1), rational(0, 1)]);
         places[pair.1] = places[pair.0].clone();
@@ -279,11 +284,14 @@ fn examine_collision(variant: &CollisionVariant, run: &mut Run) -> Result<Outcom
             let s = PLANE.square(&[&places[i][0] - &places[j][0], rational(0, 1)]);
             variant.potential.slope(&s).is_ok()
         });
-        Ok(finite.then(|| format!(
-            "the path 1-2-3, agents {} and {} in one place: V_t is finite, and the law smooth; followed back from different velocities there, they start apart",
-            pair.0 + 1,
-            pair.1 + 1
-        )))
+        Ok(finite.then(|| {
+            let text = format!(
+                "the path 1-2-3, agents {} and {} in one place: V_t is finite, and the law smooth; followed back from different velocities there, they start apart",
+                pair.0 + 1,
+                pair.1 + 1
+            );
+            Counterexample::new(text, [Witness::networks(3, vec![vec![(0, 1), (1, 2)]])])
+        }))
     })?;
     let steps = "notes/tanner1.md, Energy, steps 4 and 5";
     Run::all([Ok(instances.on([1, 2])).checks("step 4"), argued(&[1, 2], "linked agents", steps)])

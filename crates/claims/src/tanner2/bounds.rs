@@ -1,7 +1,7 @@
 //! tanner2.bound_r, bound_v, eq7, cor2_sub: what an energy at most c bounds.
 
 use super::fixtures::{PLANE, apart, connected, pairs, quadratic, sloped, spring};
-use super::graphs::{rational_spectrum, shown};
+use super::graphs::{rational_spectrum, seen, shown};
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
@@ -106,13 +106,14 @@ fn distances(variant: &DistanceVariant, run: &Run) -> Result<Outcome, CheckError
             let holds = if all { near.iter().all(|near| *near) } else { near.contains(&true) };
             if !holds {
                 let places: Vec<String> = state.positions.iter().map(|r| format!("({}, {})", r[0], r[1])).collect();
-                return Ok(Some(format!(
+                let text = format!(
                     "{} at {}, {name}, c = W = {c}: |r_{}{}|² = {s} is too large",
                     shown(&graph),
                     places.join(", "),
                     i + 1,
                     j + 1
-                )));
+                );
+                return Ok(Some(Counterexample::new(text, [Witness::agents(&state.positions, &[], &graph.edges())])));
             }
         }
         Ok(None)
@@ -163,7 +164,8 @@ fn speeds(variant: &SpeedVariant, run: &Run) -> Result<Outcome, CheckError> {
             state.velocities.iter().map(|v| PLANE.square(v)).max().map(|square| (square, "a speed squared"))
         };
         let fast = fast.filter(|(square, _)| *square > bound);
-        Ok(fast.map(|(square, what)| format!("{}, c = W = {c}: {what} is {square}", shown(&graph))))
+        let text = |square, what| format!("{}, c = W = {c}: {what} is {square}", shown(&graph));
+        Ok(fast.map(|(square, what)| Counterexample::new(text(square, what), [seen(&graph)])))
     })
 }
 
@@ -286,10 +288,11 @@ fn examine_dissipation(variant: &DissipationVariant, run: &mut Run) -> Result<Ou
         let (change, bound) = (-quadratic(&laplacian, &v), -(rate * square));
         let shown_velocities: Vec<String> = v.iter().map(ToString::to_string).collect();
         Ok((change > bound).then(|| {
-            format!(
+            let text = format!(
                 "{}, v_x = {shown_velocities:?}, v_y = 0: dW/dt = {change}, but the bound is {bound}",
                 shown(&graph)
-            )
+            );
+            Counterexample::new(text, [seen(&graph), Witness::compared("dW/dt", &change, "the bound", &bound)])
         }))
     });
     Run::all([instances.checks("step 1"), argued(&[1], "dW/dt by lambda_2", "notes/tanner2.md, Corollary 2, step 1")])

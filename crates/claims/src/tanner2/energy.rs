@@ -264,7 +264,10 @@ fn examine_vanishing(variant: &Vanishing, run: &mut Run) -> Result<Outcome, Chec
     };
     let rate = &energy.derivative;
     let what = || {
-        format!("two linked agents at (0, 0) and (3/2, 0), both with velocity (1, 0): dW/dt = {rate}, {name} is not 0")
+        let text = format!(
+            "two linked agents at (0, 0) and (3/2, 0), both with velocity (1, 0): dW/dt = {rate}, {name} is not 0"
+        );
+        Counterexample::new(text, [Witness::agents(&state.positions, &state.velocities, &[(0, 1)])])
     };
     let wrong = !num_traits::Zero::is_zero(rate) || !vanishes;
     Run::all([

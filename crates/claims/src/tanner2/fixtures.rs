@@ -74,10 +74,11 @@ pub(crate) fn on_connected<'a>(
     Run::all(connected(most).into_iter().map(|graph| {
         let mut names = AnyPotentials::names(&graph);
         let part = format!("{what}, {} agents, edges {:?}, any potentials", graph.order(), graph.edges());
+        let seen = Witness::networks(graph.order(), vec![graph.edges()]);
         let identity = identity(graph);
         let more = identity.variables().saturating_sub(names.len());
         names.extend((1..=more).map(|k| format!("theta{k}")));
-        run.identity(&identity, &names, &part)
+        run.identity(&identity, &names, &part).map(|outcome| outcome.seen(seen))
     }))
 }
 

@@ -11,6 +11,11 @@ pub(crate) fn small_graphs() -> Vec<Graph> {
     (1..=4).flat_map(Graph::all).chain(Graph::connected_up_to_isomorphism(5)).collect()
 }
 
+/// A graph to be seen.
+pub(crate) fn seen(graph: &Graph) -> Witness {
+    Witness::networks(graph.order(), vec![graph.edges()])
+}
+
 /// A graph in words.
 pub(crate) fn shown(graph: &Graph) -> String {
     let vertices = if graph.order() == 1 { "vertex" } else { "vertices" };

@@ -48,6 +48,12 @@ fn contradicts(motion: &SteadyMotion, conclusion: Conclusion) -> Result<Option<S
     })
 }
 
+/// The agents of a motion, to be seen, where their coordinates are Cartesian.
+fn seen(motion: &SteadyMotion) -> Option<Witness> {
+    let agents = || Witness::agents(&motion.state.positions, &[], &motion.graph.edges());
+    (motion.coordinates == PLANE).then(agents)
+}
+
 /// That no motion among `motions` contradicts the conclusion, or the first one that does.
 fn uncontradicted(
     run: &Run,
@@ -60,7 +66,8 @@ fn uncontradicted(
         if !motion.is_steady()? {
             return Err(CheckError::Other(format!("{} is not steady", motion.name)));
         }
-        Ok(contradicts(&motion, conclusion)?.map(|how| format!("{}: the agents {how}", motion.name)))
+        let text = |how| format!("{}: the agents {how}", motion.name);
+        Ok(contradicts(&motion, conclusion)?.map(|how| Counterexample::new(text(how), seen(&motion))))
     })
 }
 
@@ -175,11 +182,12 @@ fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome,
         }
         if let Some((i, j)) = motion.coincident() {
             let (name, i, j) = (motion.name, i + 1, j + 1);
-            return Ok(Some(format!("{name}: an equilibrium in which agents {i} and {j} are in the same place")));
+            let text = format!("{name}: an equilibrium in which agents {i} and {j} are in the same place");
+            return Ok(Some(Counterexample::new(text, seen(&motion))));
         }
         let unstable = is_complete(&motion.graph) && motion.is_stable_up_to_motions() != Some(true);
         let how = "an equilibrium whose linearisation has an eigenvalue with positive real part";
-        Ok(unstable.then(|| format!("{}: {how}", motion.name)))
+        Ok(unstable.then(|| Counterexample::new(format!("{}: {how}", motion.name), seen(&motion))))
     })?;
     Run::all([
         Ok(equilibria.on([1, 2])).checks("the conclusion"),

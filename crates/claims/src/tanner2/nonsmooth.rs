@@ -55,9 +55,16 @@ fn examine_regular(variant: &RegularVariant, run: &mut Run) -> Result<Outcome, C
                 && negated.directional(&w) == negated.clarke(&w)
         };
         Ok((!quotients || !agrees).then(|| {
-            format!(
+            let text = format!(
                 "V = s + 1/s - 2 with s = r², R = {threshold}, w = {w}: U'(R; w) = {one_sided}, but U°(R; w) = {clarke}"
-            )
+            );
+            let witness = Witness::Potential {
+                slope: vec![(0, 1.into()), (-2, (-1).into())],
+                value: [1.into(), 0.into()],
+                tangent: None,
+                radius: Some((&threshold).into()),
+            };
+            Counterexample::new(text, [witness])
         }))
     })?;
     // The printed statement is one clause, the corrected one three.
@@ -398,8 +405,8 @@ fn tied_states(run: &Run) -> Vec<(String, State<Rational>)> {
 pub(super) fn hulls(variant: &HullVariant, run: &Run) -> Result<Outcome, CheckError> {
     let detail =
         "with the true generalised gradient co{0, grad V} of the tied pairs; exact sets for no, one and two tied pairs";
-    run.instances("(13) at ties", detail, tied_states(run), |(name, state)| {
-        let state = TiedRate::of(&state, &rational(4, 1), &spring())?;
+    run.instances("(13) at ties", detail, tied_states(run), |(name, start)| {
+        let state = TiedRate::of(&start, &rational(4, 1), &spring())?;
         let (derivative, hull) = (state.derivative(), state.hull());
         let point = |x: Rational| Span { lo: x.clone(), hi: x };
         let agrees = match variant {
@@ -469,8 +476,8 @@ pub enum IntervalVariant {
 
 fn examine_interval(variant: &IntervalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let zero = rational(0, 1);
-    let sides = run.instances("the right side of (13)", "exact sets", tied_states(run), |(name, state)| {
-        let state = TiedRate::of(&state, &rational(4, 1), &spring())?;
+    let sides = run.instances("the right side of (13)", "exact sets", tied_states(run), |(name, start)| {
+        let state = TiedRate::of(&start, &rational(4, 1), &spring())?;
         let hull = state.hull();
         let (agrees, claimed) = match variant {
             IntervalVariant::ToZero => (hull.hi == zero && hull.lo < zero, "[e, 0] with e < 0".to_string()),
@@ -482,7 +489,9 @@ fn examine_interval(variant: &IntervalVariant, run: &mut Run) -> Result<Outcome,
                 (agrees, format!("{base} away from ties"))
             }
         };
-        Ok((!agrees).then(|| format!("{name}: the right side of (13) is {}, but {claimed} is claimed", show(&hull))))
+        let text = || format!("{name}: the right side of (13) is {}, but {claimed} is claimed", show(&hull));
+        let seen = || Witness::agents(&start.positions, &start.velocities, &[]);
+        Ok((!agrees).then(|| Counterexample::new(text(), [seen()])))
     })?;
     Ok(match variant {
         IntervalVariant::NonPositive(_) => Run::all([

@@ -74,7 +74,8 @@ fn examine_signal(variant: &SignalVariant, run: &mut Run) -> Result<Outcome, Che
         return Ok(Outcome::Undecided("the graphs have a common critical configuration".to_string()));
     };
     let what = "four agents, V = s + 1/s - 2 with s the squared distance, links 1-2-3-4 and 2-4-1-3 in turn for equal times, from any start without collision: if the velocities agreed in the limit, all six distances would tend to 1, which no four points of the plane have";
-    Ok(Outcome::failure(what, evidence))
+    let paths = vec![vec![(0, 1), (1, 2), (2, 3)], vec![(1, 3), (0, 3), (0, 2)]];
+    Ok(Outcome::failure(Counterexample::new(what, [Witness::networks(4, paths)]), evidence))
 }
 
 pub fn arbitrary() -> Record<SignalVariant> {

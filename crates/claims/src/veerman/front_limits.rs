@@ -134,13 +134,15 @@ fn examine_limit(variant: &FrontLimitVariant, run: &mut Run) -> Result<Outcome, 
 }
 
 /// Where the response at the claimed frequency decays although a limit is claimed: f = -4, g = -1.
-fn no_limit(variant: &FrontLimitVariant) -> Result<Option<String>, CheckError> {
+fn no_limit(variant: &FrontLimitVariant) -> Result<Option<Counterexample>, CheckError> {
     let (r, g) = (rational(2, 1), rational(-1, 1));
     let gains = Gains { f: -r.square(), g: g.clone() };
     let (w, claimed) = (r.power(variant.half_powers), variant.growth(&r, &g)?);
     let gain = gain_squared_one_sided(&gains, &w.square())?;
     Ok((gain <= rational(1, 1) && claimed > rational(1, 1)).then(|| {
-        format!("f = -4, g = -1, leader's frequency {w}: |1/gamma|² is {gain}, so no car moves more than the leader and N is not limited, but a limit with ln({claimed}) is claimed")
+        let text = format!("f = -4, g = -1, leader's frequency {w}: |1/gamma|² is {gain}, so no car moves more than the leader and N is not limited, but a limit with ln({claimed}) is claimed");
+        let marks = vec![[(&w.square()).into(), (&gain).into()]];
+        Counterexample::new(text, [Witness::Gain { f: (-4).into(), g: (-1).into(), marks }])
     }))
 }
 

@@ -294,6 +294,9 @@ fn examine_strongest(variant: &StrongestVariant, run: &mut Run) -> Result<Outcom
             let at = |y| gain_squared_one_sided(&unit(), &y);
             let (at_f, beside) = (at(rational(1, 1))?, at(rational(3, 4))?);
             let printed = format!("f = g = -1: |1/gamma|² is {at_f} at w² = |f| = 1 and {beside} at w² = 3/4");
+            let marks = vec![[1.into(), (&at_f).into()], [(&rational(3, 4)).into(), (&beside).into()]];
+            let gain = Witness::Gain { f: (-1).into(), g: (-1).into(), marks };
+            let printed = Counterexample::new(printed, [gain]);
             let what = if variant.at_f && beside > at_f { printed } else { counterexample };
             Outcome::fails(what, exact(part, "compared exactly")).on([1])
         }

@@ -209,7 +209,7 @@ fn an_interrupted_run_keeps_what_was_finished() {
 #[test]
 fn no_case_is_undecided() {
     let empty = Record::new("test.empty", "nothing to look at", (), |(), run| {
-        run.exhaustive("the empty family", "looked at", std::iter::empty::<u64>(), |_| Ok(None))
+        run.exhaustive("the empty family", "looked at", std::iter::empty::<u64>(), |_| Ok(None::<String>))
     });
     let mut ledger = Ledger::new();
     ledger.register(empty.stated("test", "every member of the empty family")).unwrap();

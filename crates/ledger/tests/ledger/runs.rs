@@ -34,7 +34,7 @@ fn cases_are_counted_and_the_first_wrong_one_is_told() {
     let Ok(Outcome::Fails { counterexample, evidence, .. }) = run.exhaustive("all", "looked at", 0..7, wrong(5)) else {
         panic!()
     };
-    assert_eq!((counterexample.as_str(), evidence[0].grade), ("5 is too large", Grade::Exact));
+    assert_eq!((counterexample.text.as_str(), evidence[0].grade), ("5 is too large", Grade::Exact));
     assert_eq!((evidence[0].scope, evidence[0].cases), (Some(Scope::Instances), None));
     let Ok(Outcome::Fails { evidence, .. }) = run.every(Evidence::new(Grade::Simulated, "some", ""), 0..7, wrong(5))
     else {
@@ -51,9 +51,9 @@ fn as_much_work_is_done_as_is_allowed() {
         let run = Run::new("test.a", "seed", false, most);
         assert_eq!((0..9).take_while(|_| run.checkpoint().is_ok()).count() as u64, most);
         let run = Run::new("test.a", "seed", false, most);
-        let all = run.instances("some", "", 0..most + 1, |_| Ok(None));
+        let all = run.instances("some", "", 0..most + 1, |_| Ok(None::<String>));
         assert!(matches!(all, Err(CheckError::Limit)));
-        let within = Run::new("test.a", "seed", false, most).instances("some", "", 0..most, |_| Ok(None));
+        let within = Run::new("test.a", "seed", false, most).instances("some", "", 0..most, |_| Ok(None::<String>));
         assert!(!matches!(within, Err(CheckError::Limit)));
     }
     assert_eq!([false, true].map(|full| Run::new("a", "b", full, 1).cases(3, 30)), [3, 30]);

@@ -9,7 +9,7 @@ use super::{Coordinates, Pair, Potential, State, Vector, linked_within, velocity
 use algebra::graph::Graph;
 use arithmetic::{ArithmeticError, FloatInterval, Number, Rational, Sign, Signed};
 use motion::System;
-use motion::validated::{Flow, IntervalVector, Parallelepiped, Step, ValidationError, box_of_step};
+use motion::enclose::{Flow, IntervalVector, Set, Step, ValidationError, box_of_step};
 
 /// Agents with velocity alignment and one potential, linked below a distance `R`.
 #[derive(Debug, Clone)]
@@ -98,9 +98,9 @@ fn switched(graph: &Graph, switches: impl Fn(Pair) -> bool) -> Graph {
 }
 
 /// A set plus a box, with its shape kept or as a box, whichever is narrower.
-fn moved(set: &Parallelepiped, hull: &[FloatInterval], shift: &[FloatInterval]) -> Option<Parallelepiped> {
-    let as_box = Parallelepiped::of_box(&hull.iter().zip(shift).map(|(x, d)| *x + d).collect::<Vec<_>>());
-    let widest = |p: &Parallelepiped| p.hull().iter().map(FloatInterval::width).fold(0.0, f64::max);
+fn moved(set: &Set, hull: &[FloatInterval], shift: &[FloatInterval]) -> Option<Set> {
+    let as_box = Set::of_box(&hull.iter().zip(shift).map(|(x, d)| *x + d).collect::<Vec<_>>());
+    let widest = |p: &Set| p.hull().iter().map(FloatInterval::width).fold(0.0, f64::max);
     let shaped = set.plus(shift)?;
     Some(if widest(&shaped) < widest(&as_box) { shaped } else { as_box })
 }
@@ -150,7 +150,7 @@ impl EnclosedFlock {
         if let Some(&pair) = self.doubtful(&flat, &graph).first() {
             return Err(EnclosureError::Threshold { time: 0.0, pair });
         }
-        let (mut set, mut time, mut events) = (Parallelepiped::of_box(&flat), 0.0, Vec::new());
+        let (mut set, mut time, mut events) = (Set::of_box(&flat), 0.0, Vec::new());
         let mut crossings = Vec::new();
         while time < until {
             let links = graph.edges();
@@ -228,10 +228,10 @@ impl EnclosedFlock {
     /// Carries the set over the threshold: the set after it, the time that takes and the events.
     fn cross(
         &self,
-        set: &Parallelepiped,
+        set: &Set,
         graph: &mut Graph,
         time: f64,
-    ) -> Result<(Parallelepiped, Crossing, Vec<EnclosedEvent>), EnclosureError> {
+    ) -> Result<(Set, Crossing, Vec<EnclosedEvent>), EnclosureError> {
         let start = set.hull();
         let mut pair = None;
         for power in -40..-3 {

@@ -2,20 +2,9 @@
 
 use super::law::check_links;
 use super::{Coordinates, Pair, Potential, State, Vector, difference, potential_gradients, velocity_alignment};
-use algebra::matrix::{MatrixError, RationalMatrix};
+use algebra::matrix::{Inertia, MatrixError, RationalMatrix};
 use algebra::spectrum::Polynomial;
 use arithmetic::{ArithmeticError, Dual, Field, Rational, rational};
-
-/// Numbers of negative, zero and positive eigenvalues.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Inertia {
-    /// Negative eigenvalues.
-    pub negative: usize,
-    /// How often 0 is an eigenvalue.
-    pub zero: usize,
-    /// Positive eigenvalues.
-    pub positive: usize,
-}
 
 /// The inertia of a matrix whose eigenvalues are all real.
 ///

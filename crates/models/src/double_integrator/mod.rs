@@ -50,7 +50,7 @@ pub use heading::{HeadingDifference, gyroscopic, heading, heading_rate, heading_
 pub use individual::{HeadingLaw, VelocityLaw};
 pub use input::{Alignment, Flock, InputError, Network};
 pub use law::{disagreements, linked_within, potential_gradients, pull, tied, velocity_alignment};
-pub use linearisation::{Inertia, hessian, inertia, linearisation, loop_modes};
+pub use linearisation::{hessian, inertia, linearisation, loop_modes};
 pub use motion::{Choice, Event, EventKind, Motion, MotionError, Options, Prefer, Sample};
 pub use observation::{Observation, Trial};
 pub use potential::{Potential, PotentialError, Slope, Value};

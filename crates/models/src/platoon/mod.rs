@@ -15,7 +15,6 @@ mod neighbourhood;
 pub mod next_order;
 pub mod observe;
 mod peak;
-mod phase;
 pub mod phase_margin;
 mod resonance;
 mod response;
@@ -30,7 +29,6 @@ pub use law::{Communication, Gains, accelerations};
 pub use modes::slowest_rate;
 pub use neighbourhood::Neighbourhood;
 pub use peak::{MOST_FOLLOWERS_PROVED, MOST_STATES_PROVED, Peak, PeakError, peak_of_system, peak_on_graph};
-pub use phase::{argument, phase_lag_one_sided, phase_lags_two_sided};
 pub use resonance::{
     LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, is_below_full_phase, lesser_resonance, peak_near,
     resonance, resonance_from,

@@ -2,5 +2,5 @@
 
 extern crate flockproof_motion as motion;
 
+mod enclose;
 mod simulate;
-mod validated;

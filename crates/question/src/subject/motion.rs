@@ -23,7 +23,7 @@ use models::double_integrator::{
 use models::oscillator::{Neighbours, Orientation, Steering};
 use modes::ModalPlatoon;
 use motion::System;
-use motion::validated::{Flow, IntervalVector, Parallelepiped, Step};
+use motion::enclose::{Flow, IntervalVector, Set, Step};
 use num_traits::{ToPrimitive, Zero};
 use numbers::{BITS, narrowed, point, widened};
 use scenario::ExactMotion;
@@ -237,7 +237,7 @@ impl<'c> MotionSubject<'c> {
     fn followed(&self, law: impl System, start: &[FloatInterval], until: f64) -> Result<Tube, Failure> {
         const FIRST_STEP: f64 = 0.01;
         let mut flow = Flow::new(law, FIRST_STEP);
-        let (mut set, mut time) = (Parallelepiped::of_box(start), 0.0);
+        let (mut set, mut time) = (Set::of_box(start), 0.0);
         let mut tube = Tube { sections: Vec::new(), asked: until, failure: None };
         let none = Rc::new(Vec::new());
         // Beyond this it only grows, in ever shorter steps.

@@ -6,7 +6,7 @@ use super::{Site, notation};
 use crate::page::Links;
 use crate::papers::paper;
 use crate::written::written_proofs;
-use ledger::{Entry, Evidence, Grade, Scope, correction_id};
+use ledger::{Entry, Evidence, Grade, Scope, Witness, correction_id};
 use maud::{Markup, html};
 use proofs::kernel::proofs_of;
 
@@ -29,7 +29,7 @@ pub(super) fn body(site: &Site, entry: &Entry, links: Links) -> Markup {
                         blockquote.statement { p { (rich(&entry.statement)) } }
                     }
                     @if let Some(text) = &entry.reading { (section("reading", "Read as", rich(text))) }
-                    @if let Some(text) = &entry.counterexample { (counterexample(site, text, links)) }
+                    @if let Some(text) = &entry.counterexample { (counterexample(site, text, &entry.witnesses, links)) }
                     @if let Some(text) = &entry.corrected { (correction(site, entry, text, links)) }
                 }
                 (reliability(site, entry, links))
@@ -63,12 +63,12 @@ fn section(id: &str, title: &str, text: Markup) -> Markup {
 }
 
 /// The sentence, and what can be drawn of it.
-fn counterexample(site: &Site, text: &str, links: Links) -> Markup {
+fn counterexample(site: &Site, text: &str, witnesses: &[Witness], links: Links) -> Markup {
     html! {
         section aria-labelledby="counterexample" {
             h2 #counterexample { "Counterexample" }
             p { (site.names.rich(text, links)) }
-            (super::counterexample::drawings(site, text, links))
+            (super::counterexample::drawings(site, witnesses, links))
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The site: what is written in the ledger is escaped, formulas are set, links lead to pages, and bytes are the same.
 
-use ledger::{Document, Ledger};
+use arithmetic::{Rational, rational};
+use ledger::{Document, Ledger, Number, Witness};
 use report::{FIGURES, Page, Site};
 use std::collections::BTreeSet;
 
@@ -186,10 +187,11 @@ fn figures_name_claims_that_exist() {
     }
 }
 
-/// What is drawn of the sentence of a counterexample: the names of the pictures.
-fn drawn(counterexample: &str) -> Vec<String> {
+/// What is drawn of a counterexample: the names of the pictures.
+fn drawn(witnesses: &[Witness]) -> Vec<String> {
     let mut entry: serde_json::Value = serde_json::from_str(&ledger("veerman.own", "x")).expect("a ledger");
-    entry["claims"][0]["counterexample"] = counterexample.into();
+    entry["claims"][0]["counterexample"] = "somewhere".into();
+    entry["claims"][0]["witnesses"] = serde_json::to_value(witnesses).expect("JSON");
     let text = entry.to_string();
     let document = Document::read(&text).expect("a ledger");
     let ledger = Ledger::new();
@@ -199,56 +201,56 @@ fn drawn(counterexample: &str) -> Vec<String> {
     section.split(" aria-label=\"").skip(1).map(|rest| rest.split('"').next().unwrap_or_default().to_string()).collect()
 }
 
-#[test]
-fn counterexamples_are_drawn_from_their_sentence() {
-    assert_eq!(
-        drawn("two agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1): the sum is 1/2, but 0 is claimed"),
-        ["The 2 points, with arrows for velocities.", "computed 1/2, claimed 0"]
-    );
-    assert_eq!(
-        drawn("two agents at (0, 0) and (2, 0), linked, both with velocity (2, 0): they swing"),
-        ["The 2 points, with arrows for velocities; lines are links."]
-    );
-    assert_eq!(drawn("the path 1-2-3 at (1, 0), (0, 0), (1, 0), V = s: at rest"), ["The 3 points; lines are links."]);
-    assert_eq!(
-        drawn("3 birds, no edges, then 1-2, then 1-2 2-3, and so for ever"),
-        ["Graph with 3 vertices and 0 edges", "Graph with 3 vertices and 1 edge", "Graph with 3 vertices and 2 edges"]
-    );
-    assert_eq!(
-        drawn("N = 2, 1->2 (k->j: j is a neighbour of k), phases (0/4, 1/4) turns: W_1 = 1/4"),
-        ["Graph with 2 vertices and 1 arc", "Phases on the circle"]
-    );
-    assert_eq!(
-        drawn("N = 4, circulant graph with offsets [1], phases (0, a, a + pi, pi), cos a = 3/5, and more"),
-        ["Graph with 4 vertices and 4 edges", "Phases on the circle"]
-    );
-    assert_eq!(
-        drawn("2 vertices, edges [(0, 1)], v_x = 1: dW/dt = 0, but the bound is -4"),
-        ["Graph with 2 vertices and 1 edge", "computed 0, the bound -4"]
-    );
-    assert_eq!(
-        drawn("x_1 = 1, y_1 = 1, tan(th_1/2) = 2, component 1 is 1"),
-        ["The point, with arrows for velocities."]
-    );
+fn point(x: i64, y: i64) -> [Rational; 2] {
+    [x, y].map(|x| rational(x, 1))
 }
 
 #[test]
-fn what_is_not_understood_is_not_drawn() {
-    for sentence in [
-        "",
-        "n = 1, N = 0: the graph is connected, and the followers [] stay at rest",
-        "pages 1-2 of the paper",
-        "2 birds, 1-5: a bird that is not there",
-        "agents at (0, 0) and (1, x)",
-        "phases (0, b), cos a = 1/2",
-        "phases (1/0, 2) turns",
-        "99999999999999999999 birds, 1-2",
-        "0 vertices, edges []",
-        "edges [(0, 99999999999999999999)], 2 vertices",
-        "a = 1/0, but 1/0 is claimed",
-        "N = 4: NFREQ prints 0.27, but for 5 followers it is [0.21, 0.22]",
-        "\u{221e} = \u{221e}, but \u{221e} is claimed; (((, but ))) is ,:; at (",
-    ] {
-        assert_eq!(drawn(sentence), [""; 0], "{sentence}");
+fn counterexamples_are_drawn_from_their_numbers() {
+    let (half, zero) = (rational(1, 2), rational(0, 1));
+    let two = [point(0, 0), point(1, 1)];
+    assert_eq!(
+        drawn(&[
+            Witness::agents(&two, &[point(0, 2), point(0, 1)], &[]),
+            Witness::compared("the sum", &half, "claimed", &zero)
+        ]),
+        ["The 2 points, with arrows for velocities.", "computed 1/2, claimed 0"]
+    );
+    let swinging = Witness::agents(&two, &[point(2, 0), point(2, 0)], &[(0, 1)]);
+    assert_eq!(drawn(&[swinging]), ["The 2 points, with arrows for velocities; lines are links."]);
+    assert_eq!(
+        drawn(&[Witness::networks(3, vec![vec![], vec![(0, 1)], vec![(0, 1), (1, 2)]])]),
+        ["Graph with 3 vertices and 0 edges", "Graph with 3 vertices and 1 edge", "Graph with 3 vertices and 2 edges"]
+    );
+    let arc = Witness::Networks { order: 2, networks: vec![vec![(0, 1)]], directed: true };
+    let turns = Witness::Phases { turns: vec![Number(zero.clone()), Number(rational(1, 4))] };
+    assert_eq!(drawn(&[arc, turns]), ["Graph with 2 vertices and 1 arc", "Phases on the circle"]);
+    let points = vec![[3.into(), 4.into()], [(-3).into(), (-4).into()]];
+    assert_eq!(drawn(&[Witness::Directions { points }]), ["Phases on the circle"]);
+    // A network of the agents that variables place is drawn with them.
+    let values = ["x_1", "y_1", "tan(th_1/2)", "x_2", "y_2", "tan(th_2/2)"].map(|name| (name.to_string(), 1.into()));
+    let placed = Witness::Variables { values: values[..3].to_vec() };
+    assert_eq!(drawn(&[placed]), ["The point, with arrows for velocities."]);
+    let placed = Witness::Variables { values: values.to_vec() };
+    assert_eq!(
+        drawn(&[Witness::networks(2, vec![vec![(0, 1)]]), placed]),
+        ["The 2 points, with arrows for velocities; lines are links."]
+    );
+    let marks = vec![[1.into(), 2.into()]];
+    let gain = Witness::Gain { f: (-1).into(), g: (-1).into(), marks };
+    assert_eq!(drawn(&[gain]).len(), 1);
+}
+
+#[test]
+fn what_does_not_fit_is_not_drawn() {
+    let unknown = Witness::Variables { values: vec![("K_1".to_string(), 1.into())] };
+    let nobody = Witness::agents(&[], &[], &[]);
+    let strangers = Witness::agents(&[point(0, 0)], &[], &[(0, 1)]);
+    let unequal = Witness::agents(&[point(0, 0)], &[point(0, 0), point(1, 0)], &[]);
+    let beyond = Witness::networks(2, vec![vec![(0, 99)]]);
+    let (slope, value) = (Vec::new(), [1.into(), 0.into()]);
+    let flat = Witness::Potential { slope, value, tangent: None, radius: None };
+    for witness in [unknown, nobody, strangers, unequal, beyond, flat] {
+        assert_eq!(drawn(std::slice::from_ref(&witness)), [""; 0], "{witness:?}");
     }
 }

@@ -11,5 +11,5 @@ mod start;
 
 pub use enclosed::OwnMotion;
 pub use exact::OwnSteps;
-pub(super) use read::{Described, describe, simulation};
+pub(super) use read::describe;
 pub use read::{law_problem, read_law};

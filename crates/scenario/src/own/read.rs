@@ -2,9 +2,12 @@
 
 use super::continuous::Moving;
 use super::discrete::Stepping;
+use super::enclosed::OwnMotion;
 use super::noisy::Noisy;
 use super::start::{Ranges, start};
 use crate::error::{ConfigError, Problem};
+use crate::exact::ExactMotion;
+use crate::model::{Built, Described as Motion};
 use crate::network::{Abilities, Kind as NetworkKind, Network};
 use crate::simulation::{Continuous, Simulation};
 use crate::source::{Entry, Section, Source};
@@ -51,11 +54,7 @@ pub(crate) struct Described {
 }
 
 /// The run in floats, or of discrete time exactly; with it the step of discrete time.
-pub(crate) fn simulation(
-    mut own: Described,
-    source: &Source,
-    tolerance: f64,
-) -> Result<(Box<dyn Simulation>, Option<Rational>), ConfigError> {
+fn simulation(mut own: Described, source: &Source, tolerance: f64) -> Result<Built, ConfigError> {
     let run = source.needed("run")?;
     let fixed = run.get("step").map(|entry| entry.positive()).transpose()?;
     if own.time == Time::Discrete {
@@ -103,6 +102,16 @@ pub(crate) fn simulation(
 
 fn rounded(x: &Rational) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)
+}
+
+impl Motion for Described {
+    fn exact(&self) -> ExactMotion {
+        OwnMotion::of(self.clone()).map_or_else(ExactMotion::Other, |own| ExactMotion::Own(Box::new(own)))
+    }
+
+    fn simulation(self: Box<Self>, source: &Source, tolerance: f64) -> Result<Built, ConfigError> {
+        simulation(*self, source, tolerance)
+    }
 }
 
 /// The law of a text with the tables `[law]` and `[law.*]`, without agents, network and start.

@@ -2,13 +2,14 @@
 
 mod stabiliser;
 
-use algebra::matrix::floating::{eigenvalues, row_diameter, to_floats};
+use algebra::matrix::floating::{eigenvalues, to_floats};
 use algebra::matrix::read::{ReadError, read_sequence};
 use algebra::matrix::{
     Footprint, MatrixError, Norm, RationalMatrix, SparseMatrix, StochasticMatrix, diameter, inertia, prefix_products,
     product_sequential, product_tree, stabilisers, tau_1, tau_2_squared, tau_2_squared_watched, tau_infinity,
 };
 use arithmetic::{Cancelled, Progress, Rational, Ring, Unwatched, rational};
+use dense::Mat;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
@@ -59,6 +60,21 @@ fn stochastic(rows: usize, cols: usize, bits: u32) -> impl Strategy<Value = Stoc
 fn shape() -> impl Strategy<Value = (usize, usize, usize, u32, u32)> {
     // Entry sizes around the threshold of the splitting kernel (32 digits of 28 bits), unequal ones among them.
     (1usize..5, 1usize..6, 1usize..5, 1u32..2600, 1u32..2600)
+}
+
+/// `max_{i,j} |a_i* - a_j*|_p` over the rows, for `p` = 1, 2 or infinity; tau_1 is half of it for `p` = 1.
+fn row_diameter(matrix: &Mat<f64>, p: f64) -> f64 {
+    let distance = |i: usize, j: usize| {
+        let differences = (0..matrix.ncols()).map(|k| (matrix[(i, k)] - matrix[(j, k)]).abs());
+        if p == 1.0 {
+            differences.sum()
+        } else if p == 2.0 {
+            differences.map(|x| x * x).sum::<f64>().sqrt()
+        } else {
+            differences.fold(0.0, f64::max)
+        }
+    };
+    (0..matrix.nrows()).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| distance(i, j)).fold(0.0, f64::max)
 }
 
 proptest! {

@@ -105,6 +105,11 @@ impl Network {
         Exponents { factor: 1, gap: if matches!(self.kind, Kind::Uneven | Kind::Tiny) { 4 } else { 3 } }
     }
 
+    /// The network, to be seen.
+    fn witness(&self) -> Witness {
+        Witness::networks(self.order(), vec![self.graph.edges()])
+    }
+
     /// The network in words, birds counted from 1.
     fn show(&self) -> String {
         let edges: Vec<String> = self.graph.edges().iter().map(|(i, j)| format!("{}-{}", i + 1, j + 1)).collect();
@@ -213,6 +218,7 @@ fn exhaustively(
     mut check: impl FnMut(&Network) -> Result<Option<String>, CheckError>,
 ) -> Result<Outcome, CheckError> {
     run.every(exhaustive(part, detail), networks, |network| {
-        Ok(check(network)?.map(|what| format!("{}: {what}", network.show())))
+        let text = |what: String| format!("{}: {what}", network.show());
+        Ok(check(network)?.map(|what| Counterexample::new(text(what), [network.witness()])))
     })
 }

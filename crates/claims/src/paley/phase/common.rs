@@ -15,6 +15,18 @@ pub fn laplacian(graph: &WeightedGraph) -> Result<SparseMatrix, CheckError> {
 }
 
 /// The arcs `k -> j` as text, nodes counted from 1.
+pub fn arcs_of(graph: &WeightedGraph) -> Witness {
+    let arcs = graph.adjacency().entries().map(|(k, j, _)| (k, j)).collect();
+    Witness::Networks { order: graph.order(), networks: vec![arcs], directed: true }
+}
+
+/// Phases in parts of a turn.
+pub fn turns(exponents: &[usize], parts: usize) -> Witness {
+    let turns = exponents.iter().map(|k| ledger::Number(rational(*k as i64, parts as i64))).collect();
+    Witness::Phases { turns }
+}
+
+/// Its arcs in words.
 pub fn arcs(graph: &WeightedGraph) -> String {
     let arcs: Vec<String> = graph.adjacency().entries().map(|(k, j, _)| format!("{}->{}", k + 1, j + 1)).collect();
     if arcs.is_empty() { "no arcs".to_string() } else { arcs.join(" ") }

@@ -1,6 +1,6 @@
 //! paley.eig.sym, paley.fig2.caption: which eigenvectors with entries of modulus one a circulant Laplacian has.
 
-use super::common::{all_zero, laplacian};
+use super::common::{all_zero, laplacian, turns};
 use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::{SparseMatrix, inertia};
@@ -49,7 +49,10 @@ fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome,
     if !variant.columns_only {
         let evidence = exact(ASYMMETRIC, "exact products");
         return Ok(match asymmetric {
-            Some(place) => Outcome::fails(format!("{place}: an eigenvector, but no symmetric pattern"), evidence),
+            Some((place, seen)) => {
+                let text = format!("{place}: an eigenvector, but no symmetric pattern");
+                Outcome::fails(Counterexample::new(text, [seen]), evidence)
+            }
             None => Outcome::Undecided("no eigenvector among few phases decides".to_string()),
         });
     }
@@ -66,7 +69,7 @@ fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome,
         let place = || format!("N = {}, offsets {offsets:?}, column {}", graph.order(), m + 1);
         Ok(wrong.then(|| format!("{}: clusters {found:?}, claimed {expected:?}", place())))
     });
-    let Some(place) = asymmetric else {
+    let Some((place, _)) = asymmetric else {
         return Ok(Outcome::Undecided("no asymmetric eigenvector was found".to_string()));
     };
     let asymmetric = exact(ASYMMETRIC, place).on([2]).for_all();
@@ -75,7 +78,7 @@ fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome,
 
 /// An eigenvector of a connected circulant Laplacian with entries of modulus one that is no symmetric pattern, among phases at multiples of 1/12
 /// turn on up to four nodes.
-fn asymmetric_eigenvector(run: &Run) -> Result<Option<String>, CheckError> {
+fn asymmetric_eigenvector(run: &Run) -> Result<Option<(String, Witness)>, CheckError> {
     const PARTS: usize = 12;
     let field = CosineField::new(PARTS as u32);
     for order in 2..=4 {
@@ -86,7 +89,8 @@ fn asymmetric_eigenvector(run: &Run) -> Result<Option<String>, CheckError> {
                 let z = exact_phasors(&field, &exponents);
                 if is_eigenvector(&laplacian, &z) && clusters_of_pattern(&z).is_none() {
                     let place = in_turns(&exponents, PARTS);
-                    return Ok(Some(format!("circulant with N = {order} and offsets {offsets:?}, {place}")));
+                    let place = format!("circulant with N = {order} and offsets {offsets:?}, {place}");
+                    return Ok(Some((place, turns(&exponents, PARTS))));
                 }
             }
         }

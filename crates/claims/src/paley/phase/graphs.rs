@@ -1,6 +1,6 @@
 //! paley.length, paley.eq11.kernel, paley.incid: the Laplacian as a sum over edges.
 
-use super::common::{arcs, laplacian, named, supports};
+use super::common::{arcs, arcs_of, laplacian, named, supports};
 use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::{Inertia, SparseMatrix};
@@ -38,7 +38,9 @@ pub fn edge_length() -> Record<LengthVariant> {
             let tests = graphs.into_iter().map(|graph| {
                 let graph = graph?;
                 let (order, part) = (graph.order(), format!("Q_L on the graph {}", arcs(&graph)));
-                run.identity(&lengths(laplacian(&graph)?, graph, variant.factor), &names[..2 * order], &part)
+                let seen = arcs_of(&graph);
+                let tested = run.identity(&lengths(laplacian(&graph)?, graph, variant.factor), &names[..2 * order], &part);
+                tested.map(|outcome| outcome.seen(seen))
             });
             Ok(supports(Run::all(tests)?, &[1]))
         },

@@ -121,7 +121,12 @@ fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, Check
         networks.flat_map(|(school, n, network)| signs(school.len()).map(move |z| (school, n, network.clone(), z)));
     let evidence = fuzzed(NEAREST, "schools of 2 to 6 fish at random, all phases 0 and pi");
     let nearest = run.every(evidence, cases, |(school, n, network, z)| {
-        Ok(variant.fails_at(&network, n, &z)?.map(|what| format!("fish at {school:?}, {what}")))
+        let places: Vec<[Rational; 2]> = school.iter().map(|&(x, y)| [x, y].map(|x| rational(x, 1))).collect();
+        let velocities: Vec<[Rational; 2]> = z.iter().map(|z| [z.re.clone(), z.im.clone()]).collect();
+        let seen = |what| {
+            Counterexample::new(format!("fish at {school:?}, {what}"), [Witness::agents(&places, &velocities, &[])])
+        };
+        Ok(variant.fails_at(&network, n, &z)?.map(seen))
     })?;
     let nearest = match nearest {
         Outcome::Fails { counterexample, .. } => Outcome::fails(counterexample, exact(NEAREST, "exact values")),

@@ -1,6 +1,6 @@
 //! paley.eq12.pos, paley.zero.dir, paley.fish.zero: where the Laplacian phase potential vanishes.
 
-use super::common::{all_equal, arcs, identities, laplacian};
+use super::common::{all_equal, arcs, arcs_of, identities, laplacian, turns};
 use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use models::oscillator::{Neighbours, in_turns, phase_potential, phasors, squared_lengths, up_to_rotation};
@@ -56,7 +56,8 @@ fn every_digraph(
         let value = phase_potential(network, &z, 1)?;
         let place = || format!("N = {}, {} (k->j: j is a neighbour of k)", graph.order(), arcs(graph));
         let what = || format!("{}, {}: W_1 = {value}", place(), in_turns(&exponents, PARTS));
-        Ok(wrong(graph, &exponents, &value).then(what))
+        let seen = || Counterexample::new(what(), [arcs_of(graph), turns(&exponents, PARTS)]);
+        Ok(wrong(graph, &exponents, &value).then(seen))
     })
 }
 

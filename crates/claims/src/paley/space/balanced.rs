@@ -96,14 +96,19 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
     for (order, offsets) in circulants(run.cases(6, 12)) {
         run.checkpoint()?;
         let network = Neighbours::circulant(order, &offsets);
-        let fails = |phases: String, why: &str| {
+        let graph = Graph::from_fn(order, |i, j| offsets.iter().any(|a| (i + a) % order == j || (j + a) % order == i));
+        let fails = |phases: String, why: &str, seen: Option<Witness>| {
             let what = format!("N = {order}, circulant graph with offsets {offsets:?}, phases {phases}: {why}");
-            Ok(Outcome::fails(what, exact(PART, "exact phasors")))
+            let seen = std::iter::once(Witness::networks(order, vec![graph.edges()])).chain(seen);
+            Ok(Outcome::fails(Counterexample::new(what, seen), exact(PART, "exact phasors")))
         };
         if variant.set == BalancedSet::Balanced && order % 2 == 0 {
             // Two antipodal pairs next to each other, the other particles paired with their opposites.
-            if let Some(why) = refutation(&network, &antipodal_pairs(order)?, variant.gain)? {
-                return fails("(0, a, a + pi, pi), cos a = 3/5, and further antipodal pairs".to_string(), why);
+            let pairs = antipodal_pairs(order)?;
+            if let Some(why) = refutation(&network, &pairs, variant.gain)? {
+                let points = pairs.iter().map(|z| [(&z.re).into(), (&z.im).into()]).collect();
+                let phases = "(0, a, a + pi, pi), cos a = 3/5, and further antipodal pairs".to_string();
+                return fails(phases, why, Some(Witness::Directions { points }));
             }
         }
         let field = CosineField::new(order as u32);
@@ -116,7 +121,7 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
             }
             cases += 1;
             if let Some(why) = refutation(&network, phasors, variant.gain)? {
-                return fails(format!("2 pi {m} k/{order}"), why);
+                return fails(format!("2 pi {m} k/{order}"), why, None);
             }
         }
     }

@@ -63,7 +63,9 @@ pub fn composite_descent() -> Record<CompositeVariant> {
         |variant, run| {
             Run::all(identity_graphs(run)?.into_iter().map(|graph| {
                 let part = format!("Vdot under (22), {}", described(&graph));
-                state_identity(composite(variant, Neighbours::of(&graph)), &["w0/2", "K_0", "K_1"], &part, run)
+                let tested =
+                    state_identity(composite(variant, Neighbours::of(&graph)), &["w0/2", "K_0", "K_1"], &part, run);
+                tested.map(|outcome| outcome.seen(Witness::networks(graph.order(), vec![graph.edges()])))
             }))
         },
     )

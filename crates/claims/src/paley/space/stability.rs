@@ -57,12 +57,13 @@ fn examine_synchrony(
         let found = stability(&rows, &omega, true)?;
         Ok((!found.stable || found.zeros != 1).then(|| {
             let how = if found.positive { "has a positive eigenvalue" } else { "does not decay up to the symmetries" };
-            format!(
+            let text = format!(
                 "{}, w0 = {omega}, K_0 = {}, K_1 = {}: the linearised synchronised circular formation {how}",
                 described(graph),
                 gains.spacing,
                 gains.orientation
-            )
+            );
+            Counterexample::new(text, [Witness::networks(graph.order(), vec![graph.edges()])])
         }))
     });
     let decays = decays.checks("Linearisation at a circular formation, step 4");

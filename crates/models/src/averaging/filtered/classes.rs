@@ -42,11 +42,10 @@ impl Classes {
     }
 
     /// Whether the velocities of all birds of each component agree, so that they never change.
-    pub fn is_still(&self, component_of: &[u32], components: usize) -> Vec<bool> {
+    pub fn is_still(&self, component_of: &[usize], components: usize) -> Vec<bool> {
         let mut first = vec![None; components];
         let mut still = vec![!self.of.is_empty(); components];
         for (&class, &component) in self.of.iter().zip(component_of) {
-            let component = component as usize;
             still[component] &= *first[component].get_or_insert(class) == class;
         }
         still

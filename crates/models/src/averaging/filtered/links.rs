@@ -1,7 +1,7 @@
 //! Who is joined to whom, as lists that change a pair at a time.
 
 use crate::averaging::{FlockError, Weights};
-use algebra::graph::Graph;
+use algebra::graph::{Graph, component_numbers};
 use arithmetic::{Rational, Ring, lcm};
 use num_bigint::BigInt;
 
@@ -46,27 +46,9 @@ impl Links {
     }
 
     /// The number of the connected component of each bird, and how many there are.
-    pub fn components(&self) -> (Vec<u32>, usize) {
-        let mut label = vec![u32::MAX; self.order()];
-        let mut count = 0;
-        let mut open = Vec::new();
-        for start in 0..self.order() {
-            if label[start] != u32::MAX {
-                continue;
-            }
-            label[start] = count;
-            open.push(start);
-            while let Some(i) = open.pop() {
-                for &j in &self.0[i] {
-                    if label[j as usize] == u32::MAX {
-                        label[j as usize] = count;
-                        open.push(j as usize);
-                    }
-                }
-            }
-            count += 1;
-        }
-        (label, count as usize)
+    pub fn components(&self) -> (Vec<usize>, usize) {
+        let pairs = self.0.iter().enumerate().flat_map(|(i, row)| row.iter().map(move |&j| (i, j as usize)));
+        component_numbers(self.order(), pairs.filter(|(i, j)| i < j))
     }
 
     /// The least common denominator of the weights of all birds with neighbours: what a step multiplies the common denominator by.

@@ -16,7 +16,7 @@ pub(super) struct Watch {
     start: Option<u64>,
     length: u64,
     wanted_length: u64,
-    component_of: Vec<u32>,
+    component_of: Vec<usize>,
     /// By component: a bound of how much a velocity can still change.
     widths: Vec<f64>,
     still: Vec<bool>,
@@ -87,7 +87,7 @@ impl Watch {
     }
 
     fn quiet(&self, (i, j): (u32, u32), now: &[f64], moved: &[f64], joined: bool, error: f64) -> u64 {
-        let (f, g) = (self.component_of[i as usize] as usize, self.component_of[j as usize] as usize);
+        let (f, g) = (self.component_of[i as usize], self.component_of[j as usize]);
         if f == g && self.still[f] {
             // The two move alike for ever.
             return u64::MAX;
@@ -123,7 +123,7 @@ impl Watch {
         };
         let mut members = vec![Vec::new(); components];
         for (i, &component) in self.component_of.iter().enumerate() {
-            members[component as usize].push(i);
+            members[component].push(i);
         }
         self.widths = members.iter().map(|list| box_width(&mut list.iter().copied())).collect();
         let all = box_width(&mut (0..network.order()));

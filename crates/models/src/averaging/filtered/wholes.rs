@@ -42,7 +42,7 @@ where
     let (component_of, components) = links.components();
     let mut members = vec![Vec::new(); components];
     for (i, &component) in component_of.iter().enumerate() {
-        members[component as usize].push(i);
+        members[component].push(i);
     }
     members.into_iter().map(|members| whole(links, weights, velocities, members)).collect()
 }

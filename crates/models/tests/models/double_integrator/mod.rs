@@ -19,12 +19,12 @@ mod switching;
 mod thresholds;
 
 use algebra::graph::Graph;
-use algebra::matrix::RationalMatrix;
+use algebra::matrix::{Inertia, RationalMatrix};
 use arithmetic::{Dual, Field, Interval, Number, Rational, Ring, rational};
 use models::double_integrator::{
-    Coordinates, HeadingDifference, Inertia, Kink, Potential, PotentialError, Span, State, agent_potential, gyroscopic,
-    heading, heading_rate, heading_spread, hessian, inertia, kinetic_energy, linearisation, linked_within,
-    potential_energy, potential_gradients, rotated, tied, velocity_alignment,
+    Coordinates, HeadingDifference, Kink, Potential, PotentialError, Span, State, agent_potential, gyroscopic, heading,
+    heading_rate, heading_spread, hessian, inertia, kinetic_energy, linearisation, linked_within, potential_energy,
+    potential_gradients, rotated, tied, velocity_alignment,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;

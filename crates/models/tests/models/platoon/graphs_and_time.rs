@@ -10,9 +10,9 @@ use models::platoon::time_domain::{Followers, Modes};
 use models::platoon::vector_form::{characteristic_by_modes, motion_matrix, motion_rows};
 use models::platoon::{
     Communication, CommunicationError, CommunicationGraph, Gains, accelerations, amplitude_one_sided,
-    amplitude_two_sided, amplitudes_two_sided, argument, gamma, inverse_square_two_sided, is_below_full_phase,
-    larger_root_modulus, larger_root_power, lesser_resonance, next_order, peak_on_graph, phase_lag_one_sided,
-    phase_lags_two_sided, resonance, slowest_rate, theorem1,
+    amplitude_two_sided, amplitudes_two_sided, gamma, inverse_square_two_sided, is_below_full_phase,
+    larger_root_modulus, larger_root_power, lesser_resonance, next_order, peak_on_graph, resonance, slowest_rate,
+    theorem1,
 };
 use proptest::prelude::*;
 
@@ -123,15 +123,6 @@ proptest! {
         let polynomial = Polynomial::from_rationals(&product);
         prop_assert_eq!(polynomial.is_hurwitz(), stable(0));
         prop_assert_eq!(polynomial.with_roots_moved(&rational(shift, 1)).is_hurwitz(), stable(shift));
-    }
-
-    /// The angle against the one of the standard library.
-    #[test]
-    fn angles_are_those_of_the_standard_library(re in -50i64..50, im in -50i64..50) {
-        prop_assume!(im != 0 || re > 0);
-        let z = Complex::new(re as f64 / 3.0, im as f64 / 7.0);
-        let expected = z.im.atan2(z.re);
-        prop_assert!((argument(&z).unwrap() - expected).abs() < 1e-12);
     }
 }
 
@@ -431,21 +422,6 @@ fn a_double_root_has_its_closed_form() {
     let wide = Interval::from_rational(&rational(1, 1), 4).hull(&Interval::from_rational(&rational(3, 2), 4));
     let gains = Gains { f: wide.integer(-1), g: wide.integer(-2) };
     assert!(Mode::new(&gains, &wide).is_err());
-}
-
-#[test]
-fn phase_lags_add_up() {
-    let gains = Gains { f: rational(-1, 1), g: rational(-2, 3) }.map(|q| Interval::from_rational(q, 80));
-    let w = gains.f.ratio(3, 5);
-    let lag = phase_lag_one_sided(&gains, &w).unwrap();
-    let second = amplitude_one_sided(&gains, &w, 2).unwrap();
-    assert!((argument(&second).unwrap() + &lag + lag).contains_zero());
-    let lags = phase_lags_two_sided(&gains, &w, 3).unwrap();
-    let last = amplitudes_two_sided(&gains, &w, 3).unwrap().pop().unwrap();
-    let total = lags.iter().fold(gains.f.zero(), |sum, lag| sum + lag);
-    let turned = argument(&last).unwrap() + total;
-    let turns = turned.over(&(turned.pi() + turned.pi())).unwrap();
-    assert!((-1..=1).any(|n| turns.contains(&rational(n, 1))), "{turns:?}");
 }
 
 /// A lesser resonance beats its neighbourhood and is where the chain of maxima puts it.

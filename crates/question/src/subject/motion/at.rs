@@ -14,7 +14,7 @@ use arithmetic::{Complex, Field, FloatInterval, Interval, Number as _, Rational,
 use expressions::Variable;
 use models::double_integrator::Pair;
 use models::oscillator::{Neighbours, Orientation, Steering};
-use motion::validated::{IntervalVector, Step};
+use motion::enclose::{IntervalVector, Step};
 use scenario::{ExactMotion, Law, Links, Model, Rows, Sensing, View, measure};
 use std::borrow::Cow;
 use std::rc::Rc;

@@ -6,7 +6,7 @@ use arithmetic::{ArithmeticError, FloatInterval, Interval, Number, Rational, rat
 use models::platoon::front_in_time::{FrontMotion, FrontStart};
 use models::platoon::time_domain::{Followers, Modes, SwingingStart};
 use models::platoon::{Communication, CommunicationGraph, Gains};
-use motion::validated::IntervalVector;
+use motion::enclose::IntervalVector;
 
 /// Most followers.
 const MOST_FOLLOWERS: usize = 128;

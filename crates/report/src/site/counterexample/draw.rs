@@ -1,9 +1,9 @@
-//! Scenes as pictures, each with a sentence of what is to be seen.
+//! Pictures of what is in a counterexample, each with a sentence of what is to be seen.
 
-use super::read::{Link, Scene};
 use crate::plot::{Axis, Panel, Picture, Series};
 use crate::shown::{drawing, network};
 use arithmetic::Rational;
+use ledger::{Link, Number, Point, Witness};
 use maud::{Markup, html};
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -11,32 +11,41 @@ use num_traits::{Signed, ToPrimitive, Zero};
 const WIDTH: f64 = 320.0;
 
 /// The picture and what is said below it; `k` tells it from others on the page.
-pub(super) fn draw(scene: &Scene, k: usize) -> (Markup, String) {
-    match scene {
-        Scene::Agents { places, velocities, links } => agents(places, velocities, links, k),
-        Scene::Networks { order, networks, directed } => in_turn(*order, networks, *directed),
-        Scene::Phases(phases) => (circle(phases), format!("The {} phases on the circle.", phases.len())),
-        Scene::Curve(curve) => {
-            let (panel, about) = super::curves::draw(curve);
-            let drawn = Picture::new("").grid(1, (WIDTH, 240.0)).panel(panel);
-            (drawing(&drawn, &format!("counterexample-{k}"), &about), about)
-        }
-        Scene::Compared { subject, found, says, claimed } => {
+pub(super) fn draw(witness: &Witness, k: usize) -> (Markup, String) {
+    const TAU: f64 = std::f64::consts::TAU;
+    let around = |phases: Vec<f64>| (circle(&phases), format!("The {} phases on the circle.", phases.len()));
+    match witness {
+        Witness::Agents { places, velocities, links } => agents(places, velocities, links, k),
+        Witness::Networks { order, networks, directed } => in_turn(*order, networks, *directed),
+        Witness::Phases { turns } => around(turns.iter().map(|turn| TAU * float(turn)).collect()),
+        Witness::Directions { points } => around(points.iter().map(|[x, y]| float(y).atan2(float(x))).collect()),
+        Witness::Compared { subject, found: Number(found), says, claimed: Number(claimed) } => {
             (line(found, says, claimed), format!("{subject}: computed {found}, {says} {claimed}."))
+        }
+        Witness::Gain { f, g, marks } => curve(super::curves::gain(float(f), float(g), marks), k),
+        Witness::Potential { .. } => curve(super::curves::potential(witness), k),
+        Witness::Variables { values } => {
+            let all: Vec<String> = values.iter().map(|(name, Number(x))| format!("{name} = {x}")).collect();
+            (html! {}, format!("{}.", all.join(", ")))
         }
     }
 }
 
-fn float(q: &Rational) -> f64 {
+fn curve((panel, about): (Panel, String), k: usize) -> (Markup, String) {
+    let drawn = Picture::new("").grid(1, (WIDTH, 240.0)).panel(panel);
+    (drawing(&drawn, &format!("counterexample-{k}"), &about), about)
+}
+
+pub(super) fn float(Number(q): &Number) -> f64 {
     q.to_f64().unwrap_or(f64::NAN)
 }
 
-fn point([x, y]: &[Rational; 2]) -> (f64, f64) {
+fn point([x, y]: &Point) -> (f64, f64) {
     (float(x), float(y))
 }
 
 /// Agents with their velocities, all to one scale, and links.
-fn agents(places: &[[Rational; 2]], velocities: &[[Rational; 2]], links: &[Link], k: usize) -> (Markup, String) {
+pub(super) fn agents(places: &[Point], velocities: &[Point], links: &[Link], k: usize) -> (Markup, String) {
     let at: Vec<(f64, f64)> = places.iter().map(point).collect();
     let flow: Vec<(f64, f64)> = velocities.iter().map(point).collect();
     let flat = at.iter().chain(&flow).all(|(_, y)| *y == at[0].1 || *y == 0.0);
@@ -51,8 +60,8 @@ fn agents(places: &[[Rational; 2]], velocities: &[[Rational; 2]], links: &[Link]
     let arrows = at.iter().zip(&flow).map(|((x, y), (u, v))| ((*x, *y), (x + unit * u, y + unit * v)));
     panel = panel.series(Series::arrows("", arrows).colour("#222222").size(1.6));
     for (agent, place) in places.iter().enumerate() {
-        let mut name = format!("{} at ({}, {})", agent + 1, place[0], place[1]);
-        if let Some([u, v]) = velocities.get(agent) {
+        let mut name = format!("{} at ({}, {})", agent + 1, place[0].0, place[1].0);
+        if let Some([Number(u), Number(v)]) = velocities.get(agent) {
             name.push_str(&format!(", velocity ({u}, {v})"));
         }
         // One below the other, where two are in one place.
@@ -112,9 +121,10 @@ fn circle(phases: &[f64]) -> Markup {
 /// What was found above a line of numbers, what is claimed below it, and 0.
 fn line(found: &Rational, says: &str, claimed: &Rational) -> Markup {
     let zero = Rational::zero();
-    let all = [found, claimed, &zero].map(float);
+    let exact = |q: &Rational| q.to_f64().unwrap_or(f64::NAN);
+    let all = [found, claimed, &zero].map(exact);
     let (low, high) = all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
-    let place = |q: &Rational| 72.0 + (WIDTH - 144.0) * if high > low { (float(q) - low) / (high - low) } else { 0.5 };
+    let place = |q: &Rational| 72.0 + (WIDTH - 144.0) * if high > low { (exact(q) - low) / (high - low) } else { 0.5 };
     let (a, b, origin) = (place(found), place(claimed), place(&zero));
     let shown = |x: f64| format!("{x:.1}");
     html! {

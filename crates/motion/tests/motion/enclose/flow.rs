@@ -1,6 +1,6 @@
 use arithmetic::{ArithmeticError, FloatInterval, Interval, Number, rational};
 use motion::System;
-use motion::validated::{Flow, Parallelepiped, ValidationError};
+use motion::enclose::{Flow, Set, ValidationError};
 
 /// `x' = v, v' = -x`.
 struct Oscillator;
@@ -38,7 +38,7 @@ impl System for Driven {
     }
 }
 
-fn follow<L: System>(law: L, start: Parallelepiped, until: f64) -> Result<Vec<FloatInterval>, ValidationError> {
+fn follow<L: System>(law: L, start: Set, until: f64) -> Result<Vec<FloatInterval>, ValidationError> {
     let (mut flow, mut set, mut time) = (Flow::new(law, 0.1), start, 0.0);
     while time < until {
         let step = flow.step(&set, time, until)?;
@@ -51,8 +51,8 @@ fn follow<L: System>(law: L, start: Parallelepiped, until: f64) -> Result<Vec<Fl
     Ok(set.hull())
 }
 
-fn point(state: &[f64]) -> Parallelepiped {
-    Parallelepiped::of_box(&state.iter().map(|&x| FloatInterval::point(x)).collect::<Vec<_>>())
+fn point(state: &[f64]) -> Set {
+    Set::of_box(&state.iter().map(|&x| FloatInterval::point(x)).collect::<Vec<_>>())
 }
 
 fn overlap(x: &FloatInterval, truth: &Interval) -> bool {
@@ -72,7 +72,7 @@ fn an_oscillator_stays_enclosed_for_a_long_time() {
 #[test]
 fn a_turning_box_is_not_wrapped() {
     let side = FloatInterval::between(-0.001, 0.001);
-    let start = Parallelepiped::of_box(&[FloatInterval::point(1.0) + side, side]);
+    let start = Set::of_box(&[FloatInterval::point(1.0) + side, side]);
     let end = follow(Oscillator, start, 50.0).expect("a solution");
     // A turned square of side 0.002 fits into one of side 0.0029.
     assert!(end.iter().all(|x| x.width() < 0.0029 && x.width() > 0.0019), "{end:?}");
@@ -92,7 +92,7 @@ fn rational_laws_match_their_closed_forms_and_an_explosion_ends() {
 #[test]
 fn a_box_contains_the_solutions_from_its_points() {
     let (lo, hi) = (0.5, 0.75);
-    let end = follow(Explosion, Parallelepiped::of_box(&[FloatInterval::between(lo, hi)]), 1.0).expect("solutions");
+    let end = follow(Explosion, Set::of_box(&[FloatInterval::between(lo, hi)]), 1.0).expect("solutions");
     for x in [lo, 0.6, hi] {
         assert!(end[0].contains(1.0 / (1.0 / x - 1.0)), "{x}");
     }
@@ -100,7 +100,7 @@ fn a_box_contains_the_solutions_from_its_points() {
 
 #[test]
 fn right_hand_sides_may_depend_on_the_time() {
-    let end = follow(Driven, Parallelepiped::of_box(&[FloatInterval::between(1.0, 2.0)]), 10.0).expect("solutions");
+    let end = follow(Driven, Set::of_box(&[FloatInterval::between(1.0, 2.0)]), 10.0).expect("solutions");
     let growth =
         Interval::from_rational(&rational(10, 1), 120).sin().and_then(|sin| sin.exp()).expect("a value").to_f64();
     assert!(end[0].contains(growth) && end[0].contains(2.0 * growth) && end[0].width() < 1.01 * growth, "{end:?}");

@@ -1,18 +1,21 @@
 //! Validated integration of `y' = f(y)`: enclosures of the solution, not approximations (Moore 1966, Lohner 1987).
 //!
-//! A step needs a box that contains the solution on the whole step (Picard and Lindelöf), Taylor's expansion of the solution with
-//! its remainder taken over that box, and the derivative of the flow, so that the set of states is carried along as a
-//! parallelepiped and does not grow by being wrapped in boxes. Everything is computed from the law itself, written once over
-//! the scalar, by [`Series`](arithmetic::Series) and [`Dual`](arithmetic::Dual) over [`FloatInterval`].
+//! A set of states is a polynomial image of a cube, the numbers of the start that are intervals, with a sum of parallelepipeds around it ([`Set`]). A step expands the
+//! solutions in the time and in the start, in floats, bounds what that leaves out, and carries those along by the derivative of the flow. The
+//! right-hand side, written once over the scalar, is written down as a list of operations, so that an expansion to order `n` costs `n²`.
 
+mod cascade;
+mod expansion;
 mod linear;
-mod parallelepiped;
 mod rough;
+mod set;
+mod shape;
 mod step;
-mod taylor;
+mod tape;
+mod variation;
 
-pub use parallelepiped::Parallelepiped;
 pub use rough::box_of_step;
+pub use set::Set;
 pub use step::{Flow, Step};
 
 use arithmetic::{ArithmeticError, FloatInterval};

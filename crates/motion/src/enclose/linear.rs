@@ -1,7 +1,7 @@
 //! Small matrices of floats and intervals.
 
 use super::IntervalVector;
-use arithmetic::{FloatInterval, Ring};
+use arithmetic::FloatInterval;
 use nalgebra::DMatrix;
 
 /// A square matrix of intervals, by rows.
@@ -10,19 +10,19 @@ pub(super) type IntervalMatrix = Vec<IntervalVector>;
 const ZERO: f64 = 0.0;
 
 /// `sum a_k b_k`.
-pub(super) fn dot(a: &[FloatInterval], b: &[FloatInterval]) -> FloatInterval {
+fn dot(a: &[FloatInterval], b: &[FloatInterval]) -> FloatInterval {
     a.iter().zip(b).fold(FloatInterval::point(ZERO), |sum, (x, y)| sum + *x * y)
 }
 
-/// A matrix times a vector.
-pub(super) fn apply(a: &[IntervalVector], x: &[FloatInterval]) -> IntervalVector {
-    a.iter().map(|row| dot(row, x)).collect()
-}
-
 /// A product of matrices.
-pub(super) fn times(a: &[IntervalVector], b: &[IntervalVector]) -> IntervalMatrix {
+fn times(a: &[IntervalVector], b: &[IntervalVector]) -> IntervalMatrix {
     let columns: IntervalMatrix = (0..b.len()).map(|j| b.iter().map(|row| row[j]).collect()).collect();
     a.iter().map(|row| columns.iter().map(|column| dot(row, column)).collect()).collect()
+}
+
+/// The columns of the unit matrix.
+pub(super) fn unit_columns(size: usize) -> Vec<Vec<f64>> {
+    (0..size).map(|j| (0..size).map(|i| f64::from(u8::from(i == j))).collect()).collect()
 }
 
 /// A square matrix of floats, by columns.
@@ -30,13 +30,13 @@ pub(super) fn times(a: &[IntervalVector], b: &[IntervalVector]) -> IntervalMatri
 pub(super) struct Frame(Vec<Vec<f64>>);
 
 impl Frame {
-    /// The unit matrix.
-    pub fn unit(size: usize) -> Self {
-        Frame((0..size).map(|j| (0..size).map(|i| f64::from(u8::from(i == j))).collect()).collect())
+    /// Its columns.
+    pub fn into_columns(self) -> Vec<Vec<f64>> {
+        self.0
     }
 
     /// The matrix.
-    pub fn points(&self) -> IntervalMatrix {
+    fn points(&self) -> IntervalMatrix {
         (0..self.0.len()).map(|i| self.0.iter().map(|column| FloatInterval::point(column[i])).collect()).collect()
     }
 
@@ -44,30 +44,23 @@ impl Frame {
     pub fn transposed(&self) -> IntervalMatrix {
         self.0.iter().map(|column| column.iter().map(|&x| FloatInterval::point(x)).collect()).collect()
     }
-
-    /// The orthogonal factor of a matrix given by its columns, by nalgebra.
-    fn orthogonal(columns: &[Vec<f64>]) -> Self {
-        let size = columns.len();
-        let factor = DMatrix::from_fn(size, size, |i, j| columns[j][i]).qr().q();
-        Frame(factor.column_iter().map(|column| column.iter().copied().collect()).collect())
-    }
 }
 
 /// The largest sum of the magnitudes in a row, rounded up.
-pub(super) fn row_norm(a: &[IntervalVector]) -> f64 {
+fn row_norm(a: &[IntervalVector]) -> f64 {
     let row = |row: &IntervalVector| {
         row.iter().fold(FloatInterval::point(ZERO), |sum, x| sum + FloatInterval::point(x.magnitude())).hi()
     };
     a.iter().map(row).fold(ZERO, |most, x| if x > most || x.is_nan() { x } else { most })
 }
 
-/// An orthogonal matrix, up to rounding, whose first columns span the longest of the columns of `a`.
-pub(super) fn frame_of(a: &[IntervalVector], lengths: &[f64]) -> Frame {
-    let column = |(j, length): (usize, &f64)| a.iter().map(|row| row[j].midpoint() * length).collect();
-    let mut columns: Vec<Vec<f64>> = lengths.iter().enumerate().map(column).collect();
+/// An orthogonal matrix, up to rounding, whose first columns span the longest of at least as many columns as they have numbers; by nalgebra.
+pub(super) fn frame_of(mut columns: Vec<Vec<f64>>) -> Frame {
     let square = |column: &[f64]| column.iter().map(|x| x * x).sum::<f64>();
     columns.sort_by(|x, y| square(y).total_cmp(&square(x)));
-    Frame::orthogonal(&columns)
+    let size = columns.first().map_or(0, Vec::len);
+    let factor = DMatrix::from_fn(size, columns.len(), |i, j| columns[j][i]).qr().q();
+    Frame(factor.column_iter().map(|column| column.iter().copied().collect()).collect())
 }
 
 /// A bound of `‖(FᵀF)⁻¹ - I‖` in the norm of row sums, for a frame that is nearly orthogonal; `None` where it is not.
@@ -77,10 +70,4 @@ pub(super) fn departure(frame: &Frame) -> Option<f64> {
     let g = row_norm(&gram);
     // (I + G)⁻¹ - I = -G + G² - ...
     (g < 0.25).then(|| (FloatInterval::point(g) * FloatInterval::point(1.5)).hi())
-}
-
-/// The unit matrix, each entry a scalar of the kind of `like`.
-pub(super) fn unit_vectors<T: Ring>(size: usize, like: &T) -> impl Iterator<Item = Vec<T>> {
-    let (zero, one) = (like.zero(), like.one());
-    (0..size).map(move |k| (0..size).map(|j| if j == k { one.clone() } else { zero.clone() }).collect())
 }

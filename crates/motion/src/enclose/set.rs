@@ -1,0 +1,99 @@
+//! Sets of states: a polynomial image of a cube, and what lies around it.
+
+use super::IntervalVector;
+use super::cascade::Cascade;
+use super::expansion::range;
+use super::shape::Shape;
+use arithmetic::FloatInterval;
+use std::sync::Arc;
+
+/// All `P(s) + x` with `s` in the cube `[-1, 1]^m` and `x` in a sum of parallelepipeds around zero. The variables `s` are the numbers of the start that are
+/// intervals, so that a set that the motion contracts is one whose coefficients shrink.
+#[derive(Debug, Clone)]
+pub struct Set {
+    pub(super) shape: Arc<Shape>,
+    /// One for each number of the state.
+    pub(super) polynomials: Vec<Vec<f64>>,
+    pub(super) rest: Cascade,
+}
+
+/// Intervals narrower than this, relative to the number, are no variables of their own.
+const NARROW: f64 = 1e-12;
+
+/// Most variables; further numbers go to the rest.
+const MOST_VARIABLES: usize = 12;
+
+/// The degree of the polynomials in so many variables that is the best bargain.
+fn degree_of(variables: usize) -> usize {
+    match variables {
+        0 => 0,
+        1 | 2 => 8,
+        3 => 6,
+        4 => 5,
+        5..=8 => 4,
+        _ => 2,
+    }
+}
+
+impl Set {
+    /// A box.
+    pub fn of_box(state: &[FloatInterval]) -> Self {
+        let is_wide = |x: &FloatInterval| x.width() > NARROW * x.magnitude().max(1e-300) && x.is_bounded();
+        let wide = state.iter().filter(|x| is_wide(x)).count().min(MOST_VARIABLES);
+        Set::with_degree(state, degree_of(wide))
+    }
+
+    /// A box, with polynomials of this degree in its variables.
+    pub fn with_degree(state: &[FloatInterval], degree: usize) -> Self {
+        let is_wide = |x: &FloatInterval| x.width() > NARROW * x.magnitude().max(1e-300) && x.is_bounded();
+        let mut wide: Vec<usize> = (0..state.len()).filter(|&i| is_wide(&state[i])).collect();
+        wide.sort_by(|i, j| state[*j].width().total_cmp(&state[*i].width()).then(i.cmp(j)));
+        wide.truncate(MOST_VARIABLES);
+        let shape = Shape::new(wide.len(), degree);
+        let (mut polynomials, mut rest) = (Vec::new(), Vec::new());
+        for (i, x) in state.iter().enumerate() {
+            let mut polynomial = vec![0.0; shape.size()];
+            polynomial[0] = x.midpoint();
+            let own = *x - FloatInterval::point(polynomial[0]);
+            match wide.iter().position(|k| *k == i) {
+                Some(variable) => {
+                    polynomial[1 + variable] = own.magnitude();
+                    rest.push(0.0);
+                }
+                None => rest.push(own.magnitude()),
+            }
+            polynomials.push(polynomial);
+        }
+        Set { shape: Arc::new(shape), polynomials, rest: Cascade::of_box(&rest) }
+    }
+
+    /// The numbers of a state.
+    pub fn dimension(&self) -> usize {
+        self.polynomials.len()
+    }
+
+    /// A box that contains the set.
+    pub fn hull(&self) -> IntervalVector {
+        let whole = FloatInterval::between(0.0, 1.0);
+        let around = |r: &f64| FloatInterval::between(-r, *r);
+        self.polynomials.iter().zip(&self.rest.radii()).map(|(p, r)| range(&self.shape, p, whole) + around(r)).collect()
+    }
+
+    /// How far the polynomials are from the set, at most.
+    pub fn rest_radius(&self) -> f64 {
+        self.rest.radii().into_iter().fold(0.0, f64::max)
+    }
+
+    /// The set plus a box; `None` where it is not bounded.
+    pub fn plus(&self, shift: &[FloatInterval]) -> Option<Self> {
+        // The middle goes to the polynomials, where it is rounded.
+        let (mut set, mut radii) = (self.clone(), Vec::with_capacity(shift.len()));
+        for (polynomial, x) in set.polynomials.iter_mut().zip(shift) {
+            let before = FloatInterval::point(polynomial[0]);
+            polynomial[0] += x.midpoint();
+            radii.push((before + x - FloatInterval::point(polynomial[0])).magnitude());
+        }
+        set.rest = set.rest.plus(&radii)?;
+        Some(set)
+    }
+}

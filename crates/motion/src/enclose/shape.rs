@@ -1,0 +1,88 @@
+//! Polynomials in several variables from -1 to 1, cut at a total degree: which monomials there are, and how they multiply.
+
+use arithmetic::FloatInterval;
+
+/// The monomials of so many variables up to a total degree, by degree. A polynomial is the list of its coefficients in this order.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Shape {
+    pub variables: usize,
+    pub degree: usize,
+    /// Exponents of each monomial.
+    pub exponents: Vec<Vec<u8>>,
+    /// Where the monomials of each degree begin; at the end their number.
+    pub starts: Vec<usize>,
+    /// For each monomial those that it may be multiplied with, and the product.
+    products: Vec<Vec<(u32, u32)>>,
+    /// Whether a monomial is a square, and so not negative.
+    is_even: Vec<bool>,
+}
+
+impl Shape {
+    pub fn new(variables: usize, degree: usize) -> Self {
+        let degree = if variables == 0 { 0 } else { degree };
+        let mut exponents = vec![vec![0; variables]];
+        let mut starts = vec![0, 1];
+        for _ in 1..=degree {
+            // Every monomial of the next degree once: the last variable that it has is raised, or a later one.
+            let level = exponents[starts[starts.len() - 2]..].to_vec();
+            for exponent in level {
+                let first = exponent.iter().rposition(|e| *e > 0).unwrap_or(0);
+                exponents.extend((first..variables).map(|k| {
+                    let mut next: Vec<u8> = exponent.clone();
+                    next[k] += 1;
+                    next
+                }));
+            }
+            starts.push(exponents.len());
+        }
+        let place: std::collections::HashMap<&Vec<u8>, usize> = exponents.iter().zip(0..).collect();
+        let total = |e: &[u8]| e.iter().map(|k| usize::from(*k)).sum::<usize>();
+        let row = |a: &Vec<u8>| {
+            let most = starts[degree - total(a) + 1];
+            let product = |b: &Vec<u8>| place[&a.iter().zip(b).map(|(x, y)| x + y).collect::<Vec<u8>>()] as u32;
+            exponents[..most].iter().zip(0..).map(|(b, j)| (j, product(b))).collect()
+        };
+        let products = exponents.iter().map(row).collect();
+        let is_even = exponents.iter().map(|e| e.iter().all(|k| k % 2 == 0)).collect();
+        Shape { variables, degree, starts, products, is_even, exponents }
+    }
+
+    /// The number of monomials.
+    pub fn size(&self) -> usize {
+        self.exponents.len()
+    }
+
+    /// Adds the product of two polynomials to a third one, without what has a higher degree.
+    pub fn multiply_add(&self, a: &[f64], b: &[f64], sum: &mut [f64]) {
+        for (x, row) in a.iter().zip(&self.products).filter(|(x, _)| **x != 0.0) {
+            row.iter().for_each(|&(j, k)| sum[k as usize] += x * b[j as usize]);
+        }
+    }
+
+    /// A bound of the number of terms that add up to one coefficient of a product.
+    pub fn most_terms(&self) -> f64 {
+        // Of a monomial with exponents e_i, the product of (e_i + 1); most where they are spread out.
+        2f64.powi(self.degree as i32)
+    }
+
+    /// The sums of the absolute coefficients of each degree, not rounded up.
+    pub fn norms(&self, a: &[f64]) -> impl Iterator<Item = f64> {
+        self.starts.windows(2).map(|w| a[w[0]..w[1]].iter().fold(0.0, |sum, x| sum + x.abs()))
+    }
+
+    /// Encloses the values of a polynomial on the whole box.
+    pub fn range(&self, a: &[f64]) -> FloatInterval {
+        let (mut lo, mut hi, mut size) = (a[0], a[0], a[0].abs());
+        for (x, is_even) in a.iter().zip(&self.is_even).skip(1).filter(|(x, _)| **x != 0.0) {
+            size += x.abs();
+            match is_even {
+                true if *x > 0.0 => hi += x,
+                true => lo += x,
+                false => (lo, hi) = (lo - x.abs(), hi + x.abs()),
+            }
+        }
+        // Each of n sums is wrong by half a step of a number of at most the size.
+        let slack = if self.size() == 1 { 0.0 } else { size * f64::EPSILON * (self.size() + 1) as f64 };
+        FloatInterval::between(lo - slack, hi + slack)
+    }
+}

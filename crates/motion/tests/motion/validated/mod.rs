@@ -1,3 +1,0 @@
-//! Enclosures of solutions: against closed forms, and floats.
-
-mod flow;
