@@ -268,7 +268,7 @@ fn asked(text: &str) -> Result<Result<Answer, String>, Stop> {
 
 fn bounds(draws: &mut Draws, tested: Tested) -> Checked {
     let form = Form::drawn(draws);
-    let distance = *draws.choice(&[rational(1, 10), rational(1, 1000), rational(1, 200_000)]);
+    let distance = rational(1, *draws.choice(&[10, 1000, 200_000]));
     let above = !draws.once_in(3);
     let (lowest, missing) = form.lowest();
     let Some((least, at)) = lowest else { return Ok(None) };
@@ -280,7 +280,8 @@ fn bounds(draws: &mut Draws, tested: Tested) -> Checked {
         Ok(answer) => answer,
         Err(why) => {
             // What is refused has no value somewhere.
-            let refused = why.contains("no value") || why.contains("zero") || why.contains("domain") || missing.is_some();
+            let refused =
+                why.contains("no value") || why.contains("zero") || why.contains("domain") || missing.is_some();
             require(refused || why.contains("leaves out"), why, || text.clone())?;
             return Ok(None);
         }
@@ -318,7 +319,8 @@ fn bounds(draws: &mut Draws, tested: Tested) -> Checked {
 
 fn squares(draws: &mut Draws, tested: Tested) -> Checked {
     let names = draws.between(1, 2);
-    let zero: Vec<Rational> = (0..names).map(|_| rational(draws.between(0, 4) as i64 - 2, draws.between(2, 4) as i64)).collect();
+    let zero: Vec<Rational> =
+        (0..names).map(|_| rational(draws.between(0, 4) as i64 - 2, draws.between(2, 4) as i64)).collect();
     let count = draws.between(1, 2);
     let mut parts = Vec::new();
     for _ in 0..count {
@@ -333,9 +335,11 @@ fn squares(draws: &mut Draws, tested: Tested) -> Checked {
     let used: String = NAMES[..names].iter().map(|name| format!(" and {name} < 9")).collect();
     let dip = *draws.choice(&["1/1000", "1/1000000", "1/1000000000"]);
     let mut open = None;
-    for (property, wrong) in
-        [(format!("{sum} >= 0"), Verdict::False), (format!("{sum} > 0"), Verdict::Holds), (format!("{sum} >= {dip}"), Verdict::Holds)]
-    {
+    for (property, wrong) in [
+        (format!("{sum} >= 0"), Verdict::False),
+        (format!("{sum} > 0"), Verdict::Holds),
+        (format!("{sum} >= {dip}"), Verdict::Holds),
+    ] {
         let text = asking(&family, "", &format!("{property}{used}"));
         let answer = asked(&text)?.or_fails("the question is refused")?;
         require(answer.verdict != wrong, format!("it is said to be {}", wrong.word()), || text.clone())?;

@@ -47,8 +47,12 @@ impl Variables<'_> {
         let Some(k) = variable.checked_sub(self.domain.len()) else { return self.domain[variable].clone() };
         match &self.meanings[k] {
             Meaning::Cosine | Meaning::Sine => Side::between(rational(-1, 1), rational(1, 1)),
+            Meaning::Root(over, under) if under.as_constant().is_some() => {
+                let least = self.range(over).lo.max(0.0).sqrt().next_down().max(0.0);
+                Side { lo: Some(Rational::from_float(least).unwrap_or_default()), ..Side::line() }
+            }
             Meaning::Positive | Meaning::Root(..) | Meaning::Absolute(..) => {
-                Side { lo: Some(rational(0, 1)), hi: None }
+                Side { lo: Some(rational(0, 1)), ..Side::line() }
             }
             Meaning::Between(lo, hi) => Side::between(lo.clone(), hi.clone()),
             Meaning::Any => Side::line(),

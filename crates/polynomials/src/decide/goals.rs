@@ -5,7 +5,7 @@ use super::prover::{Prover, is_tautology};
 use super::{Effort, Method, Proof};
 use crate::function::{Compared, Function, Literal, Side};
 use crate::symbolic::{Extension, Symbolic};
-use arithmetic::{Cancelled, Progress, Sign};
+use arithmetic::{Cancelled, Field, Progress, Sign};
 
 /// Most variables.
 const MOST_VARIABLES: usize = 10;
@@ -23,12 +23,13 @@ pub(super) fn prove<F: Function>(
     effort: Effort,
     progress: &dyn Progress,
 ) -> Result<Outcome, Cancelled> {
-    if domain.len() > MOST_VARIABLES {
+    if domain.iter().filter(|side| side.as_point().is_none()).count() > MOST_VARIABLES {
         return Ok(Outcome::Open(Vec::new()));
     }
     let extension = Extension::new(domain.len());
-    let values: Vec<Option<Symbolic>> =
-        clause.iter().map(|literal| literal.function.value(&extension.arguments()).ok()).collect();
+    let known = |(x, side): (Symbolic, &Side)| side.as_point().map_or_else(|| x.clone(), |q| x.rational(q));
+    let arguments: Vec<Symbolic> = extension.arguments().into_iter().zip(domain).map(known).collect();
+    let values: Vec<Option<Symbolic>> = clause.iter().map(|literal| literal.function.value(&arguments).ok()).collect();
     let variables = Variables { domain, meanings: extension.meanings() };
     let mut prover = Prover { variables, effort, progress, proof: Proof::default(), degrees: Vec::new() };
     // Numerator times the divisors of odd power: of the sign of the function wherever that is defined.

@@ -129,7 +129,7 @@ pub fn decide<F: Function>(
     effort: Effort,
     progress: &dyn Progress,
 ) -> Result<Decision, Cancelled> {
-    let (equations, used) = reduction::equations(clause, domain.len());
+    let (equations, used) = reduction::equations(clause, domain);
     if equations.is_empty() {
         return on_rest(clause, domain, effort, progress);
     }

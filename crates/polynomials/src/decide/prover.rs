@@ -237,14 +237,7 @@ impl Prover<'_> {
         }
         let own = constraints.iter().map(|(p, _)| p.clone());
         all = own.chain(all).collect();
-        let problem = Problem {
-            names: Vec::new(),
-            goal: goal.target.clone(),
-            strict: goal.strict,
-            constraints: all,
-            relations,
-            zeros,
-        };
+        let problem = Problem { goal: goal.target.clone(), strict: goal.strict, constraints: all, relations, zeros };
         match problem.search(self.progress)? {
             Search::Found(found) => {
                 self.proof.methods.push(Method::Squares);

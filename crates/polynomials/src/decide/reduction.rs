@@ -69,12 +69,13 @@ pub(super) fn narrowed<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> O
             }
         }
     }
-    let empty = |side: &Side| side.lo.as_ref().zip(side.hi.as_ref()).is_some_and(|(lo, hi)| lo > hi);
-    (!sides.iter().any(empty)).then_some(sides)
+    let sides: Vec<Side> = sides.into_iter().map(Side::rounded).collect();
+    (!sides.iter().any(Side::is_empty)).then_some(sides)
 }
 
 /// Variables with the polynomials in those that are left, which they are wherever the literals `p != 0` of these numbers are false.
-pub(super) fn equations<F: Function>(clause: &[Literal<F>], arity: usize) -> (Vec<(usize, Polynomial)>, Vec<usize>) {
+pub(super) fn equations<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> (Vec<(usize, Polynomial)>, Vec<usize>) {
+    let arity = domain.len();
     let (mut found, mut used): (Vec<(usize, Polynomial)>, _) = (Vec::new(), Vec::new());
     for (number, p) in polynomials(clause, arity).into_iter().enumerate() {
         let Some(mut p) = p.filter(|_| clause[number].compared == Compared::NotZero) else { continue };
@@ -86,7 +87,9 @@ pub(super) fn equations<F: Function>(clause: &[Literal<F>], arity: usize) -> (Ve
         for (variable, by) in &found {
             p = put(&p, *variable, by);
         }
-        let Some((variable, (lead, rest))) = (0..arity).rev().find_map(|k| Some((k, linear_in(&p, k)?))) else {
+        let Some((variable, (lead, rest))) =
+            (0..arity).rev().filter(|&k| !domain[k].integer).find_map(|k| Some((k, linear_in(&p, k)?)))
+        else {
             continue;
         };
         let by = -rest.scaled(&lead.recip());

@@ -52,13 +52,14 @@ fn one<F: Function>(literal: &Literal<F>, sides: &[Side]) -> Local {
 }
 
 fn look<F: Function>(clause: &[Literal<F>], cell: &Cell) -> Standing {
+    let admitted = |point: &Vec<Rational>| cell.sides.iter().zip(point).all(|(side, q)| side.contains(q));
     let mut slopes = Vec::new();
     let mut open = false;
     let mut candidates = Vec::new();
     for literal in clause {
         match one(literal, &cell.sides) {
             Local::True { method, zero } => {
-                let zero = zero.filter(|_| literal.compared == Compared::NotNegative);
+                let zero = zero.filter(|zero| literal.compared == Compared::NotNegative && admitted(zero));
                 return Standing::Closed(vec![method], zero);
             }
             Local::False => {}
@@ -77,7 +78,7 @@ fn look<F: Function>(clause: &[Literal<F>], cell: &Cell) -> Standing {
     if !open {
         candidates.push(cell.sides.iter().map(Side::middle).collect());
     }
-    match candidates.into_iter().find(|point| at_point(clause, point) == Signs::Fails) {
+    match candidates.into_iter().find(|point| admitted(point) && at_point(clause, point) == Signs::Fails) {
         Some(point) => Standing::Fails(point),
         None => Standing::Split(slopes),
     }
@@ -93,7 +94,12 @@ fn direction(cell: &Cell, slopes: &[Extended], domain: &[Side]) -> Option<usize>
         }
         let whole = if (b - a).is_finite() { b - a } else { 1.0 };
         let size = if lo > 0.0 || hi < 0.0 { lo.abs().max(hi.abs()).min(whole) } else { whole };
-        if (hi - lo).is_finite() { (hi - lo) / size } else { f64::INFINITY }
+        match (hi - lo) / size {
+            // Integers are apart, however large they are.
+            width if width.is_finite() && cell.sides[k].integer => width.max(2.0 * THINNEST),
+            width if (hi - lo).is_finite() => width,
+            _ => f64::INFINITY,
+        }
     };
     let smear = |k: usize| {
         let (lo, hi) = cell.sides[k].floats();
@@ -122,13 +128,16 @@ fn halves(cell: &Cell, k: usize) -> [Cell; 2] {
         sides[k] = side;
         Cell { sides, depth: cell.depth + 1 }
     };
-    [with(Side { lo: side.lo.clone(), hi: Some(at.clone()) }), with(Side { lo: Some(at), hi: side.hi.clone() })]
+    let (at, after) = if side.integer { (at.floor(), at.floor() + rational(1, 1)) } else { (at.clone(), at) };
+    let (lower, upper) = (side.clone(), side.clone());
+    [with(Side { hi: Some(at), ..lower }), with(Side { lo: Some(after), ..upper })]
 }
 
 /// The product of the widths, where all are bounded; a side that is a number counts as 1.
 pub(super) fn volume(sides: &[Side]) -> Option<f64> {
     let width = |side: &Side| match (&side.lo, &side.hi) {
         (Some(lo), Some(hi)) if lo == hi => Some(1.0),
+        (Some(lo), Some(hi)) if side.integer => (hi - lo + rational(1, 1)).to_f64(),
         (Some(lo), Some(hi)) => (hi - lo).to_f64(),
         _ => None,
     };

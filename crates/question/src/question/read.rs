@@ -122,6 +122,7 @@ impl Question {
             classes: Classes::default(),
             alone: Vec::new(),
             starts: OnceLock::new(),
+            certified: false,
         })
     }
 
