@@ -8,8 +8,9 @@ use crate::system::Range;
 use crate::walk::{Depth, Sums};
 use arithmetic::{Cancelled, Progress, Rational, rational};
 use num_traits::Signed;
+use std::cell::RefCell;
 use std::cmp::Ordering;
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, HashMap};
 
 /// What was found.
 #[derive(Debug, Clone)]
@@ -82,6 +83,8 @@ pub(crate) struct Search<'a, T> {
     pub families: &'a [Family],
     pub goal: Goal,
     pub progress: &'a dyn Progress,
+    /// Values at points that were visited: the middle of a box is an end of its halves.
+    pub known: RefCell<HashMap<(usize, Vec<Rational>), T>>,
 }
 
 impl<T: Scalar> Search<'_, T> {
@@ -139,7 +142,16 @@ impl<T: Scalar> Search<'_, T> {
 
     /// The value at a point, kept where it is the greatest so far.
     fn visit(&self, family: usize, point: &[Rational], depth: Depth, best: &mut Option<Best>) -> Sums<T> {
+        let place = (family, point.to_vec());
+        if depth == Depth::Value
+            && let Some(value) = self.known.borrow().get(&place)
+        {
+            return Sums { value: Some(value.clone()), slopes: Vec::new(), curvature: None };
+        }
         let sums = self.families[family].worst(self.flows, &self.row, &points(point), depth);
+        if let Some(value) = &sums.value {
+            self.known.borrow_mut().insert(place, value.clone());
+        }
         if self.families[family].attained
             && let Some((value, _)) = sums.value.as_ref().and_then(|value| value.ends())
             && best.as_ref().is_none_or(|best| best.value < value)

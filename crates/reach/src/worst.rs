@@ -11,6 +11,7 @@ use crate::walk::Depth;
 use arithmetic::{Cancelled, Enclosure, FloatInterval, Interval, Progress, Rational, rational};
 use num_traits::Signed;
 use rayon::prelude::*;
+use std::cell::RefCell;
 
 /// The greatest value of a row over all inputs, starts and orders of modes.
 #[derive(Debug, Clone)]
@@ -133,7 +134,8 @@ impl<'a> Solver<'a> {
             boxes: if several { boxes_of_several(self.prepared.order()) } else { BOXES },
         };
         let row = row.iter().map(|q| like.rational(q)).collect();
-        Search { flows, row, families: &self.orders.families, goal, progress: self.progress }.run(boxes)
+        Search { flows, row, families: &self.orders.families, goal, progress: self.progress, known: RefCell::default() }
+            .run(boxes)
     }
 
     fn worst(&self, found: &Found) -> Worst {
