@@ -112,8 +112,11 @@ impl Division<'_> {
             return self.where_attained(whole, &clauses, Decided::nothing());
         }
         match self.by_boxes(whole, self.most.min(FIRST_BOXES)) {
-            Ok(found) if matches!(found.truth, Truth::Unknown(_)) || self.is_certified() => {
-                self.where_attained(whole, &clauses, found)
+            Ok(found) if matches!(found.truth, Truth::Unknown(_)) => self.where_attained(whole, &clauses, found),
+            // What boxes prove needs no certificate, but has one where there is one.
+            Ok(found) if found.truth == Truth::True && self.is_certified() => {
+                let again = self.where_attained(whole, &clauses, found.clone())?;
+                Ok(if matches!(again.truth, Truth::Unknown(_)) { Decided { uncertified: 1, ..found } } else { again })
             }
             // What is false somewhere is false, whatever has no value elsewhere.
             Err(error @ QuestionError::At { .. }) => {

@@ -3,7 +3,7 @@
 use super::local::{Local, Sided, Signs, at_point};
 use super::{Decision, Effort, Extended, Method, Open, Proof};
 use crate::function::{Compared, Function, Literal, Side};
-use arithmetic::{Cancelled, Progress, Rational, rational};
+use arithmetic::{Cancelled, Progress, Rational, rational, simplest_between};
 use num_traits::ToPrimitive;
 use rayon::prelude::*;
 
@@ -123,14 +123,30 @@ fn halves(cell: &Cell, k: usize) -> [Cell; 2] {
         (None, Some(_)) => rational(-1, 1).min(side.hi.clone().unwrap_or_default() - rational(1, 1)),
         (None, None) => rational(0, 1),
     };
+    parted(cell, k, at)
+}
+
+fn parted(cell: &Cell, k: usize, at: Rational) -> [Cell; 2] {
     let with = |side: Side| {
         let mut sides = cell.sides.clone();
         sides[k] = side;
         Cell { sides, depth: cell.depth + 1 }
     };
+    let side = &cell.sides[k];
     let (at, after) = if side.integer { (at.floor(), at.floor() + rational(1, 1)) } else { (at.clone(), at) };
     let (lower, upper) = (side.clone(), side.clone());
     [with(Side { hi: Some(at), ..lower }), with(Side { lo: Some(after), ..upper })]
+}
+
+/// A box that is too thin to be halved, parted at the simplest number of a side: kinks of `abs`, `min` and `max` at such numbers are never reached by halves.
+fn at_kink(cell: &Cell) -> Option<[Cell; 2]> {
+    let inside = |k: usize| {
+        let (lo, hi) = cell.sides[k].lo.as_ref().zip(cell.sides[k].hi.as_ref())?;
+        let at = simplest_between(lo, hi);
+        (at != *lo && at != *hi && !cell.sides[k].integer).then_some((k, at))
+    };
+    let (k, at) = (0..cell.sides.len()).find_map(inside)?;
+    Some(parted(cell, k, at))
 }
 
 /// The product of the widths, where all are bounded; a side that is a number counts as 1.
@@ -173,7 +189,10 @@ pub(super) fn divide<F: Function>(
                 }
                 Standing::Split(slopes) => match direction(&cell, &slopes, domain) {
                     Some(k) => next.extend(halves(&cell, k)),
-                    None => thin.push(cell),
+                    None => match at_kink(&cell) {
+                        Some(halves) => next.extend(halves),
+                        None => thin.push(cell),
+                    },
                 },
             }
         }

@@ -95,6 +95,9 @@ impl Symbolic {
 
     /// Which multiple of `pi/6` it is.
     fn twelfths(&self) -> Option<i64> {
+        if self.fraction.1.iter().any(|power| *power > 0) {
+            return None;
+        }
         let mut terms = self.fraction.0.terms();
         let (_, c) = terms.next().filter(|(monomial, _)| self.extension.is_circle(monomial))?;
         let count = c * rational(6, 1);
@@ -162,5 +165,23 @@ impl Number for Symbolic {
 
     fn angle(_: &Self, _: &Self) -> Result<Self, ArithmeticError> {
         Err(ArithmeticError::Domain("a quotient of polynomials"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::symbolic::Extension;
+    use arithmetic::{Field, Number, Ring};
+
+    /// `sin(pi/6) = 1/2`, but `sin(pi/(6 x))` is a function of `x`.
+    #[test]
+    fn only_constant_multiples_of_pi_have_exact_sines() {
+        let extension = Extension::new(1);
+        let x = extension.arguments().remove(0);
+        let sixth = x.circle().unwrap() * x.ratio(1, 6);
+        assert_eq!(sixth.sin().unwrap().as_constant(), Some(arithmetic::rational(1, 2)));
+        assert_eq!(sixth.over(&x).unwrap().sin().unwrap().as_constant(), None);
+        assert_eq!((sixth.clone() * &x).sin().unwrap().as_constant(), None);
+        assert_eq!((sixth + &x.integer(1)).sin().unwrap().as_constant(), None);
     }
 }

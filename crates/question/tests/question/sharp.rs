@@ -42,10 +42,7 @@ const PAPERS: &[(&str, &str)] = &[
     ("u = \"[-1/3, 1]\"", "1/4 + EPS <= (5 - u)/16 <= 1/3"),
     ("s = \"[0, 1]\"", "2*sin(pi*s/2) >= 2*s + EPS*s"),
     ("x = \"[0, 3]\"", "2*sin(x/2) <= x*(1 - EPS)"),
-    (
-        "a = \"any\"\nb = \"any\"\np = \"any\"\nq = \"any\"",
-        "abs(sqrt((a - p)^2 + (b - q)^2) - 1) >= abs(sqrt(a^2 + b^2) - 1) - sqrt(p^2 + q^2)*(1 - EPS)",
-    ),
+    ("s = \"any\"\nt = \"any\"\nr = \"any\"", "abs(s - t) <= r implies abs(s - 1) >= abs(t - 1) - r*(1 - EPS)"),
     ("m = \"[0, 1]\"", "m^3 <= exp(-3*(1 - m))*(1 - EPS)"),
     // Veerman and others.
     (
@@ -192,4 +189,41 @@ fn the_point_of_equality_and_the_open_part_are_told() {
     let document = found.json(None);
     assert!(document["open"]["boxes"][0]["x"].is_string(), "{document}");
     assert!(found.why.contains("of the volume"), "{}", found.why);
+}
+
+/// True wherever there is a value, with a point at which there is none: no rule may make `holds` of that.
+#[test]
+fn no_rule_hides_a_missing_value() {
+    for (family, property) in [
+        ("x = \"[-1, 1]\"", "0*sqrt(x) >= 0"),
+        ("x = \"[-1, 1]\"", "sqrt(x)^2 >= 0"),
+        ("x = \"[-1, 1]\"", "1/(1/x) = x"),
+        ("x = \"any\"", "x/x = 1"),
+        ("x = \"any\"", "exp(log(x)) > 0"),
+        ("x = \"any\"", "(x^2 - 2)/(x^2 - 2) = 1"),
+        ("x = \"[0, 2]\"", "(x^2 - 2)/(x^2 - 2) >= 1"),
+        ("x = \"[0, 1]\"", "x*log(x) <= 0"),
+        ("x = \"[0, 1]\"", "min(1/x, 1) <= 1"),
+        ("x = \"[0, 1]\"\nwhere = \"x >= 0\"", "1/x >= 1"),
+        ("x = \"[-1, 1]\"", "x >= 0 or log(x + 1) <= 0"),
+        ("x = \"[-1, 1]\"", "sqrt(x) >= 0 implies x >= 0"),
+        ("x = \"[-1, 1]\"\ny = \"[-1, 1]\"", "x = y implies 0/(x - y) = 0"),
+        ("n = \"integers(-1000, 1000)\"", "n/n = 1"),
+        ("x = \"any\"\nwhere = \"1/x > 0\"", "x > 0"),
+    ] {
+        let found = decide(&read(&asked(family, property, "1 < 0")).expect("a question"), &Unwatched);
+        assert!(!found.is_ok_and(|answer| answer.verdict == Verdict::Holds), "{family}, {property}");
+    }
+    // Beside them, what is protected.
+    for (family, property) in [
+        ("x = \"[0, 1]\"\nwhere = \"x > 0\"", "1/x >= 1"),
+        ("x = \"[-1, 1]\"", "x > -1 implies (x >= 0 or log(x + 1) <= 0)"),
+        ("n = \"integers(-1000, 1000)\"", "n != 0 implies n/n = 1"),
+    ] {
+        assert_eq!(verdict(family, property), Verdict::Holds, "{family}, {property}");
+    }
+    // A sine of a multiple of pi is a number; of pi divided by a variable it is not.
+    let narrow = "x = \"[999999/1000000, 1000001/1000000]\"";
+    assert_eq!(verdict(narrow, "sin(pi/(6*x)) >= 1/2"), Verdict::False);
+    assert_eq!(verdict(narrow, "sin(pi/(6*x)) <= 1/2"), Verdict::False);
 }
