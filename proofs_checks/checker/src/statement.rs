@@ -251,6 +251,11 @@ impl<'a> Parser<'a, '_, '_> {
         let mut over = Polynomial::new();
         if self.rest.starts_with(|c: char| c.is_ascii_digit()) {
             let (c, under) = self.number()?;
+            // 1/2^2 is read in two ways.
+            self.require(
+                under == BigInt::from(1) || !self.rest.trim_start().starts_with('^'),
+                "a power of a fraction needs brackets",
+            )?;
             add(&mut over, exponents, c);
             return Ok(Quotient { over, under });
         }
