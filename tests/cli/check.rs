@@ -125,8 +125,11 @@ fn certificates_are_written_and_accepted() {
     assert!(claim.starts_with("for all x in R, y in R: "), "{claim}");
     let (_, claim) = written("n = 2\nx = \"[0, 1]\"\ny = \"[-1, 1]\"", "x >= y^2 implies x*(x + 1) >= n*x*y");
     assert!(claim.starts_with("for all x in [0, 1], y in [-1, 1]: ") && claim.contains(" or "), "{claim}");
-    // What is shown of polynomials after a root was taken away.
+    // That there is a root, and what is shown of polynomials after it was taken away.
     let (_, claim) = written("x = \"[0, 1]\"\ny = \"[0, 1]\"", "sqrt(x*y) <= (x + y)/2");
+    assert_eq!(claim, "for all x in [0, 1], y in [0, 1]: x*y >= 0");
+    let second = std::fs::read(format!("{out}.2")).expect("a certificate");
+    let claim = flockproof_checker::check(&second).expect("the checker accepts it").claim;
     assert!(claim.starts_with("for all real x1, x2"), "{claim}");
     let (told, _) = written("x = \"[0, 1]\"\ny = \"[0, 1]\"", "2*x*y <= x^2 + y^2 and exp(x) >= 1 + x");
     assert!(told.contains("proved without a certificate: 1 of the parts"), "{told}");
