@@ -64,8 +64,8 @@ fn negated(p: &Polynomial) -> Polynomial {
 /// Whether one is a positive number times the other.
 fn is_multiple(a: &Polynomial, b: &Polynomial) -> bool {
     let (Some((_, p)), Some((_, q))) = (a.first_key_value(), b.first_key_value()) else { return a == b };
-    let same = |(x, y): ((&Vec<usize>, &BigInt), (&Vec<usize>, &BigInt))| x.0 == y.0 && x.1 * q == y.1 * p;
-    p.sign() == q.sign() && a.len() == b.len() && a.iter().zip(b).all(same)
+    let same = p.sign() == q.sign() && a.len() == b.len();
+    same && a.iter().zip(b).all(|((m, x), (n, y))| m == n && x * q == y * p)
 }
 
 impl<'a> Parser<'a, '_, '_> {

@@ -34,10 +34,10 @@ fn one<F: Function>(literal: &Literal<F>, sides: &[Side]) -> Local {
     match literal.compared {
         Compared::Positive | Compared::NotNegative => sided(literal, false).on_box(sides),
         Compared::NotZero => match sided(literal, false).on_box(sides) {
-            found @ Local::True { .. } => found,
+            found @ (Local::True { .. } | Local::TrueBut(_)) => found,
             _ => match sided(literal, true).on_box(sides) {
                 // Neither sign everywhere says nothing about zero.
-                found @ (Local::True { .. } | Local::Open(_)) => found,
+                found @ (Local::True { .. } | Local::TrueBut(_) | Local::Open(_)) => found,
                 Local::False | Local::FailsAt(_) => Local::Open(Vec::new()),
             },
         },
@@ -62,6 +62,14 @@ fn look<F: Function>(clause: &[Literal<F>], cell: &Cell) -> Standing {
                 let zero = zero.filter(|zero| literal.compared == Compared::NotNegative && admitted(zero));
                 return Standing::Closed(vec![method], zero);
             }
+            // Another literal may be true at that point.
+            Local::TrueBut(point) => match at_point(clause, &point) {
+                Signs::Holds { .. } => return Standing::Closed(vec![Method::Expansion], None),
+                _ => {
+                    open = true;
+                    candidates.push(point);
+                }
+            },
             Local::False => {}
             Local::FailsAt(point) => {
                 open = true;

@@ -144,6 +144,23 @@ fn false_ones() -> Vec<Row> {
             vec![at_least(c(3, 1) - nano(1), x().call("cos") + y().call("cos") + (x() - y()).call("cos"))],
         ),
         ("trigonometric: strict", sides(&[(-3, 3)]), vec![above(c(1, 1), x().call("cos"))]),
+        (
+            "one zero: below beside it",
+            sides(&[(0, 3)]),
+            vec![at_least(-x(), c(0, 1)), above(x() - nano(1) * x(), x().call("sin"))],
+        ),
+        (
+            "one zero: another one",
+            unit(),
+            vec![at_least(-x(), c(0, 1)), above(x().to(2) * (x() - c(1, 2)).to(2), c(0, 1))],
+        ),
+        ("one zero: nothing else there", sides(&[(-1, 1)]), vec![other_than(x().to(4), c(0, 1))]),
+        (
+            "one zero: of an edge",
+            quadrant(),
+            vec![at_least(-x() - y(), c(0, 1)), above(x().to(2) * (c(1, 1) + y()), c(0, 1))],
+        ),
+        ("one zero: elsewhere", sides(&[(-1, 1)]), vec![equal(x(), nano(1)), above(x().call("exp"), c(1, 1) + x())]),
         ("logarithm", sides(&[(1, 3)]), vec![at_least(x() - c(1, 1) - nano(1), x().call("log"))]),
     ]
 }
@@ -198,6 +215,10 @@ fn true_ones() -> Vec<Row> {
             vec![at_least(x().call("cos") + y().call("cos") + (x() - y()).call("cos"), c(-3, 2))],
         ),
         ("all reals: exponential", lines(1), vec![at_least(x().call("exp"), c(1, 1) + x())]),
+        ("one zero: sine", lines(1), vec![at_least(-x(), c(0, 1)), above(x(), x().call("sin"))]),
+        ("one zero: sine on the left", lines(1), vec![at_least(x(), c(0, 1)), above(x().call("sin"), x())]),
+        ("one zero: exponential", lines(1), vec![equal(x(), c(0, 1)), above(x().call("exp"), c(1, 1) + x())]),
+        ("one zero: other than 0", sides(&[(-1, 2)]), vec![equal(x(), c(0, 1)), other_than(x().call("cos"), c(1, 1))]),
     ]
 }
 
