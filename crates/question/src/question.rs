@@ -52,6 +52,8 @@ pub struct Question {
     /// Members of the names that depend on no other.
     alone: Vec<OnceLock<Arc<Members>>>,
     starts: OnceLock<Vec<u64>>,
+    /// Whether sums of squares are looked for first, so that as much as possible has a certificate.
+    pub certified: bool,
 }
 
 impl Question {

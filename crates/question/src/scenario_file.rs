@@ -168,7 +168,9 @@ impl ScenarioFile {
                     return Err("`seed` takes single integers, as in seed = \"1..1000\"".to_string());
                 }
                 value if is_place(name) => {
-                    let Some((lo, hi)) = value.ends() else { continue };
+                    let Some((lo, hi)) = value.ends() else {
+                        return Err(format!("`{name}` should be a number or an interval, not `{}`", value.text()));
+                    };
                     let path = self.place(name)?;
                     let (list, agent, coordinate) = start_place(&path).ok_or_else(|| {
                         format!("`{name}`: only positions, velocities and phases of [state] may range over an interval")

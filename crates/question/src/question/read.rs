@@ -123,6 +123,7 @@ impl Question {
             classes: Classes::default(),
             alone: Vec::new(),
             starts: OnceLock::new(),
+            certified: false,
         })
     }
 

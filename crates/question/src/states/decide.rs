@@ -1,8 +1,7 @@
 //! The decision about the states of one flock.
 
-use super::inequality::holds_on_boxes;
 use super::instance::Instance;
-use super::{How, LawFile, identity, pairs, search};
+use super::{How, LawFile, identity, inequality, pairs, search};
 use crate::bindings::{Bindings, Value};
 use crate::error::QuestionError;
 use crate::outcome::Decided;
@@ -10,6 +9,7 @@ use crate::question::{Expression, Question};
 use crate::truth::{Margin, Truth};
 use arithmetic::{Cancelled, Progress, Rational};
 use expressions::{Comparison, Relation};
+use polynomials::decide::Decision;
 use std::sync::Arc;
 
 /// Decides a property of all states of a flock.
@@ -67,8 +67,14 @@ fn clause_holds(instance: &Instance, clause: &[Comparison], progress: &dyn Progr
         }
     }
     let all: Vec<usize> = (0..instance.sides.len()).collect();
-    if let Some(ways) = holds_on_boxes(instance, clause, &instance.links, &all, progress)? {
-        return Ok(Found::Holds(ways));
+    match inequality::decided(instance, clause, &instance.links, &all, progress)? {
+        Decision::Holds(proof) => {
+            return Ok(Found::Holds(proof.methods.into_iter().map(|method| How::Decided(method.words())).collect()));
+        }
+        Decision::Fails(state) if instance.clause_holds(clause, &state) == Some(false) => {
+            return Ok(Found::Fails(state));
+        }
+        _ => {}
     }
     for comparison in clause {
         let may_vanish = matches!(comparison.relation, Relation::AtMost | Relation::AtLeast);
@@ -76,7 +82,8 @@ fn clause_holds(instance: &Instance, clause: &[Comparison], progress: &dyn Progr
             return Ok(Found::Holds(ways));
         }
     }
-    let texts = "no counterexample was found, and no identity, enclosure on boxes or sum over pairs that proves it";
+    let texts =
+        "no counterexample was found, and no identity, enclosure, sum of squares or sum over pairs that proves it";
     Ok(Found::Open(texts.to_string()))
 }
 

@@ -100,7 +100,7 @@ impl Instance {
                     law.parameters.retain(|(known, _)| known != parameter);
                     law.parameters.push((parameter.to_string(), Parameter::One(q.clone())));
                 }
-                Value::Box(..) if !name.contains('[') => {
+                Value::Box(..) | Value::Any if !name.contains('[') => {
                     return Err(refuse(format!("`{name}` ranges over an interval; here only numbers of the state do")));
                 }
                 Value::Integers(..) => return Err(refuse(format!("`{name}` should be one number in each case"))),
@@ -125,6 +125,7 @@ impl Instance {
                     instance.sides[place] = match (bindings.get(&name), range) {
                         (Some(Value::Number(q)), _) => Side::Point(q.clone()),
                         (Some(Value::Box(lo, hi)), _) => Side::Between(lo.clone(), hi.clone()),
+                        (Some(Value::Any), _) => Side::Line,
                         (_, Some(range)) => match &range.ends {
                             Some((lo, hi)) => Side::Between(lo.clone(), hi.clone()),
                             None => Side::Line,

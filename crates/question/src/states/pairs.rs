@@ -2,7 +2,7 @@
 
 use super::How;
 use super::identity::sum_over_pairs;
-use super::inequality::holds_on_boxes;
+use super::inequality;
 use super::instance::{Instance, Links};
 use arithmetic::{Cancelled, Progress};
 use expressions::Comparison;
@@ -30,7 +30,7 @@ pub(super) fn holds(
         }
         let places = [&instance.of_agent[*i][..], &instance.of_agent[*j][..]].concat();
         let alone = std::slice::from_ref(comparison);
-        match holds_on_boxes(instance, alone, links, &places, progress)? {
+        match inequality::holds(instance, alone, links, &places, progress)? {
             Some(ways) => how.extend(ways),
             None => return Ok(None),
         }
