@@ -104,10 +104,12 @@ pub(super) fn prove<F: Function>(
         let Some(target) = &cleared[place] else { continue };
         let others = cleared.iter().zip(clause).enumerate().filter(|(k, _)| *k != place);
         let constraints: Vec<(Polynomial, bool)> = others
-            .filter_map(|(_, (p, other))| match other.compared {
-                Compared::Positive => Some((-p.clone()?, false)),
-                Compared::NotNegative => Some((-p.clone()?, true)),
-                Compared::Zero | Compared::NotZero => None,
+            .flat_map(|(_, (p, other))| match (p, other.compared) {
+                (Some(p), Compared::Positive) => vec![(-p.clone(), false)],
+                (Some(p), Compared::NotNegative) => vec![(-p.clone(), true)],
+                // Only where it is 0 the others have to be true.
+                (Some(p), Compared::NotZero) => vec![(p.clone(), false), (-p.clone(), false)],
+                (_, Compared::Zero) | (None, _) => Vec::new(),
             })
             .collect();
         let goal = |target: &Polynomial, strict: bool| Goal {
