@@ -121,15 +121,16 @@ impl Program {
             }
             Op::Function(_, a) | Op::Absolute(a) => plain([of(a)?]),
             // Of one term; whatever they are functions of its agents.
-            Op::Angle(a, b)
-            | Op::Larger(a, b)
-            | Op::Smaller(a, b)
-            | Op::Compared(_, a, b)
-            | Op::Both(a, b) => plain([of(a)?, of(b)?]),
+            Op::Angle(a, b) | Op::Larger(a, b) | Op::Smaller(a, b) | Op::Compared(_, a, b) | Op::Both(a, b) => {
+                plain([of(a)?, of(b)?])
+            }
             Op::Not(a) => plain([of(a)?]),
             Op::Choice(condition, a, b) => {
                 let (condition, a, b) = (plain([of(condition)?])?, of(a)?, of(b)?);
-                Some(Bodies { complete_only: condition.complete_only || a.complete_only || b.complete_only, ..a.sum(b) })
+                Some(Bodies {
+                    complete_only: condition.complete_only || a.complete_only || b.complete_only,
+                    ..a.sum(b)
+                })
             }
             Op::Gathered(number, place) => {
                 let this = &self.loops[*number];

@@ -298,7 +298,9 @@ impl<T: Number> Evaluator<T> {
                 let (gather, body) = this.bodies[*place];
                 match &part {
                     None => all.take(gather, machine.number(body)),
-                    Some(part) if matches!(gather, Gather::Sum) || this.condition.is_some() && gather == Gather::Count => {
+                    Some(part)
+                        if matches!(gather, Gather::Sum) || this.condition.is_some() && gather == Gather::Count =>
+                    {
                         let product = machine.number(body).map(|value| value.clone() * part);
                         all.take(gather, product.as_ref().map_err(Clone::clone));
                     }

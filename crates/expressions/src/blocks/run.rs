@@ -296,8 +296,7 @@ impl Space {
         let (outside, inside) = self.frames.split_at_mut(level.number);
         let frame = &mut inside[0];
         let outer = &mut outside[frame.outer];
-        let condition =
-            level.condition.map(|register| frame.registers.view(register, frame.lanes, moment.columns));
+        let condition = level.condition.map(|register| frame.registers.view(register, frame.lanes, moment.columns));
         for &(lane, begin, end) in &frame.parts {
             match condition {
                 None => frame.counts[lane] += (end - begin) as f64,

@@ -181,9 +181,10 @@ impl Question {
         }
         if let Some((name, at)) = every.first() {
             let agents = every.iter().any(|(name, _)| name == "agents");
-            let other = self.bounds.iter().find(|bound| {
-                is_place(&bound.name) || ["agents", "graph"].contains(&bound.name.as_ref())
-            });
+            let other = self
+                .bounds
+                .iter()
+                .find(|bound| is_place(&bound.name) || ["agents", "graph"].contains(&bound.name.as_ref()));
             if !agents || other.is_some() || every.len() > 2 {
                 let at = other.map_or(*at, |bound| bound.key_at);
                 let why = format!(

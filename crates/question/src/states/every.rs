@@ -96,7 +96,11 @@ impl<'a> Sizes<'a> {
     }
 
     /// A clause, by its number.
-    pub fn clause_holds(&self, clause: usize, progress: &dyn Progress) -> Result<(Found, Option<Bindings>), QuestionError> {
+    pub fn clause_holds(
+        &self,
+        clause: usize,
+        progress: &dyn Progress,
+    ) -> Result<(Found, Option<Bindings>), QuestionError> {
         for agents in 1..=TRIED {
             let size = agents as usize;
             let mut graphs = vec![None];
@@ -178,7 +182,12 @@ impl<'a> Sizes<'a> {
     }
 
     /// The number with the weights of links behind its state, or on a complete network.
-    fn value(&self, comparison: &Comparison, state: &[Probe], weights: &[Vec<Probe>]) -> Result<Probe, ArithmeticError> {
+    fn value(
+        &self,
+        comparison: &Comparison,
+        state: &[Probe],
+        weights: &[Vec<Probe>],
+    ) -> Result<Probe, ArithmeticError> {
         let (time, state) = state.split_last().ok_or(ArithmeticError::Domain("a state"))?;
         match self.network {
             Network::Mutual => comparison.weighted(time, state, weights),

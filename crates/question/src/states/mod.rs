@@ -101,7 +101,11 @@ impl LawFile {
         if how.contains(&How::Point) {
             grades.push("exact");
         }
-        let sentence = if parts.is_empty() { String::new() } else { format!("Proved {}; wherever law and property have values.", parts.join("; ")) };
+        let sentence = if parts.is_empty() {
+            String::new()
+        } else {
+            format!("Proved {}; wherever law and property have values.", parts.join("; "))
+        };
         (grades, sentence)
     }
 
@@ -114,7 +118,14 @@ impl LawFile {
         {
             return Err(format!("{name}: {}", scenario::law_problem(text, error)));
         }
-        Ok(LawFile { name: name.to_string(), text: text.to_string(), law, ranges: Vec::new(), every: None, how: Mutex::default() })
+        Ok(LawFile {
+            name: name.to_string(),
+            text: text.to_string(),
+            law,
+            ranges: Vec::new(),
+            every: None,
+            how: Mutex::default(),
+        })
     }
 
     /// The law as one line, for the canonical form of a question.

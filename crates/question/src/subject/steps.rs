@@ -7,9 +7,9 @@ use crate::subject::measured::measured;
 use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
 use crate::truth::Doubt;
 use arithmetic::{Progress, Rational, rational};
+use expressions::Asked;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
-use expressions::Asked;
 use scenario::{Links, Model, OwnSteps, Rows, View};
 use std::cell::RefCell;
 
@@ -182,7 +182,13 @@ impl Moment for At<'_, '_> {
 
     fn own(&self, name: &str, _: u32) -> Result<Measured, Failure> {
         let state = self.state()?;
-        let number = match self.flock.followed.borrow().flock.law().number(name) {
+        let followed = self.flock.followed.borrow();
+        let law = followed.flock.law();
+        let is_past_rest = followed.rest.is_some_and(|rest| self.time > BigInt::from(rest));
+        let number = match law.number(name) {
+            Some(Asked::Observed(_)) if law.observes_time() && is_past_rest => {
+                return Err(Failure::open(format!("`{name}` depends on the time"), None));
+            }
             Some(Asked::State(place)) => state.numbers.get(place).cloned().map(Number::Exact),
             Some(Asked::Observed(place)) => match state.observed {
                 Some(Ok(all)) => all.get(place).cloned(),

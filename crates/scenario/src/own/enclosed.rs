@@ -81,7 +81,9 @@ impl OwnMotion {
             Asked::Observed(place) => {
                 let like = state.first()?.zero();
                 let numbers = self.law.observe(&like, state, &Heard(&self.network));
-                numbers.map_err(|fault| fault.error).and_then(|all| all.get(place).cloned().ok_or(ArithmeticError::Domain("a number")))
+                numbers
+                    .map_err(|fault| fault.error)
+                    .and_then(|all| all.get(place).cloned().ok_or(ArithmeticError::Domain("a number")))
             }
         })
     }
