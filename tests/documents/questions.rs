@@ -20,6 +20,7 @@ const RECORDED: [(&str, Verdict); 15] = [
     ("motzkin", Verdict::Holds),
     ("momentum_is_conserved", Verdict::Holds),
     ("momentum_of_normalised_weights", Verdict::False),
+    ("fluctuation_at_a_rate", Verdict::False),
 ];
 
 #[test]

@@ -235,6 +235,11 @@ impl FloatInterval {
 
 /// Functions by those of [`Interval`], rounded outward.
 impl Number for FloatInterval {
+    #[inline]
+    fn either(&self, other: &Self) -> Option<Self> {
+        Some(self.hull(other))
+    }
+
     fn circle(&self) -> Result<Self, ArithmeticError> {
         Ok(self.pi())
     }

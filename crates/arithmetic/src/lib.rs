@@ -221,6 +221,18 @@ pub trait Number: Field + Signed {
     /// Hyperbolic sine and cosine.
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError>;
 
+    /// A number that stands for whether this one is negative, 1 or 0, of which nothing else is known; in scalars that stand for all numbers at once only.
+    #[inline]
+    fn indicator(&self) -> Option<Self> {
+        None
+    }
+
+    /// What may be one of two numbers, whichever; in enclosures only.
+    #[inline]
+    fn either(&self, _: &Self) -> Option<Self> {
+        None
+    }
+
     /// Sine of an angle in radians.
     #[inline]
     fn sin(&self) -> Result<Self, ArithmeticError> {

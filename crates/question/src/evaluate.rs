@@ -10,7 +10,7 @@ use crate::bindings::Value;
 use crate::case::Case;
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::names::FUNCTIONS;
+use crate::names::{FUNCTIONS, OWN};
 use crate::syntax::{Kind, Node, Relation};
 use crate::timeline::{Measured, Moment, Piece};
 use crate::truth::{Margin, Truth};
@@ -317,6 +317,7 @@ impl Evaluator<'_, '_> {
         let quantity = self.case.quantity(owner, own_name).map_err(|problem| Failure::Refused(node.at, problem))?;
         let arguments = arguments.iter().map(|node| self.number(node)).collect::<Result<Vec<_>, _>>()?;
         let found = match self.moment {
+            Some(moment) if std::ptr::eq(quantity, &OWN) => moment.own(name, self.precision),
             Some(moment) if quantity.moves => moment.measure(quantity, &arguments, self.precision),
             _ => self.case.measure(quantity, owner, &arguments, self.precision),
         };

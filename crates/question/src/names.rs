@@ -74,6 +74,16 @@ const fn truth(subject: Subject, name: &'static str, meaning: &'static str) -> Q
     Quantity { name, subject, arguments: &[], is_truth: true, moves: false, meaning }
 }
 
+/// A number of a law of one's own: of its state, or an observable, by a name of its own.
+pub(crate) static OWN: Quantity = Quantity {
+    name: "a number of the law",
+    subject: Subject::Motion,
+    arguments: &[],
+    is_truth: false,
+    moves: true,
+    meaning: "a number of the state, `x[2].1`, or an observable of the law",
+};
+
 /// Those that do not move.
 const FIXED: &[Quantity] = &[
     fixed(Subject::Graph, "n", &[], "number of vertices"),

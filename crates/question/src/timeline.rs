@@ -19,6 +19,11 @@ pub(crate) enum Measured {
 pub(crate) trait Moment {
     fn measure(&self, quantity: &Quantity, arguments: &[Number], precision: u32) -> Result<Measured, Failure>;
 
+    /// A number of a law of one's own by its name, `x[2].1` or an observable.
+    fn own(&self, _: &str, _: u32) -> Result<Measured, Failure> {
+        Err(Failure::open("there is no law of one's own", None))
+    }
+
     /// The truth of a time operator at the moment, where it was found before.
     fn known(&self, _: &Node) -> Option<Result<(Truth, Margin), Failure>> {
         None

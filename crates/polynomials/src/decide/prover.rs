@@ -17,7 +17,6 @@ const BOXES: u64 = 4000;
 /// A polynomial as a function.
 struct Plain<'a> {
     polynomial: &'a Polynomial,
-    arity: usize,
 }
 
 impl Function for Plain<'_> {
@@ -192,7 +191,7 @@ impl Prover<'_> {
         let mut zeros = Vec::new();
         if relations.is_empty() {
             let literal =
-                |polynomial, compared| Literal { function: Plain { polynomial, arity }, compared, guarded: false };
+                |polynomial, compared| Literal { function: Plain { polynomial }, compared, guarded: false };
             let turned: Vec<(Polynomial, bool)> = constraints.iter().map(|(p, strict)| (-p.clone(), *strict)).collect();
             let own = if goal.strict { Compared::Positive } else { Compared::NotNegative };
             let clause: Vec<_> =

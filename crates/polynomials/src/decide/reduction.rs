@@ -12,7 +12,6 @@ pub(super) struct Put<'a, F> {
     function: Option<&'a F>,
     own: Polynomial,
     equations: &'a [(usize, Polynomial)],
-    arity: usize,
 }
 
 impl<F: Function> Function for Put<'_, F> {
@@ -109,7 +108,7 @@ pub(super) fn reduced<'a, F: Function>(
     let arity = domain.len();
     let none = || Multivariate::of(rational(0, 1));
     let put = |literal: &'a Literal<F>| Literal {
-        function: Put { function: Some(&literal.function), own: none(), equations, arity },
+        function: Put { function: Some(&literal.function), own: none(), equations },
         compared: literal.compared,
         guarded: literal.guarded,
     };
@@ -121,7 +120,7 @@ pub(super) fn reduced<'a, F: Function>(
         let outside =
             [side.lo.map(|lo| Multivariate::of(lo) - by.clone()), side.hi.map(|hi| by.clone() - Multivariate::of(hi))];
         literals.extend(outside.into_iter().flatten().map(|own| Literal {
-            function: Put { function: None, own, equations, arity },
+            function: Put { function: None, own, equations },
             compared: Compared::Positive,
             guarded: false,
         }));

@@ -120,7 +120,7 @@ impl Neg for Tree {
 
 /// A tree as a function of so many arguments.
 #[derive(Debug, Clone)]
-pub struct Of(pub Tree, pub usize);
+pub struct Of(pub Tree);
 
 impl Function for Of {
     fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
@@ -159,7 +159,7 @@ pub fn lines(count: usize) -> Vec<Side> {
 
 /// Decides a clause; where functions have no value it counts as true.
 pub fn decided(clause: Vec<Said>, domain: &[Side], effort: Effort) -> Decision {
-    let literal = |(tree, compared)| Literal { function: Of(tree, domain.len()), compared, guarded: true };
+    let literal = |(tree, compared)| Literal { function: Of(tree), compared, guarded: true };
     let clause: Vec<_> = clause.into_iter().map(literal).collect();
     decide(&clause, domain, effort, &Unwatched).expect("nobody stops it")
 }

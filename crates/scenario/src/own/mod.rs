@@ -13,4 +13,4 @@ mod start;
 pub use enclosed::OwnMotion;
 pub use exact::OwnSteps;
 pub(super) use read::describe;
-pub use read::{law_problem, read_law};
+pub use read::{law_problem, own_law, read_law};

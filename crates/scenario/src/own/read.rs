@@ -155,6 +155,12 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
     Ok(Described { law: Arc::new(law), state, network, radius, time: text.time, step, declaration, random })
 }
 
+/// The law of one's own of a scenario that has one and is in order.
+pub fn own_law(source: &Source) -> Option<Arc<Law>> {
+    let own = source.top().get("model").is_some_and(|entry| entry.word().is_ok_and(|word| word == "own"));
+    if own { describe(source).ok().map(|described| described.law) } else { None }
+}
+
 /// The first vector; in one dimension the first part that is no angle.
 fn usual_position(text: &LawText) -> Option<String> {
     let is_place = |kind: Kind| kind == Kind::Vector || text.dimension == 1 && kind == Kind::Number;

@@ -178,4 +178,14 @@ impl Moment for At<'_, '_> {
         let found = measure(quantity.name, &view).map_err(unmeasured)?;
         measured(found.ok_or_else(not_here)?, index, BITS)
     }
+
+    fn own(&self, name: &str, _: u32) -> Result<Measured, Failure> {
+        let ExactMotion::Own(own) = self.motion else {
+            return Err(Failure::open("this motion is not enclosed", None));
+        };
+        let state: Vec<Interval> = self.state.iter().map(widened).collect();
+        let unmeasured = |error| Failure::open(format!("`{name}` cannot be measured on the enclosure: {error}"), None);
+        let found = own.number(name, &state).ok_or_else(|| Failure::open("there is no such number", None))?;
+        Ok(Measured::Number(Number::interval(found.map_err(unmeasured)?)))
+    }
 }
