@@ -1,6 +1,7 @@
 //! Polynomials in several variables from -1 to 1, cut at a total degree: which monomials there are, and how they multiply.
 
-use arithmetic::FloatInterval;
+use super::bound::Bound;
+use arithmetic::{FloatInterval, Ring};
 
 /// The monomials of so many variables up to a total degree, by degree. A polynomial is the list of its coefficients in this order.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,9 +66,19 @@ impl Shape {
         2f64.powi(self.degree as i32)
     }
 
-    /// The sums of the absolute coefficients of each degree, not rounded up.
-    pub fn norms(&self, a: &[f64]) -> impl Iterator<Item = f64> {
-        self.starts.windows(2).map(|w| a[w[0]..w[1]].iter().fold(0.0, |sum, x| sum + x.abs()))
+    /// The sums of the absolute coefficients of each degree.
+    pub fn norms(&self, a: &[f64]) -> impl Iterator<Item = Bound> {
+        self.starts.windows(2).map(|w| Bound::total(a[w[0]..w[1]].iter().copied()))
+    }
+
+    /// Encloses the value of a polynomial at a point.
+    pub fn value(&self, a: &[f64], at: &[f64]) -> FloatInterval {
+        let mut sum = FloatInterval::ZERO;
+        for (x, exponents) in a.iter().zip(&self.exponents).filter(|(x, _)| **x != 0.0) {
+            let powers = exponents.iter().zip(at).map(|(e, s)| FloatInterval::point(*s).power(u64::from(*e)));
+            sum = sum + powers.fold(FloatInterval::point(*x), |product, power| product * power);
+        }
+        sum
     }
 
     /// Encloses the values of a polynomial on the whole box.

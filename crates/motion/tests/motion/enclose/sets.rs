@@ -75,7 +75,9 @@ fn agents(widths: &[(usize, f64)]) -> Vec<FloatInterval> {
 fn followed(system: impl System, start: &[FloatInterval], until: f64, watched: usize) -> (Set, f64) {
     let (mut flow, mut set, mut time, mut most) = (Flow::new(system, 0.01), Set::of_box(start), 0.0, f64::NEG_INFINITY);
     while time < until {
-        let step = flow.step(&set, time, until).expect("a step");
+        let step = flow
+            .step(&set, time, until)
+            .unwrap_or_else(|error| panic!("{error}: {:?} rest {}", set.hull(), set.rest_radius()));
         for k in 0..8 {
             let part = |k: usize| step.span.hi() * f64::from(k as u32) / 8.0;
             most = most.max(step.states(FloatInterval::between(part(k), part(k + 1)))[watched].hi());
@@ -149,4 +151,44 @@ fn a_point_stays_narrow() {
     let (set, _) = followed(Aligned, &agents(&[]), 10.0, 0);
     let width = set.hull().iter().map(FloatInterval::width).fold(0.0, f64::max);
     assert!(width < 1e-9, "{width}");
+}
+
+#[test]
+#[ignore]
+fn scratch() {
+    let what = std::env::var("WHAT").unwrap_or_default();
+    let time = std::time::Instant::now();
+    let show = |(set, most): (Set, f64)| {
+        let hull = set.hull();
+        let widths: Vec<f64> = hull.iter().map(|x| (x.width() * 1e5).round() / 1e5).collect();
+        eprintln!("{what}: most {most}, widths {widths:?}, rest {}, time {:?}", set.rest_radius(), time.elapsed());
+    };
+    match what.as_str() {
+        "laub" => {
+            let radius: f64 = std::env::var("R").map_or(0.1, |x| x.parse().unwrap_or(0.1));
+            show(followed(
+                Enzymes,
+                &boxed(&[1.2, 1.05, 1.5, 2.4, 1.0, 0.1, 0.45].map(|x| (x - radius, x + radius))),
+                20.0,
+                3,
+            ));
+        }
+        "vdp2" => {
+            let (a, b): (f64, f64) = (
+                std::env::var("A").map_or(1.55, |x| x.parse().unwrap()),
+                std::env::var("B").map_or(1.85, |x| x.parse().unwrap()),
+            );
+            let (c, d): (f64, f64) = (
+                std::env::var("C").map_or(1.55, |x| x.parse().unwrap()),
+                std::env::var("D").map_or(1.85, |x| x.parse().unwrap()),
+            );
+            show(followed(Oscillators(2), &boxed(&[(a, b), (2.35, 2.45), (c, d), (2.35, 2.45)]), 8.0, 1));
+        }
+        "vdp1" => {
+            show(followed(Oscillators(1), &boxed(&[(1.25, 1.55), (2.35, 2.45), (1.25, 1.55), (2.35, 2.45)]), 7.0, 1))
+        }
+        "three" => show(followed(Aligned, &agents(&[(6, 0.2), (7, 0.2), (8, 0.15)]), 10.0, 0)),
+        "one" => show(followed(Aligned, &agents(&[(6, 0.2)]), 10.0, 0)),
+        _ => {}
+    }
 }
