@@ -37,7 +37,7 @@ impl Expansion<'_> {
                 Op::Sum(a, b) | Op::Difference(a, b) => errors[a] + errors[b] + self.norm(id) * UNIT,
                 Op::Product(a, b) => {
                     let (p, q, e, f) = (self.norm(a), self.norm(b), errors[a], errors[b]);
-                    p * f + q * e + e * f + self.lost(self.norms(a), self.norms(b))
+                    p * f + q * e + e * f + lost(self.norms(a), self.norms(b), self.order, self.shape.degree)
                 }
                 Op::Function(kind, a, partner) => {
                     let error = self.function_error(kind, (id, a, partner), &errors)?;
@@ -61,13 +61,6 @@ impl Expansion<'_> {
         range(self.shape, self.all(id), FloatInterval::between(0.0, 1.0)) + around
     }
 
-    /// What the product of two polynomials in floats is wrong by, in the sum of its coefficients: what is cut off, the terms of too high a power of time or
-    /// degree, and what is rounded.
-    fn lost(&self, a: &[Bound], b: &[Bound]) -> Bound {
-        let degrees = self.shape.degree + 1;
-        Bound::dot(a, &beyond(b, self.order, self.shape.degree)) + rounding(weights(a, degrees), weights(b, degrees))
-    }
-
     /// The sum of the absolute coefficients of `c - x y`, where `c` has the coefficients of `constant`, with what is cut off and rounded.
     fn residual(&self, constant: &[f64], [x, y]: [&[f64]; 2], norms: [&[Bound]; 2]) -> Bound {
         let size = self.shape.size();
@@ -80,7 +73,7 @@ impl Expansion<'_> {
             left[power * size..][..size].iter_mut().zip(&out).for_each(|(c, x)| *c -= x);
         }
         let rounded = Bound::total(constant.iter().copied()) * (4.0 * UNIT);
-        Bound::total(left) + rounded + self.lost(norms[0], norms[1])
+        Bound::total(left) + rounded + lost(norms[0], norms[1], self.order, self.shape.degree)
     }
 
     fn function_error(
@@ -149,15 +142,14 @@ impl Expansion<'_> {
             Kind::Exponential => (first(kind, id)? + rest(id, id, &moved)) * growth(speed)?,
             _ => first(kind, id)? + rest(id, partner, &moved) + speed * errors[partner],
         };
-        let slope = match kind {
-            Kind::Sine | Kind::Cosine => 1.0,
-            Kind::Exponential => value.magnitude(),
-            Kind::Logarithm => argument.recip()?.magnitude(),
-            Kind::ArcTangent => (argument.square() + argument.one()).recip()?.magnitude(),
-            _ => value_of(Kind::HyperbolicCosine, &argument)?.magnitude(),
-        };
-        Ok(own + errors[a] * slope)
+        Ok(own + errors[a] * slope_of(kind, argument, value)?)
     }
+}
+
+/// What the product of two polynomials in floats is wrong by, in the sum of its coefficients: what is cut off, the terms of too high a power of time or degree,
+/// and what is rounded. The sums of their absolute coefficients are given by powers of time and degrees.
+pub(super) fn lost(a: &[Bound], b: &[Bound], order: usize, degree: usize) -> Bound {
+    Bound::dot(a, &beyond(b, order, degree)) + rounding(weights(a, degree + 1), weights(b, degree + 1))
 }
 
 /// For each power of time and degree, the sum of the absolute coefficients of a factor that a term of these cannot be multiplied with.
@@ -205,8 +197,21 @@ fn derivative(series: &[f64], order: usize, size: usize, sign: f64) -> Vec<f64> 
     rate
 }
 
+/// A bound of the derivative of a function, where it has these arguments and values.
+pub(super) fn slope_of(kind: Kind, argument: FloatInterval, value: FloatInterval) -> Result<f64, ArithmeticError> {
+    Ok(match kind {
+        Kind::Reciprocal => value.square().magnitude(),
+        Kind::Root => (value + value).recip()?.magnitude(),
+        Kind::Sine | Kind::Cosine => 1.0,
+        Kind::Exponential => value.magnitude(),
+        Kind::Logarithm => argument.recip()?.magnitude(),
+        Kind::ArcTangent => (argument.square() + argument.one()).recip()?.magnitude(),
+        Kind::HyperbolicSine | Kind::HyperbolicCosine => value_of(Kind::HyperbolicCosine, &argument)?.magnitude(),
+    })
+}
+
 /// A bound of the distance of `f(A)` from a polynomial, both in the start.
-fn start_error(shape: &Shape, kind: Kind, (a, own): (&[f64], &[f64])) -> Result<Bound, ArithmeticError> {
+pub(super) fn start_error(shape: &Shape, kind: Kind, (a, own): (&[f64], &[f64])) -> Result<Bound, ArithmeticError> {
     let degree = shape.degree;
     let list = expanded(kind, FloatInterval::point(a[0]), degree)?;
     let mut rest = a.to_vec();

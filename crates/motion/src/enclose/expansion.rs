@@ -217,7 +217,7 @@ pub(super) fn expanded<T: arithmetic::Real>(kind: Kind, at: T, degree: usize) ->
 }
 
 /// A function of a polynomial in the start, in floats.
-fn composed(shape: &Shape, kind: Kind, a: &[f64]) -> Result<Vec<f64>, ArithmeticError> {
+pub(super) fn composed(shape: &Shape, kind: Kind, a: &[f64]) -> Result<Vec<f64>, ArithmeticError> {
     let list = expanded(kind, a[0], shape.degree)?;
     let mut rest = a.to_vec();
     rest[0] = 0.0;

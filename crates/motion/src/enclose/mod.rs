@@ -7,6 +7,7 @@
 mod bound;
 mod cascade;
 mod errors;
+mod expanded;
 mod expansion;
 mod linear;
 mod rough;
@@ -16,6 +17,7 @@ mod step;
 mod tape;
 mod variation;
 
+pub use expanded::Expanded;
 pub use rough::box_of_step;
 pub use set::Set;
 pub use step::{Flow, Step};

@@ -2,6 +2,7 @@
 
 use super::bound::{Bound, values};
 use super::errors::{TINY, UNIT};
+use super::expanded::Expanded;
 use super::expansion::{Expansion, range};
 use super::linear::IntervalMatrix;
 use super::set::Set;
@@ -10,7 +11,7 @@ use super::tape::{Derivatives, Tape};
 use super::variation::Variation;
 use super::{IntervalVector, ValidationError};
 use crate::System;
-use arithmetic::{ArithmeticError, Field, FloatInterval};
+use arithmetic::{ArithmeticError, Field, FloatInterval, Ring};
 use std::sync::Arc;
 
 /// Powers of time of an expansion from one state.
@@ -91,6 +92,24 @@ impl Step {
         let during = self.during(after);
         let around = |d: &Bound| FloatInterval::between(-d.value(), d.value());
         self.expansion.iter().zip(&self.distances).map(|(p, d)| range(&self.shape, p, during) + around(d)).collect()
+    }
+
+    /// All states after some part of the step, as polynomials in the time and the start.
+    pub fn expanded(&self, after: FloatInterval) -> Vec<Expanded> {
+        let (during, timed, size) = (self.during(after), self.shape.timed(), self.shape.size());
+        let middle = during.midpoint();
+        let radius = (during - FloatInterval::point(middle)).magnitude();
+        let time = Expanded::variable(&timed.shape, self.shape.variables, middle, radius);
+        let lifted = |part: &[f64]| {
+            let mut own = vec![0.0; timed.shape.size()];
+            part.iter().zip(&timed.places).for_each(|(c, place)| own[*place] = *c);
+            Expanded::of_polynomial(&timed.shape, own)
+        };
+        let number = |(p, distance): (&Vec<f64>, &Bound)| {
+            let sum = p.rchunks_exact(size).map(lifted).reduce(|sum, part| time.clone() * &sum + part);
+            sum.unwrap_or_else(|| time.zero()).widened(*distance)
+        };
+        self.expansion.iter().zip(&self.distances).map(number).collect()
     }
 
     /// The states after some part of the step for one value of the variables of the set that it began with.
