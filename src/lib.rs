@@ -2,7 +2,7 @@
 //!
 //! The crates of the workspace under one name; each can be used without those above it. From the lowest: [`arithmetic`]; [`matrix`], [`graph`] and [`spectrum`];
 //! [`motion`]; the models [`averaging`] (Chazelle), [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`tracks`] (measured
-//! trajectories) and [`double_integrator`] (Tanner, Jadbabaie and Pappas); [`scenario`] (runs of all of them from a file); [`ledger`]; [`certificates`] and
+//! trajectories) and [`double_integrator`] (Tanner, Jadbabaie and Pappas); [`scenario`] (runs of all of them from a file); [`reach`] (worst cases of switched linear systems); [`ledger`]; [`certificates`] and
 //! [`kernel`] (the Coq development); [`claims`]; [`report`]; [`campaign`] (invariants under random cases).
 
 // The command line uses the library by the name that users know.
@@ -25,6 +25,7 @@ pub use models::{averaging, double_integrator, oscillator, platoon, tracks};
 pub use motion;
 pub use proofs::{certificates, kernel};
 pub use question;
+pub use reach;
 pub use report;
 pub use scenario;
 

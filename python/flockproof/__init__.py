@@ -26,11 +26,13 @@ from ._queries import (
 )
 from ._questions import Answer, Campaign, Failure, Invariant, Table, check, fuzz, invariants, sweep
 from ._runs import Event, Simulation, Tracks, simulate, tracks
+from ._systems import Check, Reach, reach
 from .law import Law
 
 __all__ = [
     "Answer",
     "Campaign",
+    "Check",
     "Claim",
     "Claims",
     "Controls",
@@ -48,6 +50,7 @@ __all__ = [
     "Ledger",
     "Peak",
     "Prefix",
+    "Reach",
     "Resonance",
     "Run",
     "Settlement",
@@ -69,6 +72,7 @@ __all__ = [
     "invariants",
     "ledger",
     "peak",
+    "reach",
     "resonance",
     "simulate",
     "spectrum",

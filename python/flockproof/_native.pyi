@@ -29,6 +29,7 @@ __all__ = [
     "peak",
     "question_needs",
     "ratio",
+    "reach",
     "read_sequence",
     "resonance",
     "simulate",
@@ -60,6 +61,7 @@ def read_sequence(text: str, normalise: bool) -> tuple[list[_Matrix], list[tuple
 def ergodicity(
     matrices: Sequence[Any], progress: _Progress
 ) -> tuple[_Matrix, list[tuple[_Ratio, _Ratio, _Ends, str]], list[tuple[int, list[int]]]]: ...
+def reach(text: str, digits: Any, progress: _Progress) -> tuple[str, str]: ...
 def flock_check(text: str) -> tuple[str, int]: ...
 def flock_run(
     text: str, until: Any, from_: Any, products: bool, state: bool, progress: _Progress

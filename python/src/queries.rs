@@ -13,6 +13,7 @@ use flockproof::platoon::{
     CommunicationGraph, Gains, MOST_FOLLOWERS_PROVED, MOST_STATES_PROVED, Peak, PeakError, ResonanceError,
     peak_of_system, peak_on_graph, resonance as main_resonance, theorem1,
 };
+use flockproof::reach::{System, answer, decide};
 use flockproof::spectrum::{Eigenvalue, Method, graph_spectrum, named_spectrum};
 use num_bigint::BigInt;
 use pyo3::prelude::*;
@@ -250,6 +251,23 @@ fn stored(graph: GraphInput) -> Result<WeightedGraph, String> {
             named.build().map_err(|error| error.to_string())
         }
     }
+}
+
+/// The document and the words about the checks of a system.
+#[pyfunction]
+pub fn reach(
+    py: Python<'_>,
+    text: String,
+    digits: &Bound<'_, PyAny>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<(String, String)> {
+    let digits = digits_of(digits)?;
+    watched(py, progress, move |watch| {
+        let system = System::read(&text).map_err(|error| error.to_string())?;
+        let decided = decide(&system, digits, &**watch).map_err(|error| error.to_string())?;
+        Ok::<_, String>((answer::json(&system, &decided, digits).to_string(), answer::text(&system, &decided, digits)))
+    })?
+    .map_err(refuse)
 }
 
 /// The matrices of a file of `ergodicity`; with `normalise` each row divided by its sum, and which rows had which other sum, both from 1.

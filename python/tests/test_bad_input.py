@@ -125,6 +125,7 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "spectrum.root of a graph": lambda x: flockproof.spectrum([(1, 2), (2, 3)], "reduced", root=x),
     "spectrum.directed": lambda x: flockproof.spectrum(x, "normalised"),
     "spectrum.zero_based": lambda x: flockproof.spectrum(x, zero_based=True),
+    "reach": flockproof.reach,
     "ergodicity": flockproof.ergodicity,
     "ergodicity.normalised": lambda x: flockproof.ergodicity([x], normalise=True),
     "ergodicity.normalised entry": lambda x: flockproof.ergodicity([[[x, 1], [0, 1]]], normalise=True),

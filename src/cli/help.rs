@@ -15,10 +15,11 @@ terminal, and 80 columns wide where it goes elsewhere.";
 const STATUS: &str = "2 on bad use or input; 130 after Ctrl-C.";
 
 /// What else commands end with.
-const STATUSES: [(&str, &str); 6] = [
+const STATUSES: [(&str, &str); 7] = [
     ("flockproof", "0; 2 on bad use or input; 130 after Ctrl-C; further numbers stand in the help of a command."),
     ("verify", "0 where all is as recorded; 1 if a verdict is another one or a control was not refuted"),
     ("prove", "0; 1 if Coq finds something else than what is recorded"),
+    ("reach", "0 where all hold; 1 if one is false; 3 if one is undecided"),
     ("check", "0 where all hold; 1 if one is false; 3 if one is undecided; 4 where a control was not refuted"),
     ("fuzz", "0; 1 if a case fails; 4 where a control was not refuted"),
     ("serve", "130 after Ctrl-C, which ends it; 2 on bad use or input."),

@@ -1,7 +1,7 @@
 //! Dispatch, errors and output of the command line.
 //!
 //! Exit status: 0 when all is as it should be, 1 when `verify` differs from what is recorded, 2 on bad use, 130 when
-//! interrupted; `check` has 1 for false, 3 for undecided and 4 where a control was not refuted.
+//! interrupted; `check` and `reach` have 1 for false, 3 for undecided and 4 where a control was not refuted.
 
 mod certify;
 mod check;
@@ -18,6 +18,7 @@ mod output;
 mod pattern;
 mod progress;
 mod prove;
+mod reach;
 mod report;
 mod reproduce;
 mod resonance;
@@ -67,6 +68,8 @@ enum Command {
     Prove(prove::Arguments),
     /// Decide statements of one's own: a file says what a property ranges over
     Check(check::Arguments),
+    /// Worst cases of switched linear systems with bounded inputs, from a TOML file
+    Reach(reach::Arguments),
     /// Write exact results of the ledger as certificates that a separate program, or Coq, checks
     Certify(certify::Arguments),
     /// Products, footprints, stabilisers and ergodicity coefficients of a sequence of stochastic matrices
@@ -147,6 +150,7 @@ fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
         Command::Tracks(arguments) => tracks::run(&arguments),
         Command::Prove(arguments) => prove::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Reach(arguments) => reach::run(&arguments),
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),

@@ -94,7 +94,7 @@ fn figures_and_claims_name_each_other() {
 /// Every command has help with an example, an exit status, and no line that is wider than 80 columns.
 #[test]
 fn help_has_examples_and_an_exit_status() {
-    let commands: [&[&str]; 19] = [
+    let commands: [&[&str]; 20] = [
         &[],
         &["verify"],
         &["list"],
@@ -109,6 +109,7 @@ fn help_has_examples_and_an_exit_status() {
         &["report"],
         &["certify"],
         &["ergodicity"],
+        &["reach"],
         &["flock", "run"],
         &["flock", "settle"],
         &["simulate"],

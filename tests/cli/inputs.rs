@@ -99,6 +99,7 @@ fn readers() -> Vec<(Vec<&'static str>, &'static str, String)> {
         (vec!["simulate", "FILE", "--out", "out"], "s.toml", asset("scenarios/three_agents.toml")),
         (vec!["simulate", "FILE", "--out", "many", "--resume"], "many.toml", many.to_string()),
         (vec!["tracks", "FILE", "--null", "3", "--out", "out"], "t.csv", asset("example_tracks.csv")),
+        (vec!["reach", "FILE"], "system.toml", asset("systems/two_cars.toml").replace("rate <= 1/2", "rate <= 2")),
         (vec!["check", "FILE"], "q.toml", question.clone()),
         (vec!["sweep", "FILE", "--store", "table", "--resume"], "q.toml", question.clone()),
         (vec!["fuzz", "FILE", "--cases", "200"], "q.toml", question),

@@ -110,6 +110,7 @@ fn documents_keep_to_their_schemas() {
     let asset = |name: &str| format!("{root}/assets/{name}");
     let (birds, matrices) = (asset("four_birds.json"), asset("two_matrices.txt"));
     let (scenario, tracks) = (asset("scenarios/switching_flock.toml"), asset("example_tracks.csv"));
+    let cars = asset("systems/platoon_plad01.toml");
     let (names, floats) = (asset("graphs/path.graphml"), asset("float_matrices.json"));
     // Three cars in a circle, hardly led: stable with strong gains only.
     let circle = file(&folder, "circle.txt", b"directed\nb a 1\nb d 9\nc b\nd c\n");
@@ -150,6 +151,7 @@ fn documents_keep_to_their_schemas() {
         ("fuzz-case", vec!["fuzz", "spectrum.exact", "--case", "3", "--json"]),
         ("invariants", vec!["fuzz", "--list", "--json"]),
         ("pattern", vec!["pattern", "--particles", "6", "--gains", "1/5,1/5,-1/25", "--json"]),
+        ("reach", vec!["reach", &cars, "--json"]),
         ("tracks", vec!["tracks", &tracks, "--null", "3", "--out", &out, "--json"]),
     ] {
         let document = printed(&arguments);

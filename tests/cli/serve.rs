@@ -101,6 +101,7 @@ fn pages_and_answers() {
     let edges = "vertices 4\n1 2\n2 3\n3 4\n";
     let birds = r#"{"model":"D","dimension":1,"weights":"lazy","hysteresis":"none","positions":[["0"],["2"]],"velocities":[["1/8"],["0"]]}"#;
     let scenario = asset("scenarios/three_agents.toml");
+    let cars = asset("systems/two_cars.toml");
     let question = asset("questions/gap_and_diameter.toml");
     let form = |fields: &[(&str, &str)]| {
         serde_json::Value::Object(fields.iter().map(|(k, v)| (k.to_string(), (*v).into())).collect()).to_string()
@@ -127,6 +128,7 @@ fn pages_and_answers() {
             "",
         ),
         ("scenario", form(&[("scenario", &scenario)]), vec!["simulate", "-", "--json"], &scenario),
+        ("system", form(&[("system", &cars)]), vec!["reach", "-", "--json"], &cars),
     ] {
         let (status, reply) = server.question(what, &body);
         assert_eq!(status, 200, "{what}: {reply}");
@@ -340,6 +342,9 @@ fn hostile_requests_are_refused() {
         ("pattern", r#"{"particles": "2", "gains": "1,1,1", "omega0": "1", "K0": "1"}"#),
         ("pattern", r#"{"particles": "12", "gains": "a", "omega0": "1", "K0": "1"}"#),
         ("pattern", r#"{"particles": "12"}"#),
+        ("system", r#"{"system": ""}"#),
+        ("system", r#"{"system": "[system]\nstates = [\"x\"]"}"#),
+        ("system", r#"{"system": 7}"#),
         ("question", r#"{"question": ""}"#),
         ("question", r#"{"question": "[question]"}"#),
         (

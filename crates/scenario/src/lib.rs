@@ -26,7 +26,7 @@ mod platoon;
 mod potential;
 mod run;
 mod simulation;
-mod source;
+pub mod source;
 mod start;
 mod stepped;
 mod switching;

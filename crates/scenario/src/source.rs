@@ -121,25 +121,31 @@ impl Source {
     }
 
     /// The keys outside any section.
-    pub(super) fn top(&self) -> Section<'_> {
+    pub fn top(&self) -> Section<'_> {
         let table: &Table = if let Value::Table(table) = &self.root.value { table } else { const { &Vec::new() } };
         Section { name: "", text: &self.text, line: 1, table }
     }
 
     /// A section, where there is one.
-    pub(super) fn section(&self, name: &'static str) -> Result<Option<Section<'_>>, ConfigError> {
+    ///
+    /// # Errors
+    /// [`ConfigError`] where it is no table.
+    pub fn section(&self, name: &'static str) -> Result<Option<Section<'_>>, ConfigError> {
         self.top().get(name).map(|entry| entry.table(name)).transpose()
     }
 
     /// A section that must be there.
-    pub(super) fn needed(&self, name: &'static str) -> Result<Section<'_>, ConfigError> {
+    ///
+    /// # Errors
+    /// [`ConfigError`] where it is not, or is no table.
+    pub fn needed(&self, name: &'static str) -> Result<Section<'_>, ConfigError> {
         self.section(name)?.ok_or(ConfigError::MissingSection(name))
     }
 }
 
 /// A table of the configuration.
 #[derive(Clone, Copy)]
-pub(super) struct Section<'a> {
+pub struct Section<'a> {
     name: &'static str,
     text: &'a str,
     line: usize,
@@ -170,6 +176,17 @@ impl<'a> Section<'a> {
         let (.., node) = self.table.iter().find(|(known, ..)| known == key)?;
         let name = if self.name.is_empty() { key.to_string() } else { format!("{}.{key}", self.name) };
         Some(Entry { key: name, text: self.text, node })
+    }
+
+    /// All keys with their values, in the order of the file.
+    pub fn entries(&self) -> Vec<(String, Entry<'a>)> {
+        let table: &'a Table = self.table;
+        let name = |key: &String| format!("{}.{key}", self.name);
+        let entry =
+            |(key, _, node): &'a (String, usize, Node)| (key.clone(), Entry { key: name(key), text: self.text, node });
+        let mut all: Vec<(String, Entry)> = table.iter().map(entry).collect();
+        all.sort_by_key(|(_, entry)| entry.node.span.start);
+        all
     }
 
     /// Where a key with its value stands.
@@ -228,7 +245,7 @@ impl<'a> Section<'a> {
 
 /// A value with its name.
 #[derive(Clone)]
-pub(super) struct Entry<'a> {
+pub struct Entry<'a> {
     key: String,
     text: &'a str,
     node: &'a Node,

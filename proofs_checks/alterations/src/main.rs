@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release --manifest-path proofs_checks/alterations/Cargo.toml -- --file crates/arithmetic/src/interval.rs --shard 1/4`
 
+mod changed;
 mod copy;
 mod probes;
 mod sites;
@@ -15,14 +16,17 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use table::{Equivalents, Table, path_of};
+use std::time::{Duration, Instant};
+use table::{Equivalents, Table};
 
 const USE: &str =
-    "use: flockproof-alterations [--file FILE|FOLDER].. [--shard K/N] [--again missed|all] [--noticers N] [--jobs N]
-       [--tests PACKAGE].. [--longest SECONDS] [--ledger JSON] [--only FILE].. [--scratch FOLDER]
-       [--claims START].. [--no-claims] [--no-tests] | --summary | --missed | --judge
+    "use: flockproof-alterations [--file FILE|FOLDER].. [--since REVISION] [--budget SECONDS] [--shard K/N] [--again missed|all]
+       [--noticers N] [--jobs N] [--tests PACKAGE].. [--longest SECONDS] [--ledger JSON] [--only FILE].. [--scratch FOLDER]
+       [--results FOLDER] [--claims START].. [--no-claims] [--no-tests] | --summary | --missed
 
 --file      a source file or a folder of sources of a crate, from the root of the repository
+--since     only lines that are others than in this revision of git; without --file, those of all crates that compute
+--budget    no alteration is begun after so many seconds of trying
 --shard     every N-th alteration, from the K-th on
 --again     try again what is recorded as missed, or all; otherwise what is recorded for the same source stays
 --noticers  how many claims and tests are recorded for each alteration (1)
@@ -32,11 +36,13 @@ const USE: &str =
 --only      alter all the files, but try only those of this one
 --claims    only claims whose names start so, as `veerman.` or `beyond.veerman.`; --no-claims: only tests; --no-tests: only claims
 --scratch   where the altered copy is built (the folder of temporary files)
---summary   the recorded results in a table, with those that are out of date; --missed: those that are missed
---judge     compares what was missed with equivalent.tsv again";
+--results   where the results are kept, a table for each file (target/results beside this program)
+--summary   the recorded results in a table, with those that are out of date; --missed: those that are missed";
 
 struct Arguments {
     files: Vec<String>,
+    since: Option<String>,
+    budget: Duration,
     shard: (usize, usize),
     again: Option<String>,
     noticers: usize,
@@ -46,6 +52,7 @@ struct Arguments {
     ledger: Option<PathBuf>,
     only: Vec<String>,
     scratch: PathBuf,
+    results: PathBuf,
     claims: bool,
     tests: bool,
     starts: Vec<String>,
@@ -55,6 +62,8 @@ struct Arguments {
 fn arguments(root: &Path) -> Result<Arguments, String> {
     let mut parsed = Arguments {
         files: Vec::new(),
+        since: None,
+        budget: Duration::MAX,
         shard: (1, 1),
         again: None,
         noticers: 1,
@@ -64,6 +73,7 @@ fn arguments(root: &Path) -> Result<Arguments, String> {
         ledger: None,
         only: Vec::new(),
         scratch: std::env::temp_dir().join("flockproof-alterations"),
+        results: Path::new(env!("CARGO_MANIFEST_DIR")).join("target/results"),
         claims: true,
         tests: true,
         starts: Vec::new(),
@@ -75,7 +85,7 @@ fn arguments(root: &Path) -> Result<Arguments, String> {
             *(if word == "--no-claims" { &mut parsed.claims } else { &mut parsed.tests }) = false;
             continue;
         }
-        if ["--summary", "--missed", "--judge"].contains(&word.as_str()) {
+        if ["--summary", "--missed"].contains(&word.as_str()) {
             parsed.show = Some(word);
             continue;
         }
@@ -96,11 +106,17 @@ fn arguments(root: &Path) -> Result<Arguments, String> {
             "--ledger" => parsed.ledger = Some(PathBuf::from(value)),
             "--only" => parsed.only.extend(sources(root, &value)?),
             "--claims" => parsed.starts.push(value),
+            "--since" => parsed.since = Some(value),
+            "--budget" => parsed.budget = Duration::from_secs(value.parse().map_err(|_| USE)?),
+            "--results" => parsed.results = PathBuf::from(value),
             "--scratch" => parsed.scratch = PathBuf::from(value),
             _ => return Err(USE.to_string()),
         }
     }
-    if parsed.files.is_empty() && parsed.show.is_none() || parsed.shard.0 == 0 || parsed.shard.0 > parsed.shard.1 {
+    if parsed.files.is_empty() && parsed.since.is_none() && parsed.show.is_none()
+        || parsed.shard.0 == 0
+        || parsed.shard.0 > parsed.shard.1
+    {
         return Err(USE.to_string());
     }
     Ok(parsed)
@@ -150,17 +166,23 @@ fn main() -> ExitCode {
 fn run() -> Result<(), String> {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let root = here.join("../..").canonicalize().map_err(|error| error.to_string())?;
-    let results = here.join("results");
-    let arguments = arguments(&root)?;
+    let mut arguments = arguments(&root)?;
     let equivalents = Equivalents::read(&here.join("equivalent.tsv"));
     if let Some(what) = &arguments.show {
-        return if what == "--judge" {
-            judge(&root, &results, &equivalents)
-        } else {
-            show(&root, &results, what == "--missed")
-        };
+        return show(&root, &arguments.results, what == "--missed");
     }
-    std::fs::create_dir_all(&results).map_err(|error| error.to_string())?;
+    let changed = arguments.since.as_deref().map(|revision| changed::lines(&root, revision)).transpose()?;
+    if let Some(changed) = &changed {
+        if arguments.files.is_empty() {
+            arguments.files = changed.keys().cloned().collect();
+        }
+        arguments.files.retain(|file| changed.contains_key(file));
+        if arguments.files.is_empty() {
+            println!("no formula was changed");
+            return Ok(());
+        }
+    }
+    std::fs::create_dir_all(&arguments.results).map_err(|error| error.to_string())?;
     std::fs::create_dir_all(&arguments.scratch).map_err(|error| error.to_string())?;
     let mut packages = arguments.packages.clone();
     for file in &arguments.files {
@@ -176,7 +198,8 @@ fn run() -> Result<(), String> {
         programs.push(Program { file: file.clone(), folder: folder.clone(), is_ledger: false });
     }
     let probes = recorded_probes(&arguments, &programs, &root)?;
-    let campaign = Campaign { root: &root, results: &results, arguments: &arguments, built: &built, programs, probes };
+    let results = &arguments.results;
+    let campaign = Campaign { root: &root, results, arguments: &arguments, built: &built, changed, programs, probes };
     campaign.run(&equivalents)
 }
 
@@ -273,6 +296,7 @@ struct Campaign<'a> {
     results: &'a Path,
     arguments: &'a Arguments,
     built: &'a copy::Built,
+    changed: Option<changed::Lines>,
     programs: Vec<Program>,
     probes: Vec<Probe>,
 }
@@ -287,6 +311,7 @@ impl Campaign<'_> {
         let mut tables = Vec::new();
         for (k, file) in files.iter().enumerate() {
             let source = std::fs::read_to_string(self.root.join(file)).map_err(|error| error.to_string())?;
+            equivalents.stale(file, &source).for_each(|line| eprintln!("equivalent.tsv: {file} has no line {line}"));
             let mut table = Table::read(self.results, file, &source);
             let live = self.built.live.iter().filter(|&&number| self.built.alterations[number as usize - 1].file == k);
             table.total = live.count();
@@ -298,12 +323,14 @@ impl Campaign<'_> {
         let next = AtomicUsize::new(0);
         eprintln!("{} alterations, {} to try", self.built.live.len(), wanted.len());
         let error: Mutex<Option<String>> = Mutex::new(None);
+        let begun = Instant::now();
         std::thread::scope(|scope| {
             for job in 0..self.arguments.jobs.max(1) {
                 let (tables, next, wanted, error, sources) = (&tables, &next, &wanted, &error, &sources);
                 scope.spawn(move || {
                     let out = self.arguments.scratch.join(format!("out-{job}"));
-                    while let Some(&number) = wanted.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    while begun.elapsed() < self.arguments.budget {
+                        let Some(&number) = wanted.get(next.fetch_add(1, Ordering::Relaxed)) else { return };
                         let alteration = &self.built.alterations[number as usize - 1];
                         let noticed = match self.noticed(number, &out) {
                             Ok(noticed) => noticed,
@@ -338,6 +365,15 @@ impl Campaign<'_> {
         if let Some(why) = error.into_inner().unwrap_or_else(|e| e.into_inner()) {
             return Err(why);
         }
+        let tried = next.into_inner().min(wanted.len());
+        if tried < wanted.len() {
+            println!(
+                "{} of {} alterations were not tried within {:?}",
+                wanted.len() - tried,
+                wanted.len(),
+                self.arguments.budget
+            );
+        }
         for table in tables.into_inner().unwrap_or_else(|e| e.into_inner()) {
             if table.rows.is_empty() {
                 continue;
@@ -363,7 +399,11 @@ impl Campaign<'_> {
         let is_wanted = |number: &u32| {
             let alteration = &self.built.alterations[*number as usize - 1];
             let only = &self.arguments.only;
-            if !only.is_empty() && !only.contains(&self.arguments.files[alteration.file]) {
+            let file = &self.arguments.files[alteration.file];
+            if !only.is_empty() && !only.contains(file) {
+                return false;
+            }
+            if self.changed.as_ref().is_some_and(|changed| !changed::holds(changed, file, alteration.line)) {
                 return false;
             }
             match tables[alteration.file].rows.get(&table::key(alteration)) {
@@ -412,20 +452,6 @@ impl Campaign<'_> {
     }
 }
 
-/// Applies the list of equivalent alterations to the recorded results.
-fn judge(root: &Path, results: &Path, equivalents: &Equivalents) -> Result<(), String> {
-    let entries = std::fs::read_dir(results).map_err(|error| format!("{}: {error}", results.display()))?;
-    for path in entries.filter_map(Result::ok).map(|entry| entry.path()) {
-        let Some(mut table) = Table::recorded(&path) else { return Err(format!("{} is no table", path.display())) };
-        let source = std::fs::read_to_string(root.join(&table.file)).unwrap_or_default();
-        if table::is_of(&table.digest, &source) {
-            table.judge(&source, equivalents);
-            table.write(results)?;
-        }
-    }
-    Ok(())
-}
-
 /// The recorded results: a row for each file.
 fn show(root: &Path, results: &Path, missed: bool) -> Result<(), String> {
     let entries = std::fs::read_dir(results).map_err(|error| format!("{}: {error}", results.display()))?;
@@ -438,7 +464,7 @@ fn show(root: &Path, results: &Path, missed: bool) -> Result<(), String> {
     for path in paths {
         let Some(table) = Table::recorded(&path) else { return Err(format!("{} is no table", path.display())) };
         let source = std::fs::read_to_string(root.join(&table.file)).unwrap_or_default();
-        let is_stale = !table::is_of(&table.digest, &source) || path_of(results, &table.file) != path;
+        let is_stale = table.digest != table::digest(&source);
         if missed {
             for row in table.rows.values().filter(|row| row.verdict == "missed") {
                 println!("{}:{}:{}\t{}\t{}\t{}", table.file, row.line, row.column, row.original, row.altered, row.by);

@@ -1,4 +1,4 @@
-//! The results: one table for each altered file, under version control.
+//! The results: one table for each altered file.
 
 use crate::sites::Alteration;
 use sha2::{Digest, Sha256};
@@ -37,18 +37,9 @@ fn clean(text: &str) -> String {
 
 /// The digest of a source: lines of comments, which cannot be altered, count as empty ones, and tests at its end do not count.
 pub fn digest(text: &str) -> String {
-    digest_of_lines(without_tests(text).lines())
-}
-
-/// As [`digest`], with the tests.
-fn digest_with_tests(text: &str) -> String {
-    digest_of_lines(text.lines())
-}
-
-fn digest_of_lines<'a>(lines: impl Iterator<Item = &'a str>) -> String {
     let is_comment = |line: &str| line.trim_start().starts_with("//");
     let code = |line: &str| if is_comment(line) { "\n".to_string() } else { format!("{line}\n") };
-    digest_of(lines.map(code).collect::<String>().as_bytes())
+    digest_of(without_tests(text).lines().map(code).collect::<String>().as_bytes())
 }
 
 /// A source without `mod tests` in its last lines.
@@ -58,11 +49,6 @@ fn without_tests(text: &str) -> &str {
     let rest = &text[start + START.len()..];
     let ends_there = rest == ";\n" || rest.find("\n}\n").is_some_and(|end| end + 3 == rest.len());
     if ends_there { text[..start].trim_end() } else { text }
-}
-
-/// Whether a table with this digest is of the source as it is.
-pub fn is_of(digest_of_table: &str, text: &str) -> bool {
-    digest_of_table == digest(text) || digest_of_table == digest_with_tests(text)
 }
 
 pub fn digest_of(bytes: &[u8]) -> String {
@@ -78,7 +64,7 @@ impl Table {
     pub fn read(results: &Path, file: &str, source: &str) -> Table {
         let digest = digest(source);
         match Table::recorded(&path_of(results, file)) {
-            Some(table) if is_of(&table.digest, source) && table.file == file => Table { digest, ..table },
+            Some(table) if table.digest == digest && table.file == file => table,
             _ => Table { file: file.to_string(), digest, total: 0, rows: BTreeMap::new() },
         }
     }
@@ -135,19 +121,6 @@ impl Table {
         written.map_err(|error| format!("{}: {error}", path.display()))
     }
 
-    /// Tells apart again what was missed: equivalent where a reason is known.
-    pub fn judge(&mut self, source: &str, equivalents: &Equivalents) {
-        let lines: Vec<&str> = source.lines().collect();
-        for row in self.rows.values_mut().filter(|row| row.verdict != "caught") {
-            let line = lines.get(row.line - 1).copied().unwrap_or_default();
-            match equivalents.why(&self.file, line, &row.original, &row.altered) {
-                Some(why) => (row.verdict, row.by) = ("equivalent".to_string(), why.to_string()),
-                None if row.verdict == "equivalent" => (row.verdict, row.by) = ("missed".to_string(), String::new()),
-                None => {}
-            }
-        }
-    }
-
     pub fn count(&self, verdict: &str) -> usize {
         self.rows.values().filter(|row| row.verdict == verdict).count()
     }
@@ -165,6 +138,12 @@ impl Equivalents {
             <[String; 5]>::try_from(fields).ok()
         };
         Equivalents(text.lines().skip(1).filter_map(row).collect())
+    }
+
+    /// Rows of a file whose line does not stand in its source any more.
+    pub fn stale<'a>(&'a self, file: &'a str, source: &'a str) -> impl Iterator<Item = &'a str> {
+        let stands = |line: &str| source.lines().any(|other| other.trim() == line);
+        self.0.iter().filter(move |row| row[0] == file && !stands(&row[1])).map(|row| row[1].as_str())
     }
 
     pub fn why(&self, file: &str, line: &str, original: &str, altered: &str) -> Option<&str> {

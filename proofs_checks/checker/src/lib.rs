@@ -10,6 +10,7 @@ mod flock;
 mod inertia;
 mod limit;
 mod matrix;
+mod motion;
 mod peak;
 mod product;
 mod read;
@@ -45,13 +46,14 @@ pub const EXAMPLE: (&str, &str) = (
 
 type Check = fn(&mut Reader) -> Result<String, Refusal>;
 
-const KINDS: [(&str, Check); 6] = [
+const KINDS: [(&str, Check); 7] = [
     ("product", product::check),
     ("limit", limit::check),
     ("switches", flock::check),
     ("inertia", inertia::check),
     ("peak", peak::check),
     ("sos", sos::check),
+    ("motion", motion::check),
 ];
 
 /// Checks one certificate.

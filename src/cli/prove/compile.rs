@@ -146,7 +146,8 @@ impl Workshop {
     /// # Errors
     /// [`ProveError::File`].
     pub fn forget(&self, sources: &[Source]) -> Result<(), ProveError> {
-        for path in sources.iter().map(|source| self.path(source.name, "done")) {
+        let kept = |end| sources.iter().map(move |source| self.path(source.name, end));
+        for path in kept("done").chain(kept("axioms")) {
             match std::fs::remove_file(&path) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(ProveError::File { path, error }),
                 _ => {}
@@ -181,11 +182,35 @@ impl Workshop {
         Some(text)
     }
 
-    /// The axioms under the theorems of one compiled file, in their order.
+    /// The axioms under the theorems of one compiled file, in their order. What an earlier run was told of the same theorems is taken where the mark that it
+    /// noted is the one of now.
     ///
     /// # Errors
     /// [`ProveError::Refused`], [`ProveError::File`], [`ProveError::Axiom`].
     pub fn axioms(
+        &self,
+        source: &Source,
+        theorems: &[&Theorem],
+        progress: &dyn Progress,
+    ) -> Result<Vec<AxiomSet>, ProveError> {
+        let kept = self.path(source.name, "axioms");
+        let paths = theorems.iter().map(|theorem| theorem.path() + "\n").collect::<String>();
+        let asked = self.mark(source).unwrap_or_default() + &paths;
+        let told = std::fs::read_to_string(&kept).unwrap_or_default();
+        if let Some(words) = told.strip_prefix(&asked)
+            && let Some(axioms) = words.lines().map(AxiomSet::parse).collect::<Option<Vec<_>>>()
+            && axioms.len() == theorems.len()
+        {
+            return Ok(axioms);
+        }
+        let axioms = self.ask_axioms(source.name, theorems, progress)?;
+        let words = axioms.iter().map(|axioms| format!("{}\n", axioms.words())).collect::<String>();
+        std::fs::write(&kept, asked + &words).map_err(|error| ProveError::File { path: kept, error })?;
+        Ok(axioms)
+    }
+
+    /// The same, asked of coqc.
+    fn ask_axioms(
         &self,
         file: &str,
         theorems: &[&Theorem],
@@ -425,7 +450,7 @@ pub fn prove(
             return Ok(Vec::new());
         }
         tell(source);
-        let axioms = workshop.axioms(source.name, &proved, progress)?;
+        let axioms = workshop.axioms(source, &proved, progress)?;
         Ok(proved.into_iter().map(Theorem::path).zip(axioms).collect())
     });
     let axioms = axioms.collect::<Result<Vec<Vec<_>>, ProveError>>()?;

@@ -1,6 +1,6 @@
 //! The questions of the live pages, answered as the command line answers them; none of them opens a file.
 
-use super::super::{CliError, check, flock, help, output, pattern, resonance, simulate, spectrum};
+use super::super::{CliError, check, flock, help, output, pattern, reach, resonance, simulate, spectrum};
 use flockproof::arithmetic::Progress;
 use flockproof::question::Question;
 use flockproof::report::{digest, shown};
@@ -16,13 +16,14 @@ pub struct Answered {
 
 type Ask = fn(&str, &dyn Progress) -> Result<Answered, CliError>;
 
-const QUESTIONS: [(&str, Ask); 7] = [
+const QUESTIONS: [(&str, Ask); 8] = [
     ("resonance", of_platoon),
     ("spectrum", of_graph),
     ("flock", of_flock),
     ("pattern", of_pattern),
     ("question", of_question),
     ("scenario", of_scenario),
+    ("system", of_system),
     ("certificate", of_certificate),
 ];
 
@@ -151,6 +152,18 @@ fn of_scenario(text: &str, progress: &dyn Progress) -> Result<Answered, CliError
     let form = Form::read(text)?;
     let (outcome, document) = simulate::ran(&input(form.text("scenario", TEXT)?), progress)?;
     Ok(Answered { document, shown: shown::simulation(&outcome) })
+}
+
+/// Digits of worst cases.
+const WORST: u32 = 10;
+
+fn of_system(text: &str, progress: &dyn Progress) -> Result<Answered, CliError> {
+    let form = Form::read(text)?;
+    let found = reach::answered(&input(form.text("system", TEXT)?), WORST, progress)
+        .map_err(|error| refused(help::plain(&error)))?;
+    let shown = found.and_then(|found| found.shown(progress));
+    let (document, shown) = shown.ok_or_else(|| refused("interrupted"))?;
+    Ok(Answered { document, shown })
 }
 
 fn of_certificate(text: &str, _: &dyn Progress) -> Result<Answered, CliError> {

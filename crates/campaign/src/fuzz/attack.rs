@@ -30,7 +30,7 @@ enum Found {
     /// No member, or one that `where` leaves out.
     None,
     /// A member, decided.
-    Member(Bindings, Decided),
+    Member(Bindings, Box<Decided>),
 }
 
 impl Attack {
@@ -70,7 +70,7 @@ impl Attack {
             return Ok(Found::None);
         };
         let decided = self.question.decide(&member, progress)?;
-        Ok(if decided.excluded { Found::None } else { Found::Member(member, decided) })
+        Ok(if decided.excluded { Found::None } else { Found::Member(member, Box::new(decided)) })
     }
 
     /// The upper bound of the margin of a list of draws; none where it is no member or cannot be decided.

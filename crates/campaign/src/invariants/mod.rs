@@ -15,6 +15,7 @@ mod readers;
 mod simulated;
 mod spectra;
 mod symmetries;
+mod systems;
 mod traces;
 
 pub use readers::{READERS, Reader};
@@ -86,6 +87,7 @@ pub fn table() -> impl Iterator<Item = &'static Invariant> {
         questions::TABLE,
         certificates::TABLE,
         traces::TABLE,
+        systems::TABLE,
     ]
     .into_iter()
     .flatten()

@@ -12,6 +12,7 @@ use models::averaging::read::{Model, read_flock};
 use models::averaging::{Hysteresis, Start, Weights};
 use models::tracks::{School, Setting, Tracks, synthetic_school};
 use question::Question;
+use reach::System;
 use scenario::Scenario;
 use serde_json::json;
 
@@ -273,7 +274,7 @@ pub type Reader = (&'static str, fn(&str) -> Result<(), String>);
 const WORK_ON_A_CERTIFICATE: u64 = 1 << 20;
 
 /// Every reader of the program; the targets of the folder `fuzz/` are the same.
-pub const READERS: [Reader; 9] = [
+pub const READERS: [Reader; 10] = [
     ("numbers", |text| parse_rational(text).map(drop).map_err(|error| error.to_string())),
     ("matrices", |text| read_sequence(text).map(drop).map_err(|error| error.to_string())),
     ("graphs", |text| read_graph(text).map(drop).map_err(|error| error.to_string())),
@@ -289,7 +290,13 @@ pub const READERS: [Reader; 9] = [
         let checked = flockproof_checker::check_within(text.as_bytes(), WORK_ON_A_CERTIFICATE);
         checked.map(drop).map_err(|refusal| refusal.reason)
     }),
+    ("systems", |text| System::read(text).map(drop).map_err(|error| error.to_string())),
 ];
+
+/// A system to begin with.
+const SYSTEM: &str = "[system]\nstates = [\"x\"]\ninputs = { u = [-1, 1], w = { box = [0, 1], constant = true } }\nstart = { x = [0, \"1/2\"] }\n\
+     [[mode]]\nname = \"a\"\nA = [[-1]]\nB = [[1, 1]]\nc = [0]\n[switching]\nkind = \"periodic\"\norder = [\"a\"]\nperiod = 1\n\
+     [run]\nuntil = 2\n[[check]]\nholds = \"x <= 2 and -x < 1\"\nat = 1\n";
 
 /// Questions to begin with.
 const QUESTIONS: [&str; 3] = [
@@ -345,6 +352,7 @@ fn nonsense(draws: &mut Draws, tested: Tested) -> Checked {
 /// A text that a reader reads.
 fn valid(draws: &mut Draws, name: &str) -> Result<String, Stop> {
     Ok(match name {
+        "systems" => SYSTEM.to_string(),
         "numbers" => fraction(draws, 10_000, 1000).to_string(),
         "graphs" => {
             let order = draws.between(1, 5);

@@ -7,6 +7,7 @@ mod graph;
 mod pattern;
 mod platoon;
 mod question;
+mod reach;
 mod simulation;
 
 pub use flock::flock;
@@ -16,6 +17,7 @@ pub use pattern::{PatternError, PatternRow, patterns};
 pub use platoon::PlatoonError;
 pub use platoon::resonance;
 pub use question::question;
+pub use reach::{reach, worst_cases};
 pub use simulation::simulation;
 
 use crate::page::player::Motion;

@@ -4,7 +4,8 @@ use super::super::Texts;
 use super::cases::{self, Case};
 use super::runs::RunsError;
 use super::starts::{
-    BIRDS, CERTIFICATE, GAINS, GAP, PAIRS, PAIRS_FLOCK, PATTERN, PHASES, PHASES_SCENARIO, PLATOON, SWITCHING, THREE,
+    BIRDS, CERTIFICATE, GAINS, GAP, PAIRS, PAIRS_FLOCK, PATTERN, PHASES, PHASES_SCENARIO, PLAA01, PLAD01, PLATOON,
+    SWITCHING, THREE, TWO_CARS,
 };
 use maud::{Markup, PreEscaped, html};
 
@@ -169,6 +170,22 @@ pub(in super::super) const LIVE: &[Live] = &[
             ("Twelve particles form a pattern", &[("scenario", PATTERN)]),
             ("Three agents agree", &[("scenario", THREE)]),
             ("A platoon near its resonance", &[("scenario", PLATOON)]),
+        ],
+    },
+    Live {
+        name: "live-reach",
+        title: "Worst cases of a switched system",
+        about: "Linear modes with bounded inputs, switched in turn, at unknown times or at will: how small can a distance become? For a fixed order of modes the worst \
+                case is enclosed, with the input that attains it.",
+        ask: "system",
+        command: "flockproof reach SYSTEM.toml --json",
+        fields: &[text("system", "The system", 18, TWO_CARS)],
+        draws: None,
+        case: None,
+        examples: &[
+            ("Two cars, communication on and off", &[("system", TWO_CARS)]),
+            ("Three followers, on and off in turn (PLAD01)", &[("system", PLAD01)]),
+            ("Three followers, any loss (PLAA01)", &[("system", PLAA01)]),
         ],
     },
     Live {

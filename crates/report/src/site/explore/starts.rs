@@ -14,8 +14,25 @@ pub(super) const SWITCHING: &str = "assets/scenarios/switching_flock.toml";
 pub(super) const PATTERN: &str = "assets/scenarios/pattern.toml";
 pub(super) const THREE: &str = "assets/scenarios/three_agents.toml";
 pub(super) const PLATOON: &str = "assets/scenarios/platoon.toml";
+pub(super) const TWO_CARS: &str = "assets/systems/two_cars.toml";
+pub(super) const PLAD01: &str = "assets/systems/platoon_plad01.toml";
+pub(super) const PLAA01: &str = "assets/systems/platoon_plaa01.toml";
 pub(super) const CERTIFICATE: &str = "proofs_checks/checker/corpus/pass/chazelle.lem3.3.one_edge.cert";
 
 /// All that are paths.
-pub(in super::super) const FILES: [&str; 11] =
-    [GAP, GAINS, PAIRS, PAIRS_FLOCK, PHASES, PHASES_SCENARIO, SWITCHING, PATTERN, THREE, PLATOON, CERTIFICATE];
+pub(in super::super) const FILES: [&str; 14] = [
+    GAP,
+    GAINS,
+    PAIRS,
+    PAIRS_FLOCK,
+    PHASES,
+    PHASES_SCENARIO,
+    SWITCHING,
+    PATTERN,
+    THREE,
+    PLATOON,
+    TWO_CARS,
+    PLAD01,
+    PLAA01,
+    CERTIFICATE,
+];

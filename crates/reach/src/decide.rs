@@ -1,0 +1,392 @@
+//! Verdicts: worst cases against the bounds that are asked for.
+
+use crate::comparison::{Comparison, greatest};
+use crate::ellipsoid::{abscissa, kept_box};
+use crate::flow::Flows;
+use crate::guess::bad_order;
+use crate::orders::Times;
+use crate::prepared::Prepared;
+use crate::system::{Check, Condition, Range, Side, Switching, System};
+use crate::walk::{Depth, Leg, worst};
+use crate::witness::{Witness, attaining};
+use crate::worst::Worst;
+use arithmetic::{Cancelled, Enclosure, FloatInterval, Progress, Rational, rational};
+use num_traits::{Signed, Zero};
+
+/// Why there is no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ReachError {
+    /// The work was stopped.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// A mode that may last for ever and is not stable.
+    #[error(
+        "the mode `{mode}` may last for ever and is not stable (an eigenvalue has real part {growth:.3}), so that there are no worst cases for unbounded time; give `until` a number"
+    )]
+    Unstable {
+        /// Its name.
+        mode: String,
+        /// The largest real part of an eigenvalue, in floats.
+        growth: f64,
+    },
+    /// More than can be followed.
+    #[error("`until` = {until} is more than {most} steps of the fastest mode, the longest that is followed")]
+    TooLong {
+        /// The last time.
+        until: String,
+        /// The most steps.
+        most: usize,
+    },
+}
+
+/// What is true of a check.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// It holds for all inputs, starts and orders of modes, proved.
+    Holds,
+    /// A witness violates it.
+    False,
+    /// Neither was established.
+    Undecided,
+}
+
+impl Verdict {
+    /// As it is written.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Holds => "holds",
+            Verdict::False => "false",
+            Verdict::Undecided => "undecided",
+        }
+    }
+}
+
+/// What was found about one condition.
+#[derive(Debug, Clone)]
+pub struct Part {
+    /// The condition.
+    pub condition: Condition,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The worst value of the left side is not below this.
+    pub lo: Option<Rational>,
+    /// The worst value of the left side is not above this.
+    pub hi: Option<Rational>,
+    /// It is attained between these times, where that is known.
+    pub at: Option<Range>,
+    /// A motion whose value is as near to the worst as was found.
+    pub witness: Option<Witness>,
+    /// How the value was bounded, or why there is no verdict.
+    pub why: String,
+}
+
+/// What was found about a check: its conditions, each by itself.
+#[derive(Debug, Clone)]
+pub struct Decided {
+    /// The check.
+    pub check: Check,
+    /// That of all conditions together.
+    pub verdict: Verdict,
+    /// Each condition.
+    pub parts: Vec<Part>,
+}
+
+impl Decided {
+    /// The condition that the verdict comes from: one that is false, or undecided, or else the one nearest to its bound.
+    pub fn decisive(&self) -> &Part {
+        let margin = |part: &Part| match part.condition.side {
+            Side::AtLeast => part.lo.as_ref().map(|lo| lo - &part.condition.bound),
+            Side::AtMost => part.hi.as_ref().map(|hi| &part.condition.bound - hi),
+        };
+        let first = self.parts.iter().find(|part| part.verdict == self.verdict && self.verdict != Verdict::Holds);
+        first.or_else(|| self.parts.iter().min_by_key(|part| margin(part))).unwrap_or(&self.parts[0])
+    }
+}
+
+/// Digits more, where a bound lies within an enclosure.
+const MORE: u32 = 20;
+
+/// Bits of the enclosure of a witness's value.
+const BITS: u32 = 256;
+
+/// Decides all checks; worst cases to so many digits where the order of modes is fixed.
+///
+/// # Errors
+/// [`ReachError`].
+pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<Vec<Decided>, ReachError> {
+    let prepared = Prepared::new(system);
+    within_limits(system, &prepared)?;
+    stable_for_ever(system)?;
+    // Checks that are about the same times share the tables of the flows.
+    let mut times: Vec<Option<Rational>> = Vec::new();
+    for check in &system.checks {
+        if !times.contains(&check.at) {
+            times.push(check.at.clone());
+        }
+    }
+    let mut parts: Vec<Vec<Part>> = vec![Vec::new(); system.checks.len()];
+    for at in &times {
+        let (asked, rows) = rows(system, &prepared, at);
+        let mut found = worst_of(system, &prepared, at.as_ref(), &rows, digits, progress)?;
+        // A bound that lies within the enclosure may be met exactly: more digits, in which small numbers are exact, may tell.
+        for (_, condition, index) in &asked {
+            let worst = &found[*index].0;
+            let (lo, hi) = left_side(condition, worst);
+            let between = lo.is_some_and(|lo| lo <= condition.bound) && hi.is_some_and(|hi| hi >= condition.bound);
+            if between && worst.is_closed(digits) {
+                let finer = worst_of(system, &prepared, at.as_ref(), &rows[*index..=*index], digits + MORE, progress)?;
+                found.splice(*index..=*index, finer);
+            }
+        }
+        let witnesses: Vec<Option<Witness>> = {
+            use rayon::prelude::*;
+            let one = |(row, (worst, _)): (&Vec<Rational>, &(Worst, &str))| {
+                worst.lo.as_ref().map(|_| witness(system, &prepared, row, worst))
+            };
+            rows.par_iter().zip(&found).map(one).collect()
+        };
+        for (check, condition, index) in asked {
+            let (worst, how) = &found[index];
+            parts[check].push(part(condition, worst, how, witnesses[index].clone(), digits));
+        }
+    }
+    let decided = |(check, parts): (&Check, Vec<Part>)| {
+        let any = |verdict| parts.iter().any(|part| part.verdict == verdict);
+        let verdict = match (any(Verdict::False), any(Verdict::Undecided)) {
+            (true, _) => Verdict::False,
+            (_, true) => Verdict::Undecided,
+            _ => Verdict::Holds,
+        };
+        Decided { check: check.clone(), verdict, parts }
+    };
+    Ok(system.checks.iter().zip(parts).map(decided).collect())
+}
+
+/// A condition with its check, and the row whose greatest value it asks for.
+type Asked<'a> = (usize, &'a Condition, usize);
+
+/// The rows whose greatest values are asked for at these times, each once, and which condition asks for which.
+fn rows<'a>(system: &'a System, prepared: &Prepared, at: &Option<Rational>) -> (Vec<Asked<'a>>, Vec<Vec<Rational>>) {
+    let (mut asked, mut rows): (Vec<_>, Vec<Vec<Rational>>) = (Vec::new(), Vec::new());
+    for (k, check) in system.checks.iter().enumerate().filter(|(_, check)| check.at == *at) {
+        for condition in &check.conditions {
+            let turned = condition.side == Side::AtLeast;
+            let mut row: Vec<Rational> = condition.row.iter().map(|x| if turned { -x } else { x.clone() }).collect();
+            row.resize(prepared.order(), Rational::ZERO);
+            let index = rows.iter().position(|known| *known == row).unwrap_or_else(|| {
+                rows.push(row);
+                rows.len() - 1
+            });
+            asked.push((k, condition, index));
+        }
+    }
+    (asked, rows)
+}
+
+const EXACT: &str = "enclosed over all inputs, starts and orders of modes";
+const COMPARED: &str = "bounded for any switching by the mean of the modes with disturbances whose bounds are proved; the other end is attained";
+const NO_BOUND: &str = "no bound was found: the disturbances that switching makes are not proved to stay bounded";
+const MANY: &str = "the search over durations ended before both ends met";
+
+/// The greatest value of each row, and how it was found.
+fn worst_of(
+    system: &System,
+    prepared: &Prepared,
+    at: Option<&Rational>,
+    rows: &[Vec<Rational>],
+    digits: u32,
+    progress: &dyn Progress,
+) -> Result<Vec<(Worst, &'static str)>, ReachError> {
+    let last = at.or(system.until.as_ref());
+    let compared = match (&system.switching, last) {
+        (Switching::Arbitrary | Switching::Dwell { .. }, _) | (Switching::Periodic { .. }, None) => {
+            Comparison::find(prepared, last, progress)?
+        }
+        _ => None,
+    };
+    let times = match (at, &system.until) {
+        (Some(at), _) => Some(Times::At(at.clone())),
+        (None, Some(until)) => Some(Times::Until(until.clone())),
+        (None, None) => {
+            let kept = match &compared {
+                Some(comparison) => comparison.kept_box(progress)?,
+                None => kept_box(&lasting(system, prepared), &prepared.start),
+            };
+            let back = rational(if matches!(system.switching, Switching::Dwell { .. }) { 16 } else { 8 }, 1);
+            kept.map(|rest| Times::Forever { back, rest })
+        }
+    };
+    let fixed = match &system.switching {
+        Switching::Periodic { .. } => true,
+        Switching::Windows { windows, .. } => windows.iter().all(Range::is_point),
+        _ => false,
+    };
+    // Where durations are free, a few digits are what a search over them gives.
+    let digits = if fixed { digits } else { digits.min(3) };
+    let listed = match &times {
+        Some(times) => greatest(prepared, &system.switching, times, rows, digits, progress)?,
+        None => None,
+    };
+    let bounds = match &compared {
+        Some(comparison) => comparison.bounds(rows, progress)?,
+        None => None,
+    };
+    let mut found = Vec::new();
+    for (k, row) in rows.iter().enumerate() {
+        let bound = bounds.as_ref().map(|bounds| bounds[k].clone());
+        found.push(match listed.as_ref().map(|listed| listed[k].clone()) {
+            Some(worst) => {
+                let how = if worst.is_closed(digits) { EXACT } else { MANY };
+                let hi = worst.hi.iter().chain(&bound).min().cloned();
+                (Worst { hi, ..worst }, how)
+            }
+            None => {
+                let how = if bound.is_some() { COMPARED } else { NO_BOUND };
+                (guessed(system, prepared, row, last, bound, progress)?, how)
+            }
+        });
+    }
+    Ok(found)
+}
+
+/// The modes that the states are in at unbounded times.
+fn lasting(system: &System, prepared: &Prepared) -> Vec<crate::prepared::Motion> {
+    match &system.switching {
+        Switching::Windows { order, windows } if windows.is_empty() => {
+            order.last().map(|&mode| prepared.motions[mode].clone()).into_iter().collect()
+        }
+        _ => prepared.motions.clone(),
+    }
+}
+
+/// A bound, and the value of a bad order of modes that was guessed.
+fn guessed(
+    system: &System,
+    prepared: &Prepared,
+    row: &[Rational],
+    last: Option<&Rational>,
+    hi: Option<Rational>,
+    progress: &dyn Progress,
+) -> Result<Worst, ReachError> {
+    let nothing = Worst { lo: None, hi: hi.clone(), at: None, legs: Vec::new() };
+    if !matches!(system.switching, Switching::Arbitrary) {
+        return Ok(nothing);
+    }
+    // For unbounded time, as long as motions are remembered.
+    let slowest = prepared.motions.iter().filter_map(|motion| abscissa(&motion.a)).fold(f64::NEG_INFINITY, f64::max);
+    let memory = Rational::from_float((30.0 / slowest.abs().max(1e-2)).ceil());
+    let Some(until) = last.cloned().or(memory) else { return Ok(nothing) };
+    let legs = bad_order(prepared, row, &until, progress)?;
+    let mut longest = vec![Rational::ZERO; prepared.motions.len()];
+    legs.iter().for_each(|(mode, duration)| longest[*mode] = longest[*mode].clone().max(duration.clone()));
+    let like = FloatInterval::point(0.0);
+    let flows = Flows::new(&prepared.motions, &longest, &[], &like);
+    let walk: Vec<Leg> = legs
+        .iter()
+        .map(|(mode, duration)| Leg {
+            mode: *mode,
+            duration: Range::point(duration.clone()),
+            varies: false,
+            start: None,
+        })
+        .collect();
+    let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
+    let value = worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value.and_then(|value| value.ends());
+    Ok(Worst { lo: value.map(|(lo, _)| lo), hi, at: Some(Range::point(until)), legs })
+}
+
+fn witness(system: &System, prepared: &Prepared, row: &[Rational], worst: &Worst) -> Witness {
+    let mut witness = attaining(system, prepared, row, &worst.legs);
+    let value = witness.value_of(system, &row[..system.states.len()], BITS);
+    if let Some((lo, hi)) = value.ends() {
+        witness.value = Range { lo, hi };
+    }
+    witness
+}
+
+/// A value of the row, which is turned for `>=`, as one of the left side.
+fn turned(condition: &Condition, x: &Rational) -> Rational {
+    let x = if condition.side == Side::AtLeast { -x } else { x.clone() };
+    x + &condition.constant
+}
+
+/// The ends of the worst value of the left side.
+fn left_side(condition: &Condition, worst: &Worst) -> (Option<Rational>, Option<Rational>) {
+    let end = |x: &Option<Rational>| x.as_ref().map(|x| turned(condition, x));
+    let (low, high) = (end(&worst.lo), end(&worst.hi));
+    if condition.side == Side::AtLeast { (high, low) } else { (low, high) }
+}
+
+/// From the greatest value of the row, which is turned for `>=`, to the worst value of the left side.
+fn part(condition: &Condition, worst: &Worst, how: &str, witness: Option<Witness>, digits: u32) -> Part {
+    let (lo, hi) = left_side(condition, worst);
+    let witness = witness.map(|mut witness| {
+        let (a, b) = (turned(condition, &witness.value.lo), turned(condition, &witness.value.hi));
+        witness.value = if a <= b { Range { lo: a, hi: b } } else { Range { lo: b, hi: a } };
+        witness
+    });
+    let kept = |x: &Rational| condition.admits(x);
+    let (safe, attained) = if condition.side == Side::AtLeast { (&lo, &hi) } else { (&hi, &lo) };
+    let violated = |witness: &Witness| !kept(&witness.value.lo) && !kept(&witness.value.hi);
+    let verdict = match (safe, attained, &witness) {
+        (Some(safe), _, _) if kept(safe) => Verdict::Holds,
+        (_, Some(attained), Some(witness)) if !kept(attained) && violated(witness) => Verdict::False,
+        _ => Verdict::Undecided,
+    };
+    let why = match verdict {
+        Verdict::Undecided if safe.is_some() && attained.is_some() => {
+            format!("{how}; the bound lies between both ends ({digits} digits)")
+        }
+        _ => how.to_string(),
+    };
+    Part { condition: condition.clone(), verdict, lo, hi, at: worst.at.clone(), witness, why }
+}
+
+/// Whether the flows can be tabulated.
+fn within_limits(system: &System, prepared: &Prepared) -> Result<(), ReachError> {
+    let norm = prepared
+        .motions
+        .iter()
+        .flat_map(|motion| (0..motion.a.len()).map(|j| motion.a.iter().map(|row| row[j].abs()).sum::<Rational>()));
+    let norm = norm.max().unwrap_or_default();
+    let longest =
+        system.checks.iter().filter_map(|check| check.at.clone()).chain(system.until.clone()).max().unwrap_or_default();
+    // Steps are at most halved below the inverse of the norm.
+    if (norm + Rational::ONE) * &longest * rational(2, 1) > rational(MOST as i64, 1) {
+        return Err(ReachError::TooLong { until: longest.to_string(), most: MOST });
+    }
+    Ok(())
+}
+
+/// Most steps of time.
+const MOST: usize = 200_000;
+
+/// A mode that may last for ever is stable where the time is not bounded.
+fn stable_for_ever(system: &System) -> Result<(), ReachError> {
+    if system.until.is_some() {
+        return Ok(());
+    }
+    let lasting: Vec<usize> = match &system.switching {
+        Switching::Windows { order, .. } => order.last().copied().into_iter().collect(),
+        Switching::Periodic { order, .. } if order.len() == 1 => order.clone(),
+        Switching::Periodic { .. } => Vec::new(),
+        Switching::Arbitrary => (0..system.modes.len()).collect(),
+        Switching::Dwell { stays, .. } => (0..stays.len()).filter(|&mode| stays[mode].most.is_none()).collect(),
+    };
+    for mode in lasting {
+        let mode = &system.modes[mode];
+        // States that do not move are numbers, not motions.
+        let moving: Vec<usize> = (0..mode.a.len())
+            .filter(|&i| !mode.a[i].iter().chain(&mode.b[i]).chain([&mode.c[i]]).all(Zero::is_zero))
+            .collect();
+        let a: Vec<Vec<Rational>> =
+            moving.iter().map(|&i| moving.iter().map(|&j| mode.a[i][j].clone()).collect()).collect();
+        if let Some(growth) = abscissa(&a).filter(|growth| *growth >= -1e-9 && !moving.is_empty()) {
+            return Err(ReachError::Unstable {
+                mode: mode.name.clone(),
+                growth: if growth.abs() < 1e-9 { 0.0 } else { growth },
+            });
+        }
+    }
+    Ok(())
+}

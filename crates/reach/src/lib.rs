@@ -1,0 +1,28 @@
+//! Worst cases of switched linear systems `x' = A x + B u + c` with bounded inputs.
+
+pub mod answer;
+mod certificate;
+mod comparison;
+mod condition;
+mod decide;
+mod ellipsoid;
+mod family;
+mod flow;
+mod guess;
+mod orders;
+mod prepared;
+mod read;
+mod scalar;
+mod search;
+mod signs;
+mod system;
+mod tube;
+mod walk;
+mod witness;
+mod worst;
+
+pub use certificate::certificate;
+pub use decide::{Decided, Part, ReachError, Verdict, decide};
+pub use system::{Check, Condition, Input, Mode, Range, Side, Stay, Switching, System};
+pub use tube::{Tube, along, tube};
+pub use witness::Witness;

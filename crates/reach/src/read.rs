@@ -1,0 +1,298 @@
+//! A system from a TOML text; every error says where.
+
+use crate::condition;
+use crate::system::{Check, Input, Mode, Range, Stay, Switching, System};
+use arithmetic::{Rational, shown};
+use num_traits::Signed;
+use scenario::source::{Entry, Section, Source};
+use scenario::{ConfigError, Problem};
+
+/// Most states, constant inputs included.
+const STATES: usize = 200;
+/// Most inputs, modes and checks.
+const OTHERS: usize = 200;
+/// Most modes in turn.
+const TURNS: usize = 1000;
+
+type Read<T> = Result<T, ConfigError>;
+
+impl System {
+    /// Reads a system.
+    ///
+    /// # Errors
+    /// [`ConfigError`] with the line at fault.
+    pub fn read(text: &str) -> Result<System, ConfigError> {
+        let source = Source::parse(text)?;
+        let top = source.top();
+        top.allow(&["system", "mode", "switching", "run", "check"], "")?;
+        let section = source.needed("system")?;
+        section.allow(&["states", "inputs", "start", "name"], "")?;
+        let states = states(&section)?;
+        let inputs = inputs(&section)?;
+        let start = start(&section, &states)?;
+        let constants = inputs.iter().filter(|input| input.constant).count();
+        if states.len() + constants > STATES {
+            return Err(
+                section.problem(Problem::Range(format!("a system of at most {STATES} states and constant inputs")))
+            );
+        }
+        let modes = modes(&top, states.len(), inputs.len())?;
+        let switching = switching(source.section("switching")?, &modes)?;
+        let run = source.needed("run")?;
+        run.allow(&["until"], "")?;
+        let until = until(&run)?;
+        let checks = checks(&top, &states, until.as_ref())?;
+        Ok(System { states, inputs, start, modes, switching, until, checks })
+    }
+}
+
+fn states(section: &Section) -> Read<Vec<String>> {
+    let entry = section.need("states", "a list of names")?;
+    let items = entry.items("a list of names")?;
+    if items.is_empty() || items.len() > STATES {
+        return Err(entry.range(format!("a list of 1 to {STATES} names, not {}", items.len())));
+    }
+    let names: Vec<String> = items.iter().map(name).collect::<Read<_>>()?;
+    distinct(&names, &items)?;
+    Ok(names)
+}
+
+/// A name that conditions can use.
+fn name(entry: &Entry) -> Read<String> {
+    let word = entry.word()?;
+    let letters = word.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    let starts = word.starts_with(|c: char| c.is_ascii_alphabetic());
+    match letters && starts && word.len() <= 60 && !expressions::KEYWORDS.contains(&word) {
+        true => Ok(word.to_string()),
+        false => Err(entry.range("a name of letters and digits that starts with a letter and is no keyword")),
+    }
+}
+
+fn distinct(names: &[String], items: &[Entry]) -> Read<()> {
+    for (i, entry) in items.iter().enumerate() {
+        if names[..i].contains(&names[i]) {
+            return Err(entry.range(format!("another name than `{}`, which is taken", shown(&names[i]))));
+        }
+    }
+    Ok(())
+}
+
+fn inputs(section: &Section) -> Read<Vec<Input>> {
+    let Some(entry) = section.get("inputs") else { return Ok(Vec::new()) };
+    let found = entry.table("system.inputs")?.entries();
+    if found.len() > OTHERS {
+        return Err(entry.range(format!("at most {OTHERS} inputs, not {}", found.len())));
+    }
+    found.iter().map(|(name, entry)| input(name, entry)).collect()
+}
+
+fn input(name: &str, entry: &Entry) -> Read<Input> {
+    if !entry.is_table() {
+        return Ok(Input { name: name.to_string(), range: range(entry)?, constant: false });
+    }
+    let table = entry.table("system.inputs")?;
+    table.allow(&["box", "constant"], " of an input")?;
+    let constant = table.get("constant").map_or(Ok(false), |entry| entry.flag())?;
+    Ok(Input { name: name.to_string(), range: range(&table.need("box", "a list of two numbers")?)?, constant })
+}
+
+/// A number, or a list of two.
+fn range(entry: &Entry) -> Read<Range> {
+    if !entry.is_list() {
+        return Ok(Range::point(entry.exact()?));
+    }
+    let ends: Vec<Rational> =
+        entry.items("a number or a list of two")?.iter().map(Entry::exact).collect::<Read<_>>()?;
+    match <[Rational; 2]>::try_from(ends) {
+        Ok([lo, hi]) if lo <= hi => Ok(Range { lo, hi }),
+        Ok([lo, hi]) => Err(entry.range(format!("an interval, but [{lo}, {hi}] is empty"))),
+        Err(ends) => Err(entry.range(format!("a number or a list of two, not of {}", ends.len()))),
+    }
+}
+
+fn start(section: &Section, states: &[String]) -> Read<Vec<Range>> {
+    let entry = section.need("start", "a table with a number or an interval for each state")?;
+    let table = entry.table("system.start")?;
+    let names: Vec<&str> = states.iter().map(String::as_str).collect();
+    table.allow(&names, " (the states)")?;
+    let missing = |state: &str| entry.range(format!("a table with every state, but `{state}` is missing"));
+    states.iter().map(|state| range(&table.get(state).ok_or_else(|| missing(state))?)).collect()
+}
+
+fn modes(top: &Section, states: usize, inputs: usize) -> Read<Vec<Mode>> {
+    let expected = "[[mode]] with name, A and B";
+    let entry = top.need("mode", expected)?;
+    let items = entry.items(expected)?;
+    if items.is_empty() || items.len() > OTHERS {
+        return Err(entry.range(format!("a list of 1 to {OTHERS} modes, not {}", items.len())));
+    }
+    let tables: Vec<Section> = items.iter().map(|item| item.table("mode")).collect::<Read<_>>()?;
+    let named: Vec<Entry> =
+        tables.iter().map(|table| table.need("name", "the name of the mode")).collect::<Read<_>>()?;
+    let names: Vec<String> = named.iter().map(name).collect::<Read<_>>()?;
+    distinct(&names, &named)?;
+    tables.iter().zip(names).map(|(table, name)| mode(table, name, states, inputs)).collect()
+}
+
+fn mode(table: &Section, name: String, states: usize, inputs: usize) -> Read<Mode> {
+    table.allow(&["name", "A", "B", "c"], "")?;
+    let a = matrix(&table.need("A", "the matrix of the mode, a list of rows")?, states, states)?;
+    let b = match table.get("B") {
+        None if inputs == 0 => vec![Vec::new(); states],
+        _ => matrix(&table.need("B", "the matrix of the inputs, a list of rows")?, states, inputs)?,
+    };
+    let c = table.get("c").map_or(Ok(vec![Rational::ZERO; states]), |entry| row(&entry, states))?;
+    Ok(Mode { name, a, b, c })
+}
+
+fn matrix(entry: &Entry, rows: usize, columns: usize) -> Read<Vec<Vec<Rational>>> {
+    let items = entry.items("a list of rows")?;
+    if items.len() != rows {
+        return Err(entry.range(format!("a list of {rows} rows, one for each state, not {}", items.len())));
+    }
+    items.iter().map(|item| row(item, columns)).collect()
+}
+
+fn row(entry: &Entry, columns: usize) -> Read<Vec<Rational>> {
+    let items = entry.items("a list of numbers")?;
+    if items.len() != columns {
+        return Err(entry.range(format!("a list of {columns} numbers, not {}", items.len())));
+    }
+    items.iter().map(Entry::exact).collect()
+}
+
+fn which(entry: &Entry, modes: &[Mode]) -> Read<usize> {
+    let names: Vec<(&str, usize)> = modes.iter().enumerate().map(|(i, mode)| (mode.name.as_str(), i)).collect();
+    entry.choice(&names)
+}
+
+fn order(section: &Section, modes: &[Mode]) -> Read<Vec<usize>> {
+    let entry = section.need("order", "a list of names of modes")?;
+    let items = entry.items("a list of names of modes")?;
+    if items.is_empty() || items.len() > TURNS {
+        return Err(entry.range(format!("a list of 1 to {TURNS} modes, not {}", items.len())));
+    }
+    items.iter().map(|item| which(item, modes)).collect()
+}
+
+fn switching(section: Option<Section>, modes: &[Mode]) -> Read<Switching> {
+    let constant = |mode| Switching::Windows { order: vec![mode], windows: Vec::new() };
+    let Some(section) = section else {
+        return match modes {
+            [_] => Ok(constant(0)),
+            _ => Err(ConfigError::MissingSection("switching")),
+        };
+    };
+    let kind = section.need("kind", "constant, periodic, windows, dwell or arbitrary")?;
+    let kinds = ["constant", "periodic", "windows", "dwell", "arbitrary"].map(|kind| (kind, kind));
+    match kind.choice(&kinds)? {
+        "constant" => {
+            section.allow(&["kind", "mode"], " of the kind constant")?;
+            match section.get("mode") {
+                Some(entry) => Ok(constant(which(&entry, modes)?)),
+                None if modes.len() == 1 => Ok(constant(0)),
+                None => section.need("mode", "the mode that is on").map(|_| constant(0)),
+            }
+        }
+        "periodic" => {
+            section.allow(&["kind", "order", "period"], " of the kind periodic")?;
+            let entry = section.need("period", "how long each mode lasts")?;
+            let period = entry.exact()?;
+            match period.is_positive() {
+                true => Ok(Switching::Periodic { order: order(&section, modes)?, period }),
+                false => Err(entry.range("a time above 0")),
+            }
+        }
+        "windows" => {
+            section.allow(&["kind", "order", "windows"], " of the kind windows")?;
+            let order = order(&section, modes)?;
+            let windows = windows(&section.need("windows", "a list of intervals of time")?, order.len())?;
+            Ok(Switching::Windows { order, windows })
+        }
+        "dwell" => {
+            section.allow(&["kind", "first", "at_least", "at_most"], " of the kind dwell")?;
+            let first = section.get("first").map(|entry| which(&entry, modes)).transpose()?;
+            Ok(Switching::Dwell { first, stays: stays(&section, modes)? })
+        }
+        _ => {
+            section.allow(&["kind"], " of the kind arbitrary")?;
+            Ok(Switching::Arbitrary)
+        }
+    }
+}
+
+fn windows(entry: &Entry, modes: usize) -> Read<Vec<Range>> {
+    let items = entry.items("a list of intervals of time")?;
+    if items.len() + 1 != modes {
+        return Err(entry.range(format!(
+            "a list of {} intervals, one for each switch, not {}",
+            modes - 1,
+            items.len()
+        )));
+    }
+    let windows: Vec<Range> = items.iter().map(range).collect::<Read<_>>()?;
+    let mut last = Rational::ZERO;
+    for (window, item) in windows.iter().zip(&items) {
+        if window.lo < last {
+            return Err(item.range(format!("an interval from {last} on: windows do not overlap and start after 0")));
+        }
+        last = window.hi.clone();
+    }
+    Ok(windows)
+}
+
+fn stays(section: &Section, modes: &[Mode]) -> Read<Vec<Stay>> {
+    let mut stays = vec![Stay { least: Rational::ZERO, most: None }; modes.len()];
+    let names: Vec<&str> = modes.iter().map(|mode| mode.name.as_str()).collect();
+    for (key, longest) in [("at_least", false), ("at_most", true)] {
+        let Some(entry) = section.get(key) else { continue };
+        let table = entry.table("switching")?;
+        table.allow(&names, " (names of modes)")?;
+        for (name, stay) in names.iter().zip(&mut stays) {
+            let Some(entry) = table.get(name) else { continue };
+            let time = entry.exact()?;
+            if time.is_negative() || longest && time < stay.least {
+                return Err(entry
+                    .range(format!("a time from {} on", if longest { stay.least.clone() } else { Rational::ZERO })));
+            }
+            if longest { stay.most = Some(time) } else { stay.least = time }
+        }
+    }
+    Ok(stays)
+}
+
+fn until(run: &Section) -> Read<Option<Rational>> {
+    let entry = run.need("until", "the last time, or \"inf\"")?;
+    if matches!(entry.word(), Ok("inf")) {
+        return Ok(None);
+    }
+    let until = entry.exact()?;
+    if until.is_negative() { Err(entry.range("a time that is not negative, or \"inf\"")) } else { Ok(Some(until)) }
+}
+
+fn checks(top: &Section, states: &[String], until: Option<&Rational>) -> Read<Vec<Check>> {
+    let entry = top.need("check", "[[check]] with `holds`")?;
+    let items = entry.items("[[check]] with `holds`")?;
+    if items.is_empty() || items.len() > OTHERS {
+        return Err(entry.range(format!("a list of 1 to {OTHERS} checks, not {}", items.len())));
+    }
+    items.iter().map(|item| check(&item.table("check")?, states, until)).collect()
+}
+
+fn check(table: &Section, states: &[String], until: Option<&Rational>) -> Read<Check> {
+    table.allow(&["holds", "at"], "")?;
+    let entry = table.need("holds", "an inequality between states")?;
+    let text = entry.word()?.to_string();
+    let conditions = condition::read(&text, states).map_err(|(at, problem)| entry.in_text(Some(at), problem))?;
+    let at = match table.get("at") {
+        None => None,
+        Some(entry) => {
+            let at = entry.exact()?;
+            if at.is_negative() || until.is_some_and(|until| at > *until) {
+                return Err(entry.range("a time from 0 to `until`"));
+            }
+            Some(at)
+        }
+    };
+    Ok(Check { text, conditions, at })
+}

@@ -1,0 +1,153 @@
+//! The worst case over orders of modes to a number of digits: in floats first, and where they do not reach in dyadic intervals, on the boxes that are left.
+
+use crate::family::Family;
+use crate::flow::Flows;
+use crate::orders::{Orders, Times, orders};
+use crate::prepared::Prepared;
+use crate::scalar::Scalar;
+use crate::search::{Best, Found, Goal, Search};
+use crate::system::{Range, Switching};
+use crate::walk::Depth;
+use arithmetic::{Cancelled, Enclosure, FloatInterval, Interval, Progress, Rational, rational};
+use num_traits::Signed;
+use rayon::prelude::*;
+use std::cell::RefCell;
+
+/// The greatest value of a row over all inputs, starts and orders of modes.
+#[derive(Debug, Clone)]
+pub(crate) struct Worst {
+    /// It lies between the two; attained values reach the lower one, where there is any.
+    pub lo: Option<Rational>,
+    /// No value is above it, where there is a bound.
+    pub hi: Option<Rational>,
+    /// When it is attained: the hull of all times that are not excluded.
+    pub at: Option<Range>,
+    /// The legs, backwards, of the order of modes that attains the lower end, and their durations.
+    pub legs: Vec<(usize, Rational)>,
+}
+
+impl Worst {
+    /// Whether both ends agree to so many digits.
+    pub fn is_closed(&self, digits: u32) -> bool {
+        let (Some(lo), Some(hi)) = (&self.lo, &self.hi) else { return false };
+        hi - lo <= tolerance(digits) * hi.abs().max(Rational::ONE)
+    }
+}
+
+/// Four units of the digit after the last.
+fn tolerance(digits: u32) -> Rational {
+    (0..=digits).fold(rational(4, 1), |x, _| x * rational(1, 10))
+}
+
+/// What stays the same for all rows: orders, their flows in floats.
+pub(crate) struct Solver<'a> {
+    prepared: &'a Prepared,
+    orders: Orders,
+    flows: Flows<FloatInterval>,
+    digits: u32,
+    progress: &'a dyn Progress,
+}
+
+/// Most boxes of one search over times.
+const BOXES: usize = 20_000;
+
+/// Most boxes of one search over the durations of several modes: fewer where each takes longer.
+fn boxes_of_several(states: usize) -> usize {
+    (40_000 / (states * states)).clamp(200, 10_000)
+}
+
+impl<'a> Solver<'a> {
+    /// None where there is no list of orders.
+    pub fn new(
+        prepared: &'a Prepared,
+        switching: &Switching,
+        times: &Times,
+        digits: u32,
+        progress: &'a dyn Progress,
+    ) -> Option<Self> {
+        let orders = orders(switching, prepared.motions.len(), &prepared.start, times)?;
+        let flows = Flows::new(&prepared.motions, &orders.longest, &orders.chain, &FloatInterval::point(0.0));
+        Some(Solver { prepared, orders, flows, digits, progress })
+    }
+
+    /// The greatest value of `row x`.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn greatest(&self, row: &[Rational]) -> Result<Worst, Cancelled> {
+        let whole = self.orders.families.iter().enumerate().map(|(i, family)| (i, family.variables.clone())).collect();
+        let tolerance = tolerance(self.digits);
+        let mut found = self.search(&self.flows, &FloatInterval::point(0.0), row, &tolerance, 24, whole)?;
+        let reached = |found: &Found| {
+            let (Some(best), Some(above)) = (&found.best, &found.above) else { return false };
+            above - &best.value <= &tolerance * best.value.abs().max(Rational::ONE)
+        };
+        if !reached(&found) && found.best.is_some() && self.digits > 8 && found.open.len() < 1000 {
+            let bits = 80 + (f64::from(self.digits) * std::f64::consts::LOG2_10) as u32;
+            let like = Interval::from_rational(&Rational::ZERO, bits);
+            let flows = Flows::new(&self.prepared.motions, &self.orders.longest, &self.orders.chain, &like);
+            let finer = self.search(&flows, &like, row, &tolerance, bits / 2, found.open.clone())?;
+            // The boxes that were left out are below the value that was attained before.
+            let best = finer.best.into_iter().chain(found.best).reduce(|a, b| if b.value > a.value { b } else { a });
+            let above = finer.above.zip(best.as_ref()).map(|(above, best)| above.max(best.value.clone()));
+            found = Found { above: above.or(found.above), best, open: finer.open };
+        }
+        Ok(self.worst(&found))
+    }
+
+    /// The greatest values of rows, side by side.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn all(&self, rows: &[Vec<Rational>]) -> Result<Vec<Worst>, Cancelled> {
+        rows.par_iter().map(|row| self.greatest(row)).collect()
+    }
+
+    /// An upper bound of the row at one time, in floats, where the order of modes is fixed.
+    pub fn at(&self, row: &[Rational], time: &Rational) -> Option<f64> {
+        let row: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
+        for family in &self.orders.families {
+            let [range] = &family.variables[..] else { continue };
+            let point = &range.lo + time - family.time(std::slice::from_ref(&Range::point(range.lo.clone()))).lo;
+            if point >= range.lo && point <= range.hi {
+                let sums = family.worst(&self.flows, &row, &[Range::point(point)], Depth::Value);
+                return sums.value.map(|value| value.upper());
+            }
+        }
+        None
+    }
+
+    fn search<T: Scalar>(
+        &self,
+        flows: &Flows<T>,
+        like: &T,
+        row: &[Rational],
+        tolerance: &Rational,
+        bits: u32,
+        boxes: Vec<(usize, Vec<Range>)>,
+    ) -> Result<Found, Cancelled> {
+        let finest = (0..bits).fold(rational(1, 1), |x, _| x * rational(1, 2));
+        let several = self.orders.families.iter().any(|family| family.variables.len() > 1);
+        let goal = Goal {
+            tolerance: tolerance.clone(),
+            finest,
+            boxes: if several { boxes_of_several(self.prepared.order()) } else { BOXES },
+        };
+        let row = row.iter().map(|q| like.rational(q)).collect();
+        Search { flows, row, families: &self.orders.families, goal, progress: self.progress, known: RefCell::default() }
+            .run(boxes)
+    }
+
+    fn worst(&self, found: &Found) -> Worst {
+        let times = found.open.iter().map(|(index, variables)| self.orders.families[*index].time(variables));
+        let at = times.reduce(|a, b| Range { lo: a.lo.min(b.lo), hi: a.hi.max(b.hi) });
+        let legs = found.best.as_ref().map_or_else(Vec::new, |best| self.legs(best));
+        Worst { lo: found.best.as_ref().map(|best| best.value.clone()), hi: found.above.clone(), at, legs }
+    }
+
+    fn legs(&self, best: &Best) -> Vec<(usize, Rational)> {
+        let family: &Family = &self.orders.families[best.family];
+        let legs = family.legs(&crate::family::points(&best.variables));
+        legs.into_iter().map(|leg| (leg.mode, leg.duration.lo)).collect()
+    }
+}

@@ -1,0 +1,129 @@
+//! Unknown instants, dwell times, any switching: bounds against all that fixed orders attain.
+
+use super::{consistent, decided, worst};
+use arithmetic::{Rational, rational};
+use reach::Verdict;
+
+/// Two modes of a damped oscillator that is pushed strongly or weakly.
+fn two(switching: &str, until: &str, check: &str) -> String {
+    format!(
+        "[system]\nstates = [\"x\", \"v\"]\ninputs = {{ u = [-1, 1] }}\nstart = {{ x = 0, v = 0 }}\n\
+         [[mode]]\nname = \"stiff\"\nA = [[0, 1], [-2, -2]]\nB = [[0], [1]]\n\
+         [[mode]]\nname = \"soft\"\nA = [[0, 1], [-1, -2]]\nB = [[0], [1]]\n\
+         [switching]\n{switching}\n[run]\nuntil = {until}\n[[check]]\nholds = \"{check}\"\n"
+    )
+}
+
+const CHECK: &str = "x <= 10";
+
+fn tenths(k: i64) -> String {
+    format!("\"{k}/10\"")
+}
+
+#[test]
+fn windows_are_the_worst_of_their_instants() {
+    let of = |windows: &str| {
+        worst(
+            &two(
+                &format!("kind = \"windows\"\norder = [\"stiff\", \"soft\", \"stiff\"]\nwindows = {windows}"),
+                "4",
+                CHECK,
+            ),
+            7,
+        )
+    };
+    let whole = of("[[1, 2], [\"5/2\", 3]]");
+    let mut most = Rational::ZERO;
+    for k in 10..=20 {
+        for l in [25, 27, 30] {
+            let one = of(&format!("[{}, {}]", tenths(k), tenths(l)));
+            assert!(one.0 <= whole.1, "{k} {l}: {one:?} {whole:?}");
+            most = most.max(one.1);
+        }
+    }
+    assert!(whole.0 <= &most + rational(1, 100) && &whole.1 - &whole.0 <= rational(1, 1000), "{whole:?} {most}");
+}
+
+#[test]
+fn a_window_of_one_instant_is_a_period() {
+    let windows = two("kind = \"windows\"\norder = [\"stiff\", \"soft\"]\nwindows = [2]", "4", CHECK);
+    let periodic = two("kind = \"periodic\"\norder = [\"stiff\", \"soft\"]\nperiod = 2", "4", CHECK);
+    let (a, b) = (worst(&windows, 12), worst(&periodic, 12));
+    assert!(a.0 <= b.1 && b.0 <= a.1, "{a:?} {b:?}");
+}
+
+#[test]
+fn dwell_times_allow_every_period_within_them() {
+    let dwell = worst(
+        &two(
+            "kind = \"dwell\"\nfirst = \"stiff\"\nat_least = { stiff = 1, soft = 1 }\nat_most = { stiff = 2, soft = 2 }",
+            "3",
+            CHECK,
+        ),
+        6,
+    );
+    for k in [10, 13, 17, 20] {
+        let one = worst(
+            &two(&format!("kind = \"periodic\"\norder = [\"stiff\", \"soft\"]\nperiod = {}", tenths(k)), "3", CHECK),
+            8,
+        );
+        assert!(one.0 <= dwell.1, "{k}: {one:?} {dwell:?}");
+    }
+    assert!(&dwell.1 - &dwell.0 <= rational(1, 50), "{dwell:?}");
+}
+
+#[test]
+fn any_switching_is_bounded_and_attained() {
+    for until in ["4", "\"inf\""] {
+        let found = decided(&two("kind = \"arbitrary\"", until, CHECK), 8).remove(0);
+        assert_eq!(found.verdict, Verdict::Holds);
+        let part = &found.parts[0];
+        consistent(part);
+        let (lo, hi) = (part.lo.clone().expect("attained"), part.hi.clone().expect("a bound"));
+        for k in [2, 5, 10, 15, 20] {
+            let one = worst(
+                &two(
+                    &format!("kind = \"periodic\"\norder = [\"soft\", \"stiff\"]\nperiod = {}", tenths(k)),
+                    "4",
+                    CHECK,
+                ),
+                8,
+            );
+            assert!(one.0 <= hi, "{k}: {one:?} {hi}");
+        }
+        let soft = worst(&two("kind = \"constant\"\nmode = \"soft\"", "4", CHECK), 8);
+        assert!(lo >= &soft.0 - rational(1, 100), "{lo} {soft:?}");
+    }
+    let planted = two("kind = \"arbitrary\"", "4", "x <= 4/5");
+    assert_eq!(decided(&planted, 8)[0].verdict, Verdict::False);
+}
+
+#[test]
+fn a_period_for_ever_is_the_limit_of_long_times() {
+    let of =
+        |until: &str| worst(&two("kind = \"periodic\"\norder = [\"stiff\", \"soft\"]\nperiod = 1", until, CHECK), 8);
+    let (long, ever) = (of("40"), of("\"inf\""));
+    assert!((&ever.1 - &long.0) <= rational(1, 1_000_000) && long.0 <= ever.1, "{long:?} {ever:?}");
+}
+
+#[test]
+fn what_switching_makes_unstable_has_no_bound() {
+    // Two stable modes that turn the plane the other way round each: switched well, everything grows.
+    let text = "[system]\nstates = [\"x\", \"y\"]\nstart = { x = [-1, 1], y = [-1, 1] }\n\
+        [[mode]]\nname = \"a\"\nA = [[\"-1/10\", 1], [-10, \"-1/10\"]]\n[[mode]]\nname = \"b\"\nA = [[\"-1/10\", 10], [-1, \"-1/10\"]]\n\
+        [switching]\nkind = \"arbitrary\"\n[run]\nuntil = \"inf\"\n[[check]]\nholds = \"x <= 1000\"\n";
+    let found = decided(text, 6).remove(0);
+    assert_ne!(found.verdict, Verdict::Holds);
+    assert_eq!(found.parts[0].hi, None);
+}
+
+/// A mode that may last longer than is looked back is not cut off there.
+#[test]
+fn long_stays_count_for_ever() {
+    let slow = "[system]\nstates = [\"x\"]\ninputs = { u = [0, 1] }\nstart = { x = 0 }\n[[mode]]\nname = \"off\"\nA = [[-1]]\nB = [[0]]\n\
+        [[mode]]\nname = \"on\"\nA = [[\"-1/40\"]]\nB = [[1]]\n[switching]\nkind = \"dwell\"\nfirst = \"off\"\nat_least = { off = 10 }\n\
+        at_most = { on = 30 }\n[run]\nuntil = \"inf\"\n[[check]]\nholds = \"x <= 100\"\n";
+    let ever = worst(slow, 4);
+    // 30 on from nothing: 40 (1 - e^(-3/4)) > 21.
+    assert!(ever.1 > rational(21, 1), "{ever:?}");
+}

@@ -1,0 +1,149 @@
+//! `motion`: a motion of a switched linear system `x' = A x + B u + c` with constant inputs on stretches, and how far it comes.
+//!
+//! Numbers are integers over `2^S` with a bound `E` of their errors, in the same unit. On each stretch `y = (x, 1)` obeys `y' = M y`; steps have
+//! `|M| h <= 1/2` in the norm of absolute row sums, so that a term of the exponential series is at most half the one before, errors grow by less than
+//! `e^(1/2) < 33/20`, and each rounded term is off by less than 2.
+
+use crate::Refusal;
+use crate::budget::bits;
+use crate::matrix::Matrix;
+use crate::read::Reader;
+use num_bigint::{BigInt, Sign};
+
+const LARGEST: usize = 200;
+const MOST_STEPS: usize = 5000;
+const MOST_TERMS: usize = 5000;
+
+struct Mode {
+    a: Matrix,
+    b: Option<Matrix>,
+    c: Matrix,
+}
+
+/// A stretch: the matrix `M` over one denominator, how long it lasts as a fraction, and in how many steps.
+struct Stretch {
+    m: Matrix,
+    time: (BigInt, BigInt),
+    steps: usize,
+}
+
+pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
+    let n = reader.count("states", 1, LARGEST)?;
+    let inputs = reader.count("inputs", 0, LARGEST)?;
+    let modes = reader.count("modes", 1, LARGEST)?;
+    let start = bounds(reader, ["start_least", "start_most"], n)?;
+    let limits = if inputs > 0 { Some(bounds(reader, ["input_least", "input_most"], inputs)?) } else { None };
+    let kept = if inputs > 0 { reader.matrix("constant", 1, inputs)?.entries } else { Vec::new() };
+    let mut known = Vec::new();
+    for _ in 0..modes {
+        let a = reader.matrix("A", n, n)?;
+        let b = if inputs > 0 { Some(reader.matrix("B", n, inputs)?) } else { None };
+        known.push(Mode { a, b, c: reader.matrix("c", 1, n)? });
+    }
+    let row = reader.matrix("row", 1, n)?;
+    let bound = reader.fraction("bound")?;
+    let x = reader.matrix("start", 1, n)?;
+    within(reader, &x, &start, "the start is not within its bounds")?;
+    let stretches = stretches(reader, &known, limits.as_ref(), &kept)?;
+    let steps: usize = stretches.iter().map(|stretch| stretch.steps).sum();
+    reader.require(steps <= MOST_STEPS, "the motion takes too many steps")?;
+    let scale = 192 + steps as u64;
+    let mut y: Vec<BigInt> = x.entries.iter().map(|entry| (entry << scale) / &x.denominator).collect();
+    y.push(BigInt::from(1) << scale);
+    let mut error = BigInt::from(1);
+    for stretch in &stretches {
+        for _ in 0..stretch.steps {
+            step(reader, stretch, &mut y, &mut error)?;
+        }
+    }
+    // row y > bound, with the error against it.
+    let value: BigInt = row.entries.iter().zip(&y).map(|(c, y)| c * y).sum();
+    let size = row.entries.iter().map(|c| BigInt::from(c.magnitude().clone())).sum::<BigInt>() * error;
+    let reached = (value - size) * &bound.denominator > ((&bound.numerator * &row.denominator) << scale);
+    reader.require(reached, "the motion does not come beyond the bound")?;
+    Ok(format!(
+        "a motion of the system of {modes} linear modes and {n} states below, from its start, with its inputs within their bounds and its modes for the times \
+         below, ends with row x > {}",
+        bound.text
+    ))
+}
+
+/// The same matrix.
+fn copy(matrix: &Matrix) -> Matrix {
+    Matrix { entries: matrix.entries.clone(), denominator: matrix.denominator.clone(), ..*matrix }
+}
+
+/// The least and the most of each number.
+fn bounds(reader: &mut Reader, names: [&str; 2], count: usize) -> Result<[Matrix; 2], Refusal> {
+    Ok([reader.matrix(names[0], 1, count)?, reader.matrix(names[1], 1, count)?])
+}
+
+fn within(reader: &mut Reader, x: &Matrix, [least, most]: &[Matrix; 2], reason: &str) -> Result<(), Refusal> {
+    reader.pay(4 * x.cols, x.bits(), least.bits().max(most.bits()))?;
+    let ordered =
+        |a: &Matrix, b: &Matrix| (0..a.cols).all(|j| a.at(0, j) * &b.denominator <= b.at(0, j) * &a.denominator);
+    reader.require(ordered(least, x) && ordered(x, most), reason)
+}
+
+fn stretches(
+    reader: &mut Reader,
+    modes: &[Mode],
+    limits: Option<&[Matrix; 2]>,
+    kept: &[BigInt],
+) -> Result<Vec<Stretch>, Refusal> {
+    let count = reader.count("stretches", 1, MOST_STEPS)?;
+    let (mut stretches, mut first): (Vec<Stretch>, Option<Matrix>) = (Vec::new(), None);
+    for _ in 0..count {
+        let mode = &modes[reader.count("mode", 1, modes.len())? - 1];
+        let time = reader.fraction("time")?;
+        reader.require(time.is_positive(), "a time is not positive")?;
+        let mut force = copy(&mode.c);
+        if let (Some(limits), Some(b)) = (limits, &mode.b) {
+            let u = reader.matrix("u", 1, kept.len())?;
+            within(reader, &u, limits, "an input is not within its bounds")?;
+            let before = first.get_or_insert_with(|| copy(&u));
+            let same = |j: usize| u.at(0, j) * &before.denominator == before.at(0, j) * &u.denominator;
+            let constant = kept.iter().enumerate().all(|(j, kept)| kept.sign() == Sign::NoSign || same(j));
+            reader.require(constant, "a constant input changes")?;
+            let transposed = Matrix::from_fn(b.cols, b.rows, b.denominator.clone(), |i, j| b.at(j, i).clone());
+            let pushed = reader.times(&u, &transposed)?;
+            force = force.minus(&Matrix::from_fn(1, b.rows, pushed.denominator.clone(), |_, j| -pushed.at(0, j)));
+        }
+        let n = mode.a.rows;
+        reader.pay(2 * n * (n + 1), mode.a.bits(), force.bits())?;
+        // M = (A, force; 0, 0).
+        let m = Matrix::from_fn(n + 1, n + 1, &mode.a.denominator * &force.denominator, |i, j| match (i < n, j < n) {
+            (true, true) => mode.a.at(i, j) * &force.denominator,
+            (true, false) => force.at(0, i) * &mode.a.denominator,
+            _ => BigInt::from(0),
+        });
+        let size = |i: usize| m.row(i).iter().map(|x| BigInt::from(x.magnitude().clone())).sum::<BigInt>();
+        let norm = (0..=n).map(size).max().unwrap_or_default();
+        // Steps so that |M| h <= 1/2.
+        let steps = norm * 2 * &time.numerator / (&m.denominator * &time.denominator) + 1;
+        let steps = usize::try_from(&steps).ok().filter(|steps| *steps <= MOST_STEPS);
+        let Some(steps) = steps else { return Err(reader.refusal("a stretch takes too many steps")) };
+        stretches.push(Stretch { m, time: (time.numerator, time.denominator), steps });
+    }
+    Ok(stretches)
+}
+
+/// One step of the exponential series.
+fn step(reader: &mut Reader, stretch: &Stretch, y: &mut [BigInt], error: &mut BigInt) -> Result<(), Refusal> {
+    let (m, order) = (&stretch.m, y.len());
+    let divisor = &m.denominator * &stretch.time.1 * stretch.steps;
+    let mut term = y.to_vec();
+    for k in 1..=MOST_TERMS {
+        reader.pay(order * order + 2 * order, bits(&term), m.bits() + divisor.bits())?;
+        let over = &divisor * k;
+        let product = |i: usize| m.row(i).iter().zip(&term).map(|(a, t)| a * t).sum::<BigInt>();
+        term = (0..order).map(|i| product(i) * &stretch.time.0 / &over).collect();
+        y.iter_mut().zip(&term).for_each(|(y, t)| *y += t);
+        if term.iter().all(|t| t.bits() <= 1) {
+            // Rounding of k terms, the terms that are left out, and what was there before.
+            *error = &*error * 33 / 20 + 1 + 2 * k + 4;
+            return Ok(());
+        }
+    }
+    Err(reader.refusal("the series does not end"))
+}

@@ -1,0 +1,77 @@
+"""Worst cases against simulations and optimisations by SciPy, which know nothing of how they were found."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import flockproof
+import numpy as np
+import pytest
+
+scipy_integrate = pytest.importorskip("scipy.integrate")
+scipy_signal = pytest.importorskip("scipy.signal")
+
+TWO = {
+    "system": {"states": ["x", "v"], "inputs": {"u": [-1, 1]}, "start": {"x": 0, "v": 0}},
+    "mode": {"only": {"A": [[0, 1], [-2, -1]], "B": [[0], [1]]}},
+    "run": {"until": 6},
+    "check": [{"holds": "x <= 1"}],
+}
+
+
+def latest(pairs: list[dict[str, str]], key: str, t: float) -> str:
+    return [pair[key] for pair in pairs if float(Fraction(pair["from"])) <= t][-1]
+
+
+def test_a_witness_is_a_motion() -> None:
+    found = flockproof.reach(TWO)[0]
+    assert found.witness is not None and found.worst is not None
+    a, b = np.array([[0.0, 1], [-2, -1]]), np.array([0.0, 1])
+    state, end = np.zeros(2), float(Fraction(found.witness["at"]))
+    times = [float(Fraction(pair["from"])) for pair in found.witness["inputs"][0]["values"]] + [end]
+    for start, stop in zip(times, times[1:], strict=False):
+        u = float(Fraction(latest(found.witness["inputs"][0]["values"], "value", start)))
+        run = scipy_integrate.solve_ivp(lambda t, x, u=u: a @ x + b * u, (start, stop), state, rtol=1e-12, atol=1e-12)
+        state = run.y[:, -1]
+    assert abs(state[0] - float(found.worst)) < 1e-8
+
+
+def test_random_inputs_are_never_worse() -> None:
+    found = flockproof.reach(TWO)[0]
+    assert found.hi is not None
+    random = np.random.default_rng(1)
+    system = scipy_signal.StateSpace([[0, 1], [-2, -1]], [[0], [1]], np.eye(2), np.zeros((2, 1)))
+    t = np.linspace(0, 6, 601)
+    for _ in range(50):
+        u = np.repeat(random.choice([-1.0, 1.0], 20), 31)[:601]
+        _, y, _ = scipy_signal.lsim(system, u, t, interp=False)
+        assert y[:, 0].max() <= float(found.hi) + 1e-9
+
+
+def test_state_space_objects_are_modes() -> None:
+    system = scipy_signal.StateSpace([[0, 1], [-2, -1]], [[0], [1]], [[1, 0]], [[0]])
+    found = flockproof.reach({**TWO, "mode": {"only": system}})
+    assert found.from_floats and not flockproof.reach(TWO).from_floats
+    assert found[0].worst == flockproof.reach(TWO)[0].worst
+    with pytest.raises(ValueError, match="discrete time"):
+        flockproof.reach({**TWO, "mode": {"only": system.to_discrete(0.1)}})
+    with pytest.raises(TypeError, match="A and B"):
+        flockproof.reach({**TWO, "mode": {"only": 3}})
+
+
+def test_the_file_is_the_dictionary(tmp_path: Path) -> None:
+    file = tmp_path / "two.toml"
+    modes = [{"name": "only", **TWO["mode"]["only"]}]  # type: ignore[index]
+    text = flockproof._runs.toml({**TWO, "mode": modes})
+    file.write_text(text)
+    assert flockproof.reach(file) == flockproof.reach(TWO)
+    assert json.loads(json.dumps(dict(flockproof.reach(file)[0].witness or {})))
+
+
+@pytest.mark.parametrize("change", [{"run": {"until": -1}}, {"check": [{"holds": "y <= 1"}]}, {"mode": []}])
+def test_bad_systems_are_refused(change: dict[str, Any]) -> None:
+    with pytest.raises(ValueError):
+        flockproof.reach({**TWO, **change})
