@@ -28,6 +28,9 @@ pub struct Arguments {
     /// Write the answers as a page that needs no other file, with counterexamples drawn
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
+    /// Draw the quantities of a question about a motion over time: enclosed for all its starts, with single runs and the worst of them
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
@@ -40,6 +43,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     arguments.html.as_deref().map_or(Ok(()), output::check_writable)?;
     arguments.certificate.as_deref().map_or(Ok(()), output::check_writable)?;
+    arguments.plot.as_deref().map_or(Ok(()), output::check_writable)?;
+    if arguments.plot.is_some() && arguments.files.len() > 1 {
+        return Err(CliError::Use("--plot draws one question; leave the others out".to_string()));
+    }
     let (mut documents, mut pages, mut certificates) = (Vec::new(), Vec::new(), Vec::new());
     let mut worst = Verdict::Holds;
     let mut interrupted = false;
@@ -58,6 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             Err(error) => return Err(CliError::file(path, error)),
         };
         let replay = write_replay(&question, &answer, path, &arguments.replay)?;
+        let drawn = arguments.plot.as_ref().map(|_| plot(&question, &answer)).transpose()?;
         worst = worse(worst, answer.verdict);
         certificates.extend(answer.certificates.iter().map(Certificate::text));
         if arguments.html.is_some() {
@@ -76,6 +84,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             let gap = if documents.is_empty() && path == &arguments.files[0] { "" } else { "\n" };
             output::print(&(gap.to_string() + &lines.collect::<String>()))?;
         }
+        if let (Some(path), Some(drawn)) = (&arguments.plot, drawn) {
+            output::write_file(path, drawn.as_bytes())?;
+            if !arguments.json {
+                output::print(&format!("written: {}\n", path.display()))?;
+            }
+        }
     }
     if arguments.json && !documents.is_empty() {
         let document = if documents.len() == 1 { documents.remove(0) } else { documents.into() };
@@ -91,6 +105,18 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         }
     }
     Ok(if interrupted { interrupt::status(false) } else { ExitCode::from(worst.status()) })
+}
+
+/// The quantities of a question about a motion, over time.
+fn plot(question: &Question, answer: &Answer) -> Result<String, CliError> {
+    let watch = interrupt::Watch::with(progress::bar());
+    let tubes = question.tubes(answer.counterexample.as_ref(), &watch);
+    watch.finish();
+    let tubes = tubes.map_err(|error| CliError::Use(format!("the quantities cannot be drawn: {error}")))?;
+    if tubes.tubes.is_empty() {
+        return Err(CliError::Use("--plot draws quantities that move, and the property has none".to_string()));
+    }
+    Ok(shown::tubes(question, &tubes).svg())
 }
 
 /// One file for each sum of squares.

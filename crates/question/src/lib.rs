@@ -33,6 +33,7 @@ mod subject;
 mod syntax;
 mod timeline;
 mod truth;
+mod tube;
 
 pub use answer::{Answer, Verdict};
 pub use bindings::{Bindings, GraphValue, Value};
@@ -48,3 +49,4 @@ pub use polynomials::sums::Certificate;
 pub use question::{Files, Question};
 pub use regions::{Region, Standing};
 pub use truth::{Doubt, Margin, Truth};
+pub use tube::{Tube, Tubes};

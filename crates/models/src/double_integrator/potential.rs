@@ -294,7 +294,7 @@ impl<T: Field> Value<T> {
     }
 }
 
-impl<T: Real> Value<T> {
+impl<T: Number> Value<T> {
     /// `V(s)`.
     ///
     /// # Errors

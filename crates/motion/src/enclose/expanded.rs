@@ -17,6 +17,28 @@ pub struct Expanded {
     error: Bound,
 }
 
+/// Intervals narrower than this, relative to the number, are no variables of their own.
+const NARROW: f64 = 1e-12;
+
+/// Most variables of a start; further numbers are enclosed alone.
+pub(super) const MOST_VARIABLES: usize = 12;
+
+fn is_wide(x: &FloatInterval) -> bool {
+    x.width() > NARROW * x.magnitude().max(1e-300) && x.is_bounded()
+}
+
+/// The degree of the polynomials in so many variables that is the best bargain.
+pub(super) fn degree_of(variables: usize) -> usize {
+    match variables {
+        0 => 0,
+        1 | 2 => 8,
+        3 => 6,
+        4 => 5,
+        5..=8 => 4,
+        _ => 2,
+    }
+}
+
 /// Parts of the cube on which the polynomial is bounded.
 const PARTS: usize = 48;
 
@@ -30,6 +52,34 @@ impl Expanded {
         coefficients[0] = x.midpoint();
         let error = Bound::of((x - FloatInterval::point(coefficients[0])).magnitude());
         Expanded { shape: shape.clone(), coefficients, error }
+    }
+
+    /// Numbers in a box, with nothing known of them but that.
+    pub fn of_box(state: &[FloatInterval]) -> Vec<Self> {
+        let shape = Arc::new(Shape::new(0, 0));
+        state.iter().map(|x| Expanded::of_interval(&shape, *x)).collect()
+    }
+
+    /// The numbers of a start in a box: each one that is wide is a variable of its own, the widest first.
+    pub fn of_start(state: &[FloatInterval]) -> Vec<Self> {
+        let wide = state.iter().filter(|x| is_wide(x)).count().min(MOST_VARIABLES);
+        Expanded::with_degree(state, degree_of(wide))
+    }
+
+    /// The same with polynomials of this degree.
+    pub fn with_degree(state: &[FloatInterval], degree: usize) -> Vec<Self> {
+        let mut wide: Vec<usize> = (0..state.len()).filter(|&i| is_wide(&state[i])).collect();
+        wide.sort_by(|i, j| state[*j].width().total_cmp(&state[*i].width()).then(i.cmp(j)));
+        wide.truncate(MOST_VARIABLES);
+        let shape = Arc::new(Shape::new(wide.len(), degree));
+        let number = |(i, x): (usize, &FloatInterval)| match wide.iter().position(|k| *k == i) {
+            None => Expanded::of_interval(&shape, *x),
+            Some(variable) => {
+                let centre = x.midpoint();
+                Expanded::variable(&shape, variable, centre, (*x - FloatInterval::point(centre)).magnitude())
+            }
+        };
+        state.iter().enumerate().map(number).collect()
     }
 
     /// `centre + radius s` for one of the variables.
@@ -48,6 +98,16 @@ impl Expanded {
     pub(super) fn widened(mut self, error: Bound) -> Self {
         self.error = self.error + error;
         self
+    }
+
+    /// The polynomial and the distance from it.
+    pub(super) fn parts(&self) -> (&Arc<Shape>, &[f64], f64) {
+        (&self.shape, &self.coefficients, self.error.value())
+    }
+
+    /// Encloses it for one value of the variables.
+    pub fn at(&self, variables: &[f64]) -> FloatInterval {
+        self.around(self.shape.value(&self.coefficients, variables))
     }
 
     fn boxed(&self, x: FloatInterval) -> Self {
@@ -88,6 +148,27 @@ impl Expanded {
         let lo = parts.iter().fold(done_lo, |lo, part| lo.min(part.range.lo()));
         let hi = parts.iter().fold(done_hi, |hi, part| hi.max(part.range.hi()));
         self.around(FloatInterval::between(lo, hi))
+    }
+
+    /// The absolute value.
+    pub fn size(&self) -> Self {
+        match self.sign() {
+            Some(Sign::Negative) => -self.clone(),
+            Some(_) => self.clone(),
+            None => self.boxed(FloatInterval::between(0.0, self.range().magnitude())),
+        }
+    }
+
+    /// The larger of two numbers: one of the two where it is certain which.
+    pub fn greater(&self, other: &Self) -> Self {
+        match (self.clone() - other).sign() {
+            Some(Sign::Negative) => other.clone(),
+            Some(_) => self.clone(),
+            None => {
+                let (a, b) = (self.range(), other.range());
+                self.boxed(FloatInterval::between(a.lo().max(b.lo()), a.hi().max(b.hi())))
+            }
+        }
     }
 
     fn norms(&self) -> Vec<Bound> {
@@ -154,7 +235,7 @@ impl Part {
             curved.iter_mut().zip(exponents).for_each(|(sum, e)| *sum += c.abs() * f64::from(*e));
         }
         let variable = (0..curved.len()).max_by(|i, j| curved[*i].total_cmp(&curved[*j]).then(j.cmp(i)))?;
-        // Each coefficient of a half is a sum of at most d + 1 products of two roundings.
+        // Each coefficient of a half is a sum of at most d + 1 products, and each term goes to coefficients whose absolute values add up to its own.
         let rounding = Bound::total(self.coefficients.iter().copied()) * ((shape.degree + 4) as f64 * UNIT);
         let error = self.error + rounding + Bound::UNDERFLOW;
         Some([-1.0, 1.0].map(|side| Part::of(shape, shape.half(&self.coefficients, variable, side), error)))
@@ -197,10 +278,6 @@ impl Ring for Expanded {
         self.boxed(FloatInterval::ZERO.integer(n))
     }
 
-    /// Not negative, where the polynomial alone would not say so.
-    fn square(&self) -> Self {
-        Expanded::times(self, self)
-    }
 }
 
 impl Field for Expanded {
@@ -219,27 +296,15 @@ impl Signed for Expanded {
     }
 
     fn absolute(&self) -> Result<Self, ArithmeticError> {
-        Ok(match self.sign() {
-            Some(Sign::Negative) => -self.clone(),
-            Some(_) => self.clone(),
-            None => self.boxed(self.range().absolute()?),
-        })
+        Ok(self.size())
     }
 
     fn larger(&self, other: &Self) -> Result<Self, ArithmeticError> {
-        Ok(match (self.clone() - other).sign() {
-            Some(Sign::Negative) => other.clone(),
-            Some(_) => self.clone(),
-            None => self.boxed(self.range().larger(&other.range())?),
-        })
+        Ok(self.greater(other))
     }
 
     fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
-        Ok(match (self.clone() - other).sign() {
-            Some(Sign::Positive) => other.clone(),
-            Some(_) => self.clone(),
-            None => self.boxed(self.range().smaller(&other.range())?),
-        })
+        Ok(-(-self.clone()).greater(&-other.clone()))
     }
 }
 

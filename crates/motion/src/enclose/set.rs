@@ -3,6 +3,7 @@
 use super::IntervalVector;
 use super::bound::{Bound, values};
 use super::cascade::Cascade;
+use super::expanded::{Expanded, MOST_VARIABLES, degree_of};
 use super::expansion::range;
 use super::shape::Shape;
 use arithmetic::FloatInterval;
@@ -18,12 +19,6 @@ pub struct Set {
     pub(super) rest: Cascade,
 }
 
-/// Intervals narrower than this, relative to the number, are no variables of their own.
-const NARROW: f64 = 1e-12;
-
-/// Most variables; further numbers go to the rest.
-const MOST_VARIABLES: usize = 12;
-
 /// The part of the radius of a set that the rest may have before the set gets new variables.
 const LARGEST_REST: f64 = 0.2;
 
@@ -33,48 +28,18 @@ const TINY_REST: f64 = 1e-9;
 /// Edges shorter than this part of the longest one are no variables.
 const SHORT_EDGE: f64 = 1e-3;
 
-/// The degree of the polynomials in so many variables that is the best bargain.
-fn degree_of(variables: usize) -> usize {
-    match variables {
-        0 => 0,
-        1 | 2 => 8,
-        3 => 6,
-        4 => 5,
-        5..=8 => 4,
-        _ => 2,
-    }
-}
-
 impl Set {
     /// A box.
     pub fn of_box(state: &[FloatInterval]) -> Self {
-        let is_wide = |x: &FloatInterval| x.width() > NARROW * x.magnitude().max(1e-300) && x.is_bounded();
-        let wide = state.iter().filter(|x| is_wide(x)).count().min(MOST_VARIABLES);
-        Set::with_degree(state, degree_of(wide))
+        Set::of_numbers(&Expanded::of_start(state))
     }
 
-    /// A box, with polynomials of this degree in its variables.
-    pub fn with_degree(state: &[FloatInterval], degree: usize) -> Self {
-        let is_wide = |x: &FloatInterval| x.width() > NARROW * x.magnitude().max(1e-300) && x.is_bounded();
-        let mut wide: Vec<usize> = (0..state.len()).filter(|&i| is_wide(&state[i])).collect();
-        wide.sort_by(|i, j| state[*j].width().total_cmp(&state[*i].width()).then(i.cmp(j)));
-        wide.truncate(MOST_VARIABLES);
-        let shape = Shape::new(wide.len(), degree);
-        let (mut polynomials, mut rest) = (Vec::new(), Vec::new());
-        for (i, x) in state.iter().enumerate() {
-            let mut polynomial = vec![0.0; shape.size()];
-            polynomial[0] = x.midpoint();
-            let own = *x - FloatInterval::point(polynomial[0]);
-            match wide.iter().position(|k| *k == i) {
-                Some(variable) => {
-                    polynomial[1 + variable] = own.magnitude();
-                    rest.push(0.0);
-                }
-                None => rest.push(own.magnitude()),
-            }
-            polynomials.push(polynomial);
-        }
-        Set { shape: Arc::new(shape), polynomials, rest: Cascade::of_box(&rest) }
+    /// All states whose numbers these are, of the same start each.
+    pub fn of_numbers(numbers: &[Expanded]) -> Self {
+        let shape = numbers.first().map_or_else(|| Arc::new(Shape::new(0, 0)), |number| number.parts().0.clone());
+        let polynomials = numbers.iter().map(|number| number.parts().1.to_vec()).collect();
+        let errors: Vec<f64> = numbers.iter().map(|number| number.parts().2).collect();
+        Set { shape, polynomials, rest: Cascade::of_box(&errors) }
     }
 
     /// The numbers of a state.

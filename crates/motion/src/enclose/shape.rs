@@ -81,17 +81,17 @@ impl Shape {
         })
     }
 
-    /// The polynomial on the half of the cube on one side of a variable, in a variable from -1 to 1 again: `s = (side + t)/2`.
+    /// The polynomial on the half of the cube on one side of a variable, in a variable from -1 to 1 again: `s = (side + t)/2`, `side` -1 or 1.
     pub fn half(&self, a: &[f64], variable: usize, side: f64) -> Vec<f64> {
         let mut sum = vec![0.0; a.len()];
         for (place, (c, exponents)) in a.iter().zip(&self.exponents).enumerate().filter(|(_, (c, _))| **c != 0.0) {
             let power = i32::from(exponents[variable]);
-            let (mut place, mut factor) = (place, c * 0.5f64.powi(power));
-            // Binomial coefficients of powers below 256 times a power of two, from the highest power of t.
+            let (mut place, scaled, mut binomial) = (place, c * 0.5f64.powi(power), 1.0);
+            // From the highest power of t; binomial coefficients are exact, so that each term is rounded once.
             for j in (0..=power).rev() {
-                sum[place] += factor;
+                sum[place] += scaled * binomial;
                 place = self.lower[place][variable] as usize;
-                factor = factor * side * f64::from(j) / f64::from(power - j + 1);
+                binomial = side * binomial * f64::from(j) / f64::from(power - j + 1);
             }
         }
         sum

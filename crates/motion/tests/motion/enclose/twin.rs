@@ -4,10 +4,10 @@
 use arithmetic::num_traits::ToPrimitive;
 use arithmetic::random::{generator, uniform};
 use arithmetic::{
-    ArithmeticError, Enclosure, Field, FloatInterval, Interval, Number, Rational, Ring, Series, rational,
+    ArithmeticError, Enclosure, Field, FloatInterval, Interval, Number, Rational, Ring, Series, Signed, rational,
 };
 use motion::System;
-use motion::enclose::{Flow, Set};
+use motion::enclose::{Expanded, Flow, Set};
 
 const BITS: u32 = 128;
 
@@ -118,7 +118,7 @@ fn compared(system: &impl System, start: &[(i64, i64)], degree: usize, until: f6
     // Ends in 64ths, so that the middle and half the width are floats.
     let boxed: Vec<FloatInterval> =
         start.iter().map(|(a, b)| FloatInterval::between(*a as f64 / 64.0, *b as f64 / 64.0)).collect();
-    let first = Set::with_degree(&boxed, degree);
+    let first = Set::of_numbers(&Expanded::with_degree(&boxed, degree));
     let mut random = generator("enclose", name, degree as u64);
     let starts: Vec<Vec<f64>> = (0..4)
         .map(|k| {
@@ -279,4 +279,53 @@ fn every_function_is_enclosed_on_wide_sets() {
         }
         assert!(seen.points >= 40 && seen.fullest > 1e-3, "{which}: {seen:?}");
     }
+}
+
+/// Values of random expressions at exact points of a box lie where the polynomial at that point says, and within the bounds on the whole box; and where the
+/// polynomial is the expression, the bounds are nearly attained.
+#[test]
+fn what_is_measured_lies_where_its_polynomial_says() {
+    let mut seen = Seen::default();
+    for case in 0..400u64 {
+        let mut random = generator("enclose", "measured", case);
+        let (numbers, degree) = (1 + (case % 3) as usize, 1 + (case % 7) as usize);
+        let trees = [0; 2].map(|_| Tree::random(numbers, 4, &mut random));
+        let one = |_| {
+            let lo = (uniform(&mut random) * 128.0).floor() - 64.0;
+            FloatInterval::between(lo / 64.0, (lo + (uniform(&mut random) * 32.0).floor() * 2.0) / 64.0)
+        };
+        let start: Vec<FloatInterval> = (0..numbers).map(one).collect();
+        let state = Expanded::with_degree(&start, degree);
+        let time = state[0].ratio(1, 2);
+        let [Ok(a), Ok(b)] = [0, 1].map(|k: usize| trees[k].value(&time, &state)) else { continue };
+        let extremes = [a.absolute(), a.larger(&b), a.smaller(&b)].map(|x| x.expect("a number").range());
+        for _ in 0..6 {
+            let point: Vec<f64> = (0..numbers).map(|_| (uniform(&mut random) * 17.0).floor() / 8.0 - 1.0).collect();
+            let there = |x: &Expanded| exact((x.at(&point).midpoint() * 1024.0).round() / 1024.0);
+            let exactly: Vec<Interval> = state.iter().map(|x| Interval::from_rational(&there(x), BITS)).collect();
+            let half = Interval::from_rational(&rational(1, 2), BITS);
+            let [Ok(p), Ok(q)] = [0, 1].map(|k: usize| trees[k].value(&half, &exactly)) else { continue };
+            let name = format!("case {case}: {:?} on {start:?} at {point:?}", trees);
+            seen.compare(&name, &[a.at(&point), b.at(&point)], &[p.clone(), q.clone()]);
+            let two = [p.clone(), q.clone()];
+            seen.compare(&name, &[a.range(), b.range()], &two);
+            let known = [p.absolute(), p.larger(&q), p.smaller(&q)];
+            for (own, truth) in extremes.iter().zip(known) {
+                let Ok(truth) = truth else { continue };
+                seen.compare(&name, &[*own], &[truth]);
+            }
+        }
+    }
+    assert!(seen.points > 4000 && seen.fullest > 0.99 && seen.widest > 0.1, "{seen:?}");
+}
+
+/// `(x - y)² + x (2 - x) = y² + 2 x (1 - y)` has the values from 0 to 2 on the square from 0 to 1.
+#[test]
+fn what_cancels_in_a_measure_cancels() {
+    let unit = FloatInterval::between(0.0, 1.0);
+    let state = Expanded::with_degree(&[unit, unit], 2);
+    let [x, y] = [0, 1].map(|k: usize| state[k].clone());
+    let found = (x.clone() - &y).square() + x.clone() * (x.integer(2) - &x);
+    let range = found.range();
+    assert!(range.lo() <= 0.0 && range.lo() > -0.05 && range.hi() >= 2.0 && range.hi() < 2.05, "{range}");
 }
