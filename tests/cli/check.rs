@@ -138,3 +138,26 @@ fn certificates_are_written_and_accepted() {
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("no answer rests on a sum of squares"));
 }
+
+/// The tube of a motion from a box of starts, with runs from its middle and corners.
+#[test]
+fn quantities_are_drawn_over_time() {
+    let folder = folder("check-plot");
+    let scenario = "model = \"velocity-alignment\"\n[graph]\nkind = \"edges\"\nedges = [[1, 2]]\n[state]\n\
+        positions = [[0, 0], [1, 0]]\nvelocities = [[0, 0], [1, 0]]\n[law]\npotential = \"none\"\n[run]\nuntil = 2\n";
+    file(&folder, "motion.toml", scenario.as_bytes());
+    let question = "[question]\nid = \"mine\"\nscenario = \"motion.toml\"\n[for]\n\"state.velocities[1][1]\" = \"[0, 1/4]\"\n\
+        [holds]\nproperty = \"always[0, 2](min_distance > 1/2)\"\ncontrols = [\"always[0, 2](min_distance > 6/5)\"]\n";
+    let path = file(&folder, "question.toml", question.as_bytes());
+    let plot = folder.join("tube.svg").to_string_lossy().into_owned();
+    let output = flockproof(&["check", &path, "--plot", &plot]);
+    assert!(output.status.success() && stdout(&output).ends_with(&format!("written: {plot}\n")), "{output:?}");
+    let drawn = std::fs::read_to_string(&plot).expect("a picture");
+    for text in ["min_distance", "all starts, enclosed", "single starts", "The worst of the starts"] {
+        assert!(drawn.contains(text), "{text}");
+    }
+    // Nothing moves there, and one question is drawn at a time.
+    let still = file(&folder, "still.toml", self::question("edges >= 0", "edges < 0").as_bytes());
+    assert_refused(&["check", &still, "--plot", &plot], "has none");
+    assert_refused(&["check", &still, &path, "--plot", &plot], "one question");
+}

@@ -33,6 +33,7 @@ mod subject;
 mod syntax;
 mod timeline;
 mod truth;
+mod tube;
 
 pub use answer::{Answer, Verdict};
 pub use bindings::{Bindings, GraphValue, Value};
@@ -49,3 +50,4 @@ pub use question::Question;
 pub use regions::{Region, Standing};
 pub use scenario_file::Files;
 pub use truth::{Doubt, Margin, Truth};
+pub use tube::{Tube, Tubes};

@@ -1,8 +1,8 @@
 //! Model D in any dimension, stepped exactly: integers over one common denominator.
 
+use super::boxes;
 use super::hysteresis::{Hysteresis, Threshold};
 use super::rule::Rule;
-use super::boxes;
 use super::weights::{FlockError, Weights};
 use algebra::graph::Graph;
 use algebra::matrix::{IntegerRows, RationalMatrix};

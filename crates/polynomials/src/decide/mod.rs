@@ -37,6 +37,22 @@ pub enum Method {
     Tautology,
 }
 
+impl Method {
+    /// In a sentence.
+    pub fn words(self) -> &'static str {
+        match self {
+            Method::Enclosures => "enclosures",
+            Method::Slopes => "slopes of one sign",
+            Method::Convexity => "convexity around the least value",
+            Method::Expansion => "expansion at a zero",
+            Method::Roots => "exact roots",
+            Method::Bernstein => "Bernstein coefficients",
+            Method::Squares => "sums of squares",
+            Method::Tautology => "a guard that says the same",
+        }
+    }
+}
+
 /// What was proved, and how.
 #[derive(Debug, Clone, Default)]
 pub struct Proof {

@@ -190,8 +190,7 @@ impl Prover<'_> {
             .collect();
         let mut zeros = Vec::new();
         if relations.is_empty() {
-            let literal =
-                |polynomial, compared| Literal { function: Plain { polynomial }, compared, guarded: false };
+            let literal = |polynomial, compared| Literal { function: Plain { polynomial }, compared, guarded: false };
             let turned: Vec<(Polynomial, bool)> = constraints.iter().map(|(p, strict)| (-p.clone(), *strict)).collect();
             let own = if goal.strict { Compared::Positive } else { Compared::NotNegative };
             let clause: Vec<_> =

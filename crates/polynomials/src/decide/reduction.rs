@@ -105,7 +105,6 @@ pub(super) fn reduced<'a, F: Function>(
     equations: &'a [(usize, Polynomial)],
     used: &[usize],
 ) -> (Vec<Literal<Put<'a, F>>>, Vec<Side>) {
-    let arity = domain.len();
     let none = || Multivariate::of(rational(0, 1));
     let put = |literal: &'a Literal<F>| Literal {
         function: Put { function: Some(&literal.function), own: none(), equations },

@@ -49,8 +49,7 @@ fn random_polynomials_get_no_wrong_answer() {
         let dip = sum.clone() - P::of(rational(1, 1_000_000));
         let domain = vec![Side::between(rational(-1, 1), rational(1, 1)); variables];
         let decided = |p: &P| {
-            let literal =
-                Literal { function: Plain(p.clone()), compared: Compared::NotNegative, guarded: false };
+            let literal = Literal { function: Plain(p.clone()), compared: Compared::NotNegative, guarded: false };
             decide(&[literal], &domain, Effort { boxes: 1000, ..Effort::default() }, &Unwatched).unwrap()
         };
         match decided(&sum) {

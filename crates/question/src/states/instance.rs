@@ -122,7 +122,7 @@ impl Instance {
             _ => None,
         };
         if !autonomous {
-            let later = Side { lo: Some(rational(0, 1)), hi: None };
+            let later = Side { lo: Some(rational(0, 1)), ..Side::line() };
             instance.sides[compiled.size()] = bound("t").unwrap_or(later);
             instance.names[compiled.size()] = "t".to_string();
         }

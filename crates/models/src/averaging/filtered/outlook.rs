@@ -7,9 +7,9 @@ use super::balls::Balls;
 use super::classes::Classes;
 use super::watch::quiet_steps;
 use super::wholes::{SLACK, Whole, norm};
-use crate::averaging::weights::FlockError;
 use crate::averaging::boxes::{Between, Boxes};
 use crate::averaging::hysteresis::Threshold;
+use crate::averaging::weights::FlockError;
 use arithmetic::{Cancelled, Progress};
 use rayon::prelude::*;
 

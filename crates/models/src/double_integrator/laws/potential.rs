@@ -1,7 +1,7 @@
 //! Potentials of a pair as functions of the squared distance.
 
 use algebra::spectrum::Polynomial;
-use arithmetic::{ArithmeticError, Dual, Field, Rational, Real, Ring, Sign, Signed, rational};
+use arithmetic::{ArithmeticError, Dual, Field, Number, Rational, Real, Ring, Sign, Signed, rational};
 
 /// A potential whose slope in `s = |r|²` is a sum of powers: `V'(s) = sum c_k s^k` with integers `k`.
 #[derive(Debug, Clone, PartialEq)]
@@ -294,7 +294,7 @@ impl<T: Field> Value<T> {
     }
 }
 
-impl<T: Real> Value<T> {
+impl<T: Number> Value<T> {
     /// `V(s)`.
     ///
     /// # Errors
