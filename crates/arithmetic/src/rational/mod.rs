@@ -32,7 +32,7 @@ enum Parts {
     Big(Box<(BigInt, BigInt)>),
 }
 
-/// The rational `p / q` for constants of the code, where `q` is seen not to be zero; [`quotient`] is for all others.
+/// The rational `p / q` for constants of the code, where `q` is seen not to be zero.
 ///
 /// # Panics
 /// Where `q` is zero: another value would be a wrong constant in a proof.
