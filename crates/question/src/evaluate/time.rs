@@ -15,6 +15,9 @@ use arithmetic::{Rational, rational};
 /// Judgements of one operator before it gives up dividing.
 pub(super) const MOST_JUDGED: usize = 20_000;
 
+/// Undecided pieces in which single times are tried.
+const MOST_TRIED: usize = 1000;
+
 /// How often a piece is halved.
 pub(super) const DEPTH: u32 = 14;
 
@@ -236,6 +239,7 @@ impl Operator<'_, '_, '_> {
         let covered = self.timeline.pieces(&from, to.as_ref(), &moving_names(self.evaluator, self.body))?;
         let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
         let (mut margin, mut doubt, mut missing, mut judged) = (Margin::of_truth(true), None, None, 0);
+        let mut open = Vec::new();
         while let Some((piece, depth)) = queue.pop() {
             judged += 1;
             let is_sure = sure.as_ref().is_some_and(|sure| meets(&piece, sure));
@@ -259,18 +263,12 @@ impl Operator<'_, '_, '_> {
                 }
                 truth => {
                     let wanted = judged < MOST_JUDGED && depth > 0 && (doubt.is_none() || depth > DEPTH - 4);
-                    let halves = self.timeline.halves(&piece);
-                    match halves {
-                        Some([first, second]) if wanted => queue.extend([(second, depth - 1), (first, depth - 1)]),
-                        halves => {
-                            // Of a piece that begins or ends just where it becomes false.
-                            if let Some(found) = self.fails_inside(&piece, halves.is_some(), sure.as_ref())? {
-                                let rest = if covered.rest.is_none() { self.least(&queue) } else { f64::NEG_INFINITY };
-                                let margin = margin.least(found);
-                                return Ok((Truth::False, Margin { lo: margin.lo.min(own.lo).min(rest), ..margin }));
-                            }
+                    match self.timeline.halves(&piece).filter(|_| wanted) {
+                        Some([first, second]) => queue.extend([(second, depth - 1), (first, depth - 1)]),
+                        None => {
                             margin = margin.least(own);
                             doubt.get_or_insert_with(|| at_time(truth, &piece));
+                            open.push(piece);
                         }
                     }
                 }
@@ -278,6 +276,12 @@ impl Operator<'_, '_, '_> {
         }
         if covered.rest.is_some() {
             margin.lo = f64::NEG_INFINITY;
+        }
+        // A piece may begin or end just where the body becomes false.
+        for piece in open.iter().take(MOST_TRIED) {
+            if let Some(found) = self.fails_inside(piece, sure.as_ref())? {
+                return Ok((Truth::False, margin.least(found)));
+            }
         }
         match (doubt.or(covered.rest), missing) {
             (Some(doubt), _) => Ok((Truth::Unknown(doubt), margin)),
@@ -290,10 +294,9 @@ impl Operator<'_, '_, '_> {
     fn fails_inside(
         &self,
         piece: &Piece,
-        is_long: bool,
         sure: Option<&(Rational, Option<Rational>)>,
     ) -> Result<Option<Margin>, Failure> {
-        let Some((to, sure)) = piece.to.as_ref().filter(|_| is_long).zip(sure) else { return Ok(None) };
+        let Some((to, sure)) = piece.to.as_ref().zip(sure) else { return Ok(None) };
         for part in [rational(1, 8), rational(1, 2), rational(7, 8)] {
             let time = &piece.from + (to - &piece.from) * part;
             let moment = Piece { from: time.clone(), to: Some(time) };
