@@ -62,7 +62,10 @@ fn term(draws: &mut Draws, names: usize, depth: usize, functions: bool) -> Term 
         9 | 10 => Term::Call("sqrt", part(draws)),
         11 => Term::Call("abs", part(draws)),
         12 | 13 => Term::Extreme(draws.once_in(2), part(draws), part(draws)),
-        _ => Term::Call(*draws.choice(&["exp", "log", "sin", "cos"]), part(draws)),
+        _ => {
+            let name = *draws.choice(&["exp", "log", "sin", "cos"]);
+            Term::Call(name, part(draws))
+        }
     }
 }
 
@@ -144,6 +147,9 @@ impl Term {
     }
 }
 
+/// The slack at a point.
+type Sample = (f64, Vec<f64>);
+
 /// What is asked of a term `f`, with a bound `c`.
 struct Form {
     f: Term,
@@ -205,9 +211,9 @@ impl Form {
     }
 
     /// The point with the least slack among samples, and where the slack is missing.
-    fn lowest(&self) -> (Option<(f64, Vec<f64>)>, Option<Vec<f64>>) {
+    fn lowest(&self) -> (Option<Sample>, Option<Vec<f64>>) {
         let parts = [240, 30, 10][self.sides.len() - 1];
-        let mut list: Vec<(f64, Vec<f64>)> = Vec::new();
+        let mut list: Vec<Sample> = Vec::new();
         let mut missing = None;
         let count = (0..self.sides.len()).fold(1usize, |count, _| count * (parts + 1));
         for number in 0..count {
@@ -231,7 +237,7 @@ impl Form {
     }
 
     /// Steps along single names as long as they go down.
-    fn descended(&self, mut slack: f64, mut at: Vec<f64>, mut step: f64) -> (f64, Vec<f64>) {
+    fn descended(&self, mut slack: f64, mut at: Vec<f64>, mut step: f64) -> Sample {
         while step > 1e-9 {
             let mut better = false;
             for k in 0..at.len() {
