@@ -57,6 +57,16 @@ impl IntegerRows {
         rows
     }
 
+    /// Number of rows.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Limbs of each row; the topmost is sign only.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
     fn set(&mut self, i: usize, value: &BigInt) {
         let negative = value.is_negative();
         let start = i * self.stride;

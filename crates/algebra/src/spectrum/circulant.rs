@@ -212,6 +212,21 @@ fn weighted_sums(n: usize, weights: &[(usize, f64)], f: impl Fn(usize) -> f64 + 
 }
 
 impl CirculantSpectrum {
+    /// Order of the matrix.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Real parts of the numbers `0..=n/2`; number `n - k` is the conjugate of number `k`.
+    pub fn re(&self) -> &[f64] {
+        &self.re
+    }
+
+    /// Imaginary parts of the same numbers; empty for symmetric matrices, whose eigenvalues are real.
+    pub fn im(&self) -> &[f64] {
+        &self.im
+    }
+
     /// Bound of the distance between a part of an eigenvalue and its float.
     pub fn radius(&self, value: f64) -> f64 {
         (self.absolute + self.relative * value.abs()) * SLACK

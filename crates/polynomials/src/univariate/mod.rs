@@ -73,6 +73,12 @@ impl Polynomial {
         self.coefficients.iter().rev().fold(x.zero(), |sum, c| sum * x + Rational::from_integer(c.clone()))
     }
 
+    /// An enclosure of the values on an interval.
+    pub fn enclose(&self, x: &Interval) -> Interval {
+        let constant = |c: &BigInt| Interval::from_rational(&Rational::from_integer(c.clone()), x.precision());
+        self.coefficients.iter().rev().fold(x.zero(), |sum, c| sum * x + constant(c))
+    }
+
     /// -1, 0 or 1: the sign at a rational.
     pub(crate) fn sign_at(&self, x: &Rational) -> i8 {
         let (p, q) = (&x.numer(), &x.denom());

@@ -87,7 +87,7 @@ fn polynomials_that_are_no_sums_of_squares_are_decided() {
         + x.power(2) * y.power(2) * P::of(rational(3, 1));
     let line = vec![Side::line(); 2];
     for domain in [line, vec![Side::between(rational(-2, 1), rational(2, 1)); 2]] {
-        let literal = |p: P, compared| [Literal { function: Plain(p, 2), compared, guarded: false }];
+        let literal = |p: P, compared| [Literal { function: Plain(p), compared, guarded: false }];
         let found = decide(&literal(robinson.clone(), Compared::NotNegative), &domain, Effort::default(), &Unwatched);
         assert!(!matches!(found.unwrap(), Decision::Fails(_)));
         let dip = robinson.clone() - P::of(rational(1, 1_000_000));

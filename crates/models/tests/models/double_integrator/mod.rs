@@ -19,7 +19,7 @@ mod switching;
 mod thresholds;
 
 use algebra::graph::Graph;
-use algebra::matrix::{Inertia, RationalMatrix};
+use algebra::matrix::{Inertia, RationalMatrix, inertia};
 use arithmetic::{Dual, Field, Interval, Number, Rational, Ring, rational};
 use models::double_integrator::{
     Coordinates, HeadingDifference, Kink, Potential, PotentialError, Span, State, agent_potential, gyroscopic, heading,
