@@ -224,7 +224,8 @@ impl Part {
     fn of(shape: &Shape, coefficients: Vec<f64>, error: Bound) -> Self {
         let around = FloatInterval::between(-error.value(), error.value());
         let range = shape.range(&coefficients) + around;
-        let curved = coefficients[1 + shape.variables.min(coefficients.len() - 1)..].iter().fold(0.0, |s, x| s + x.abs());
+        let curved =
+            coefficients[1 + shape.variables.min(coefficients.len() - 1)..].iter().fold(0.0, |s, x| s + x.abs());
         Part { coefficients, error, range, curved }
     }
 
@@ -277,7 +278,6 @@ impl Ring for Expanded {
     fn integer(&self, n: i64) -> Self {
         self.boxed(FloatInterval::ZERO.integer(n))
     }
-
 }
 
 impl Field for Expanded {

@@ -72,7 +72,8 @@ impl Shape {
     /// The shape with the time as one more variable.
     pub fn timed(&self) -> &Timed {
         self.timed.get_or_init(|| {
-            let shape = Shape::new(self.variables + 1, if self.variables == 0 { DEGREE_OF_POINTS } else { self.degree });
+            let shape =
+                Shape::new(self.variables + 1, if self.variables == 0 { DEGREE_OF_POINTS } else { self.degree });
             let places: std::collections::HashMap<&[u8], usize> =
                 shape.exponents.iter().zip(0..).map(|(e, place)| (&e[..], place)).collect();
             let place = |e: &Vec<u8>| places[&[&e[..], &[0]].concat()[..]];

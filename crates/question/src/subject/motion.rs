@@ -13,19 +13,19 @@ use crate::error::Problem;
 use crate::failure::Failure;
 use crate::timeline::{Covered, Moment, Piece, Timeline, clock};
 use crate::truth::Doubt;
-use arithmetic::{FloatInterval, Interval, Number, Progress, Rational, Ring, rational};
+use arithmetic::{FloatInterval, Number, Progress, Rational, Ring, rational};
 use at::At;
 use exact::Holds;
 use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
 use models::double_integrator::{
-    Coordinates, EnclosedFlock, FixedNetwork, HeadingDifference, Pair, Potential, State, heading, linked_within,
+    Coordinates, EnclosedFlock, FixedNetwork, HeadingDifference, Pair, Potential, State, linked_within,
 };
 use models::oscillator::{Neighbours, Orientation, Steering};
 use modes::ModalPlatoon;
 use motion::System;
 use motion::enclose::{Expanded, Flow, IntervalVector, Set, Step};
 use num_traits::{ToPrimitive, Zero};
-use numbers::{BITS, narrowed, point, widened};
+use numbers::point;
 use scenario::ExactMotion;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -474,13 +474,7 @@ impl Timeline for MotionSubject<'_> {
             }
         };
         let holds = self.holds(piece);
-        Ok(Box::new(At {
-            subject: self,
-            motion: &self.motion,
-            holds,
-            state,
-            pairs: section.pairs.clone(),
-        }))
+        Ok(Box::new(At { subject: self, motion: &self.motion, holds, state, pairs: section.pairs.clone() }))
     }
 
     fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {
