@@ -62,14 +62,7 @@ fn term(draws: &mut Draws, names: usize, depth: usize, functions: bool) -> Term 
         9 | 10 => Term::Call("sqrt", part(draws)),
         11 => Term::Call("abs", part(draws)),
         12 | 13 => Term::Extreme(draws.once_in(2), part(draws), part(draws)),
-<<<<<<< HEAD
         _ => Term::Call(draws.choice::<&str>(&["exp", "log", "sin", "cos"]), part(draws)),
-=======
-        _ => {
-            let name = *draws.choice(&["exp", "log", "sin", "cos"]);
-            Term::Call(name, part(draws))
-        }
->>>>>>> sharp
     }
 }
 

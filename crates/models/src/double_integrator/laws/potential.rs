@@ -1,7 +1,7 @@
 //! Potentials of a pair as functions of the squared distance.
 
 use algebra::spectrum::Polynomial;
-use arithmetic::{ArithmeticError, Dual, Field, Number, Rational, Real, Ring, Sign, Signed, rational};
+use arithmetic::{ArithmeticError, Dual, Field, Number, Rational, Ring, Sign, Signed, rational};
 
 /// A potential whose slope in `s = |r|²` is a sum of powers: `V'(s) = sum c_k s^k` with integers `k`.
 #[derive(Debug, Clone, PartialEq)]
@@ -137,7 +137,7 @@ impl Potential {
     ///
     /// # Errors
     /// [`ArithmeticError::DivisionByZero`] or [`ArithmeticError::Argument`] where `s` is not certainly positive.
-    pub fn value<T: Real>(&self, s: &T) -> Result<T, ArithmeticError> {
+    pub fn value<T: Number>(&self, s: &T) -> Result<T, ArithmeticError> {
         self.value_over(s)?.at(s)
     }
 
