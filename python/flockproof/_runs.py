@@ -449,7 +449,9 @@ def _trajectories(data: Any, fps: float | None) -> tuple[str, str]:
         return _refused(data, lambda: Path(data).read_text(encoding="utf-8-sig")), Path(data).name
     if isinstance(data, np.ndarray):
         if data.ndim != 3 or data.shape[2] != 2 or fps is None:
-            raise ValueError(f"an array has the shape (frames, individuals, 2) and comes with fps; this one has {data.shape}")
+            raise ValueError(
+                f"an array has the shape (frames, individuals, 2) and comes with fps; this one has {data.shape}"
+            )
         frames, individuals = np.nonzero(~np.isnan(data).any(axis=2))
         x, y = data[frames, individuals].T
         data = {"t": frames, "id": individuals + 1, "x": x.astype(float), "y": y.astype(float)}

@@ -1,0 +1,58 @@
+"""Trajectories from arrays and tables of other forms."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import flockproof
+
+
+def circling(frames: int = 300, fish: int = 6) -> np.ndarray:
+    """Fish on a circle, all to the left, at 25 frames a second; shape (frames, fish, 2)."""
+    angle = 0.02 * np.arange(frames)[:, None] + np.arange(fish)[None, :]
+    return 20 * np.stack([np.cos(angle), np.sin(angle)], axis=2)
+
+
+def table(data: np.ndarray, time: str, name: str) -> dict[str, Any]:
+    frames, fish = np.nonzero(~np.isnan(data).any(axis=2))
+    x, y = data[frames, fish].T
+    return {time: frames, name: fish + 1, "x": x, "y": y}
+
+
+def test_an_array_is_its_table() -> None:
+    data = circling()
+    own = flockproof.tracks(data, fps=25, window=5, null=0)
+    named = flockproof.tracks(
+        table(data, "frame", "particle"), columns={"frame": "t", "particle": "id"}, fps=25, window=5, null=0
+    )
+    assert own.summary["means"] == named.summary["means"]
+    means = own.summary["means"]
+    # By NumPy: unit vectors of central differences over five frames, and their mean.
+    smooth = np.lib.stride_tricks.sliding_window_view(data, 5, axis=0).mean(axis=3)
+    velocity = (smooth[2:] - smooth[:-2]) / (2 / 25)
+    heading = velocity / np.linalg.norm(velocity, axis=2, keepdims=True)
+    assert means["p_1"] == pytest.approx(np.linalg.norm(heading.mean(axis=1), axis=1).mean(), abs=1e-12)
+    assert means["momentum"] == pytest.approx(np.linalg.norm(velocity.mean(axis=1), axis=1).mean(), abs=1e-9)
+
+
+def test_gaps_are_bridged_and_groups_are_those_that_are_there() -> None:
+    data = circling()
+    data[50:53, 2] = np.nan
+    data[100:180, 4] = np.nan
+
+    def used(**chosen: Any) -> Any:
+        return flockproof.tracks(data, fps=25, window=5, null=0, **chosen).summary
+
+    plain, bridged, fewer = used(), used(max_gap=5), used(max_gap=5, min_fish=5)
+    assert (plain["left_out"]["missing"], bridged["left_out"]["missing"], fewer["left_out"]["missing"]) == (83, 80, 0)
+    assert fewer["left_out"]["used"] == 300 - 6 and 5 < fewer["mean_fish"] < 6
+    assert [gap["bridged"] for gap in bridged["gaps"]] == [True, False]
+    with pytest.raises(ValueError, match="between 2 and 6"):
+        used(min_fish=7)
+    with pytest.raises(ValueError, match="comes with fps"):
+        flockproof.tracks(data)
+    with pytest.raises(ValueError, match="two columns are to be t"):
+        flockproof.tracks(table(data, "t", "id"), columns={"a": "t", "b": "t"})
