@@ -373,6 +373,18 @@ class Law:
 
         return check(self._asked(question), progress)
 
+    def sweep(self, question: Mapping[str, Any], client: Any = None, **options: Any) -> Any:
+        """Whether a statement holds, for every number of agents and every network of a family: a question without ``law``, as for ``sweep``."""
+        from ._questions import sweep
+
+        return sweep(self._asked(question), client, **options)
+
+    def fuzz(self, question: Mapping[str, Any], client: Any = None, **options: Any) -> Any:
+        """Attack a statement about all states: a question without ``law``, as for ``fuzz``."""
+        from ._questions import fuzz
+
+        return fuzz(self._asked(question), client, **options)
+
     def _asked(self, question: Mapping[str, Any]) -> dict[str, Any]:
         return {**question, "question": {**question["question"], "law": self}}
 

@@ -62,3 +62,28 @@ def test_what_cannot_be_traced_says_where(rate, told):
 
 def test_latex():
     assert r"\dot v_i" in cucker_smale(False)._repr_latex_()
+
+
+def question(property, **family):
+    states = {"x": "any", "v": "any", **family}
+    controls = ["rate(momentum) = v[1]"]
+    return {"question": {"id": "mine.law"}, "for": states, "holds": {"property": property, "controls": controls}}
+
+
+def test_flocks_of_every_size():
+    answer = cucker_smale(False).check(question("rate(momentum) = 0", agents="any"))
+    assert answer.verdict == "holds"
+    assert "every number of agents" in answer.why
+
+
+def test_sweeps_and_attacks():
+    law = cucker_smale(True)
+    table = law.sweep(question("rate(momentum) = 0", agents="2..4"), threads=1)
+    assert len(table) == 3
+    attacked = law.fuzz(question("rate(momentum.1) <= 0", agents="2..4", graph="path(agents)"), cases=4, threads=1)
+    assert attacked.failed > 0
+    assert attacked.failures[0].question is not None
+
+
+def test_latex_of_a_law():
+    assert r"\dot v_i" in cucker_smale(False)._repr_latex_()

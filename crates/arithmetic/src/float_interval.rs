@@ -105,12 +105,6 @@ impl FloatInterval {
         self.lo <= x && x <= self.hi
     }
 
-    /// Whether the other interval lies inside this one.
-    #[inline]
-    pub fn encloses(&self, other: &Self) -> bool {
-        self.lo <= other.lo && other.hi <= self.hi
-    }
-
     /// The smallest interval that contains both.
     #[inline]
     pub fn hull(&self, other: &Self) -> Self {
@@ -241,6 +235,11 @@ impl FloatInterval {
 
 /// Functions by those of [`Interval`], rounded outward.
 impl Number for FloatInterval {
+    #[inline]
+    fn either(&self, other: &Self) -> Option<Self> {
+        Some(self.hull(other))
+    }
+
     fn circle(&self) -> Result<Self, ArithmeticError> {
         Ok(self.pi())
     }

@@ -224,6 +224,11 @@ impl Field for Interval {
 }
 
 impl Number for Interval {
+    #[inline]
+    fn either(&self, other: &Self) -> Option<Self> {
+        Some(self.hull(other))
+    }
+
     fn circle(&self) -> Result<Self, ArithmeticError> {
         Ok(self.pi())
     }

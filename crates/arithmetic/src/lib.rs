@@ -66,7 +66,7 @@ pub use number::{NumberError, decimal, parse_rational, shown};
 pub use probe::Probe;
 pub use progress::{Cancelled, Progress, Unwatched};
 pub use radical::RadicalSum;
-pub use rational::{NoRational, Rational, common_denominator, content, gcd, lcm, quotient, rational, simplest_between};
+pub use rational::{NoRational, Rational, common_denominator, content, gcd, lcm, rational, simplest_between};
 pub use real_cyclotomic::{CosineField, RealCyclotomic};
 pub use real_number::{Algebraic, Obstacle, PreciseNumber, RealNumber};
 pub use regression::regression_line;
@@ -221,6 +221,18 @@ pub trait Number: Field + Signed {
     /// Hyperbolic sine and cosine.
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError>;
 
+    /// A number that stands for whether this one is negative, 1 or 0, of which nothing else is known; in scalars that stand for all numbers at once only.
+    #[inline]
+    fn indicator(&self) -> Option<Self> {
+        None
+    }
+
+    /// What may be one of two numbers, whichever; in enclosures only.
+    #[inline]
+    fn either(&self, _: &Self) -> Option<Self> {
+        None
+    }
+
     /// Sine of an angle in radians.
     #[inline]
     fn sin(&self) -> Result<Self, ArithmeticError> {
@@ -273,12 +285,18 @@ pub trait Signed: Ring {
         self.sign() == Some(Sign::Negative)
     }
 
+    /// The sign as far as a choice between two formulas needs it: an enclosure of a function on a box, with ends that may be zero, has one side on all of the box.
+    #[inline]
+    fn side(&self) -> Option<Sign> {
+        self.sign()
+    }
+
     /// The absolute value.
     ///
     /// # Errors
     /// [`ArithmeticError::UNDECIDED_SIGN`] where it depends on a sign that is not decided.
     fn absolute(&self) -> Result<Self, ArithmeticError> {
-        match self.sign().ok_or(ArithmeticError::UNDECIDED_SIGN)? {
+        match self.side().ok_or(ArithmeticError::UNDECIDED_SIGN)? {
             Sign::Negative => Ok(-self.clone()),
             _ => Ok(self.clone()),
         }
@@ -289,7 +307,7 @@ pub trait Signed: Ring {
     /// # Errors
     /// As [`Signed::absolute`].
     fn larger(&self, other: &Self) -> Result<Self, ArithmeticError> {
-        let sign = (self.clone() - other).sign().ok_or(ArithmeticError::UNDECIDED_SIGN)?;
+        let sign = (self.clone() - other).side().ok_or(ArithmeticError::UNDECIDED_SIGN)?;
         Ok(if sign == Sign::Negative { other.clone() } else { self.clone() })
     }
 
@@ -298,7 +316,7 @@ pub trait Signed: Ring {
     /// # Errors
     /// As [`Signed::absolute`].
     fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
-        let sign = (self.clone() - other).sign().ok_or(ArithmeticError::UNDECIDED_SIGN)?;
+        let sign = (self.clone() - other).side().ok_or(ArithmeticError::UNDECIDED_SIGN)?;
         Ok(if sign == Sign::Positive { other.clone() } else { self.clone() })
     }
 }

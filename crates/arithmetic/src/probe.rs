@@ -4,6 +4,7 @@ use super::operators::operators;
 use super::residue::Residue;
 use super::{ArithmeticError, DegreeBound, Field, Number, Rational, Ring, Sign, Signed};
 use sha2::{Digest, Sha256};
+use std::cmp::Ordering;
 
 /// What the two sides of an identity are run over. All scalars of one evaluation are of one kind.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,7 +92,17 @@ impl Probe {
     /// that holds so holds for every function, and so for the one that is meant, wherever it has values.
     fn unknown(&self, function: &str, arguments: &[&Self]) -> Result<Self, ArithmeticError> {
         match self {
-            Probe::Degree(_) => Ok(Probe::Degree(DegreeBound::VARIABLE)),
+            // A variable of at least the degree and the coefficients of the arguments: the bound of the whole then is one of differences of arguments, too.
+            Probe::Degree(_) => {
+                let mut bound = DegreeBound::VARIABLE;
+                for argument in arguments {
+                    let Probe::Degree(of) = argument else { continue };
+                    bound.numerator = bound.numerator.max(of.numerator.saturating_add(of.denominator));
+                    bound.numerator_bits =
+                        bound.numerator_bits.max(of.numerator_bits.saturating_add(of.denominator_bits));
+                }
+                Ok(Probe::Degree(bound))
+            }
             Probe::Exact(_) => Err(ArithmeticError::Domain("numbers that are not rational")),
             Probe::Residue(own) => {
                 let mut hash = Sha256::new();
@@ -105,6 +116,20 @@ impl Probe {
                 let bytes = hash.finalize();
                 let drawn = bytes.iter().take(8).fold(0u64, |sum, byte| sum << 8 | u64::from(*byte));
                 Ok(Probe::Residue(Residue::modulo(drawn, own.prime())))
+            }
+        }
+    }
+
+    /// The same for an odd function: arguments that differ by their signs have values that do, and that of 0 is 0.
+    fn unknown_odd(&self, function: &str) -> Result<Self, ArithmeticError> {
+        let Probe::Residue(own) = self else { return self.unknown(function, &[self]) };
+        let turned = -*own;
+        match own.value().cmp(&turned.value()) {
+            Ordering::Less => self.unknown(function, &[self]),
+            Ordering::Equal => Ok(self.clone()),
+            Ordering::Greater => {
+                let turned = Probe::Residue(turned);
+                Ok(-turned.unknown(function, &[&turned])?)
             }
         }
     }
@@ -144,14 +169,21 @@ impl Number for Probe {
             let (sine, cosine) = q.sin_cos()?;
             return Ok((Probe::Exact(sine), Probe::Exact(cosine)));
         }
-        let t = self.unknown("angle", &[self])?;
+        let t = self.unknown_odd("angle")?;
         let (one, square) = (t.one(), t.square());
         let below = (one.clone() + &square).recip()?;
         Ok(((t.integer(2) * &t) * &below, (one - &square) * &below))
     }
 
     fn atan(&self) -> Result<Self, ArithmeticError> {
-        self.function("atan", Number::atan)
+        match self {
+            Probe::Exact(q) => Ok(Probe::Exact(Number::atan(q)?)),
+            _ => self.unknown_odd("atan"),
+        }
+    }
+
+    fn indicator(&self) -> Option<Self> {
+        self.unknown("negative", &[self]).ok()
     }
 
     /// A point of the hyperbola, of which nothing else is known.
@@ -160,7 +192,7 @@ impl Number for Probe {
             let (sine, cosine) = q.sinh_cosh()?;
             return Ok((Probe::Exact(sine), Probe::Exact(cosine)));
         }
-        let t = self.unknown("rapidity", &[self])?;
+        let t = self.unknown_odd("rapidity")?;
         let (one, square) = (t.one(), t.square());
         let below = (one.clone() - &square).recip()?;
         Ok(((t.integer(2) * &t) * &below, (one + &square) * &below))

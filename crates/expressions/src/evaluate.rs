@@ -46,6 +46,10 @@ enum Known<T> {
     Nothing,
     Number(T),
     Truth(bool),
+    /// A condition that is true or false, which this number stands for: 1 or 0.
+    Share(T),
+    /// A condition that has a truth value, but which one cannot be told.
+    Unsure,
     Missing(ArithmeticError),
 }
 
@@ -57,6 +61,10 @@ pub struct Evaluator<T> {
     like: T,
     known: Vec<Known<T>>,
     bound: Vec<usize>,
+    /// Of each agent and each other one how much it hears of it, row by row: what a sum over those whom an agent hears takes of each.
+    weights: Option<Vec<T>>,
+    /// Divisors and arguments of functions, in turn, where they are kept.
+    trail: Option<Vec<T>>,
 }
 
 impl<T: Number> Evaluator<T> {
@@ -71,7 +79,23 @@ impl<T: Number> Evaluator<T> {
             }
         }
         let program = program.clone();
-        Evaluator { bound: vec![0; program.slots.len()], program, lists, like: like.clone(), known }
+        let bound = vec![0; program.slots.len()];
+        Evaluator { bound, program, lists, like: like.clone(), known, weights: None, trail: None }
+    }
+
+    /// The same on a network with weights, one row for each agent, of which only sums make use; means, counts and conditions have no values.
+    pub(crate) fn weighted(self, weights: Vec<T>) -> Self {
+        Evaluator { weights: Some(weights), ..self }
+    }
+
+    /// The same, which keeps what is divided by and what functions are taken of.
+    pub(crate) fn trailed(self) -> Self {
+        Evaluator { trail: Some(Vec::new()), ..self }
+    }
+
+    /// What was kept.
+    pub(crate) fn into_trail(self) -> Vec<T> {
+        self.trail.unwrap_or_default()
     }
 
     /// Sets the numbers that were drawn for this step: of each list one for each agent.
@@ -123,6 +147,8 @@ impl<T: Number> Evaluator<T> {
         let value = |(output, &id): (usize, &usize)| match &self.known[id] {
             Known::Number(value) => of(output, value.clone()),
             Known::Truth(truth) => of(output, self.like.integer(i64::from(*truth))),
+            Known::Share(share) => of(output, share.clone()),
+            Known::Unsure => Err(Fault { agent, output, error: ArithmeticError::UNDECIDED_SIGN }),
             Known::Missing(error) => Err(Fault { agent, output, error: error.clone() }),
             Known::Nothing => Err(Fault { agent, output, error: ArithmeticError::Domain("a value") }),
         };
@@ -132,8 +158,25 @@ impl<T: Number> Evaluator<T> {
     fn steps(&mut self, steps: &[Step], moment: &Moment<T>) {
         for step in steps {
             match step {
-                Step::Thing(id) => self.known[*id] = self.thing(*id, moment),
+                Step::Thing(id) => {
+                    self.keep_trail(*id);
+                    self.known[*id] = self.thing(*id, moment);
+                }
                 Step::Loop(round) => self.round(round, moment),
+            }
+        }
+    }
+
+    fn keep_trail(&mut self, id: usize) {
+        let Some(trail) = &mut self.trail else { return };
+        let kept = match &self.program.ops[id] {
+            Op::Quotient(_, a) | Op::Function(_, a) => [Some(*a), None],
+            Op::Angle(a, b) => [Some(*a), Some(*b)],
+            _ => return,
+        };
+        for id in kept.into_iter().flatten() {
+            if let Known::Number(value) = &self.known[id] {
+                trail.push(value.clone());
             }
         }
     }
@@ -143,14 +186,6 @@ impl<T: Number> Evaluator<T> {
             Known::Number(value) => Ok(value),
             Known::Missing(error) => Err(error.clone()),
             _ => Err(ArithmeticError::Domain("a number")),
-        }
-    }
-
-    fn truth(&self, id: usize) -> Result<bool, ArithmeticError> {
-        match &self.known[id] {
-            Known::Truth(value) => Ok(*value),
-            Known::Missing(error) => Err(error.clone()),
-            _ => Err(ArithmeticError::Domain("a condition")),
         }
     }
 
@@ -167,7 +202,7 @@ impl<T: Number> Evaluator<T> {
         }
         match self.value(&self.program.ops[id], moment) {
             Ok(Some(value)) => Known::Number(value),
-            Ok(None) => self.condition(&self.program.ops[id]).map_or_else(Known::Missing, Known::Truth),
+            Ok(None) => self.condition(&self.program.ops[id]),
             Err(error) => Known::Missing(error),
         }
     }
@@ -179,6 +214,7 @@ impl<T: Number> Evaluator<T> {
             Op::Number(q) => self.like.rational(q),
             Op::Pi => self.like.circle()?,
             Op::Time => moment.time.clone(),
+            Op::Agents => self.like.integer(moment.hearing.agents() as i64),
             Op::Parameter(list, agent) => self.lists[*list][self.agent(*agent)].clone(),
             Op::State { start, stride, component, of } => {
                 moment.state[start + self.agent(*of) * stride + component].clone()
@@ -195,38 +231,40 @@ impl<T: Number> Evaluator<T> {
             Op::Absolute(a) => of(a)?.absolute()?,
             Op::Larger(a, b) => of(a)?.larger(of(b)?)?,
             Op::Smaller(a, b) => of(a)?.smaller(of(b)?)?,
-            Op::Choice(condition, a, b) => if self.truth(*condition)? { of(a)? } else { of(b)? }.clone(),
+            Op::Choice(condition, a, b) => match &self.known[*condition] {
+                Known::Truth(true) => of(a)?.clone(),
+                Known::Truth(false) => of(b)?.clone(),
+                Known::Share(share) => of(b)?.clone() + (of(a)?.clone() - of(b)?) * share,
+                Known::Unsure => of(a)?.either(of(b)?).ok_or(ArithmeticError::UNDECIDED_SIGN)?,
+                Known::Missing(error) => return Err(error.clone()),
+                _ => return Err(ArithmeticError::Domain("a condition")),
+            },
             Op::Compared(..) | Op::Both(..) | Op::Not(_) => return Ok(None),
             Op::Gathered(..) => return Err(ArithmeticError::Domain("a loop")),
         }))
     }
 
-    /// The sign of a difference.
-    fn sign(&self, a: usize, b: usize) -> Result<Sign, ArithmeticError> {
-        (self.number(a)?.clone() - self.number(b)?).sign().ok_or(ArithmeticError::UNDECIDED_SIGN)
-    }
-
-    fn condition(&self, op: &Op) -> Result<bool, ArithmeticError> {
-        Ok(match op {
-            Op::Compared(relation, a, b) => {
-                let sign = self.sign(*a, *b)?;
-                match relation {
-                    Relation::Equal => sign == Sign::Zero,
-                    Relation::Different => sign != Sign::Zero,
-                    Relation::Less => sign == Sign::Negative,
-                    Relation::AtMost => sign != Sign::Positive,
-                    Relation::Greater => sign == Sign::Positive,
-                    Relation::AtLeast => sign != Sign::Negative,
-                }
-            }
-            // Whatever the other one is, false decides.
-            Op::Both(a, b) => match (self.truth(*a), self.truth(*b)) {
-                (Ok(false), _) | (_, Ok(false)) => false,
-                (first, second) => first? && second?,
+    fn condition(&self, op: &Op) -> Known<T> {
+        match op {
+            Op::Compared(relation, a, b) => match (self.number(*a), self.number(*b)) {
+                (Ok(a), Ok(b)) => compared(*relation, a, b),
+                (Err(error), _) | (_, Err(error)) => Known::Missing(error),
             },
-            Op::Not(a) => !self.truth(*a)?,
-            _ => return Err(ArithmeticError::Domain("a condition")),
-        })
+            Op::Both(a, b) => match (&self.known[*a], &self.known[*b]) {
+                // Whatever the other one is, false decides.
+                (Known::Truth(false), _) | (_, Known::Truth(false)) => Known::Truth(false),
+                (Known::Truth(true), other) | (other, Known::Truth(true)) => other.clone(),
+                (Known::Share(a), Known::Share(b)) => Known::Share(a.clone() * b),
+                (Known::Missing(error), _) | (_, Known::Missing(error)) => Known::Missing(error.clone()),
+                _ => Known::Unsure,
+            },
+            Op::Not(a) => match &self.known[*a] {
+                Known::Truth(truth) => Known::Truth(!truth),
+                Known::Share(share) => Known::Share(share.one() - share),
+                other => other.clone(),
+            },
+            _ => Known::Missing(ArithmeticError::Domain("a condition")),
+        }
     }
 
     fn round(&mut self, round: &Round, moment: &Moment<T>) {
@@ -234,20 +272,40 @@ impl<T: Number> Evaluator<T> {
         let this = &program.loops[round.number];
         let mut gathered: Vec<Gathered<T>> = round.results.iter().map(|_| Gathered::Empty).collect();
         let hears = program.slots[this.slot].hears.map(|of| self.agent(of));
+        // Everybody is heard with the weight 1 where a sum runs over all.
+        let row = hears.filter(|_| self.weights.is_some()).map(|agent| agent * moment.hearing.agents());
         let mut count = 0;
         let mut visit = |machine: &mut Self, agent: usize| {
             machine.bound[this.slot] = agent;
             machine.steps(&round.before, moment);
-            match this.condition.map_or(Ok(true), |id| machine.truth(id)) {
-                Ok(false) => return,
-                Ok(true) => {}
-                Err(error) => gathered.iter_mut().for_each(|all| *all = Gathered::Missing(error.clone())),
-            }
+            let condition = this.condition.map_or(&Known::Truth(true), |id| &machine.known[id]);
+            let part = match condition {
+                Known::Truth(false) => return,
+                Known::Truth(true) => row.and_then(|row| machine.weights.as_ref()?.get(row + agent)).cloned(),
+                Known::Share(share) if row.is_none() => Some(share.clone()),
+                Known::Missing(error) => {
+                    gathered.iter_mut().for_each(|all| *all = Gathered::Missing(error.clone()));
+                    None
+                }
+                _ => {
+                    gathered.iter_mut().for_each(|all| *all = Gathered::Missing(ArithmeticError::UNDECIDED_SIGN));
+                    None
+                }
+            };
             machine.steps(&round.after, moment);
             count += 1;
             for (all, (place, _)) in gathered.iter_mut().zip(&round.results) {
                 let (gather, body) = this.bodies[*place];
-                all.take(gather, machine.number(body));
+                match &part {
+                    None => all.take(gather, machine.number(body)),
+                    Some(part)
+                        if matches!(gather, Gather::Sum) || this.condition.is_some() && gather == Gather::Count =>
+                    {
+                        let product = machine.number(body).map(|value| value.clone() * part);
+                        all.take(gather, product.as_ref().map_err(Clone::clone));
+                    }
+                    Some(_) => all.take(gather, Err(ArithmeticError::Domain("a sum"))),
+                }
             }
         };
         let heard = hears.and_then(|agent| moment.hearing.heard(agent));
@@ -261,6 +319,33 @@ impl<T: Number> Evaluator<T> {
             self.known[id] = all.ended(this.bodies[place].0, count, &self.like);
         }
     }
+}
+
+/// Whether two numbers are related so.
+fn compared<T: Number>(relation: Relation, a: &T, b: &T) -> Known<T> {
+    let difference = a.clone() - b;
+    let Some(sign) = difference.sign() else {
+        let negative = |difference: &T| difference.indicator().map_or(Known::Unsure, Known::Share);
+        let not = |known: Known<T>| match known {
+            Known::Share(share) => Known::Share(share.one() - &share),
+            other => other,
+        };
+        return match relation {
+            Relation::Less => negative(&difference),
+            Relation::AtLeast => not(negative(&difference)),
+            Relation::Greater => negative(&-difference),
+            Relation::AtMost => not(negative(&-difference)),
+            Relation::Equal | Relation::Different => Known::Unsure,
+        };
+    };
+    Known::Truth(match relation {
+        Relation::Equal => sign == Sign::Zero,
+        Relation::Different => sign != Sign::Zero,
+        Relation::Less => sign == Sign::Negative,
+        Relation::AtMost => sign != Sign::Positive,
+        Relation::Greater => sign == Sign::Positive,
+        Relation::AtLeast => sign != Sign::Negative,
+    })
 }
 
 /// A time with a state and a network.

@@ -85,6 +85,15 @@ pub struct LawError {
     pub problem: Problem,
 }
 
+/// A number of a flock that a property asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Asked {
+    /// Where it stands in the state.
+    State(usize),
+    /// Where it stands among the numbers of the observables.
+    Observed(usize),
+}
+
 /// A part of the state.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Variable {
@@ -256,6 +265,41 @@ impl Law {
     /// [`Fault`] where a number has no value.
     pub fn observe<T: Number>(&self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<Vec<T>, Fault> {
         self.observing(time).flock(time, state, hearing)
+    }
+
+    /// A number by its name in a property: `x[2].1` and `v[1]` of the state, observables by their names, `momentum.1` where they are vectors.
+    pub fn number(&self, name: &str) -> Option<Asked> {
+        if let Some((part, rest)) = name.split_once('[') {
+            let (agent, component) = rest.split_once(']')?;
+            let variable = self.variables.iter().find(|variable| variable.name == part)?;
+            let agent = agent.parse::<usize>().ok()?.checked_sub(1).filter(|agent| *agent < self.agents)?;
+            let component = match component.strip_prefix('.') {
+                Some(component) if variable.width > 1 => component.parse::<usize>().ok()?.checked_sub(1)?,
+                None if component.is_empty() && variable.width == 1 => 0,
+                _ => return None,
+            };
+            let place = variable.start + agent * variable.stride + component;
+            return (component < variable.width).then_some(Asked::State(place));
+        }
+        let (name, component) = name.split_once('.').map_or((name, None), |(name, k)| (name, Some(k)));
+        let mut start = 0;
+        for (known, width) in &self.observables {
+            if known == name {
+                let component = match component {
+                    Some(component) if *width > 1 => component.parse::<usize>().ok()?.checked_sub(1)?,
+                    None if *width == 1 => 0,
+                    _ => return None,
+                };
+                return (component < *width).then_some(Asked::Observed(start + component));
+            }
+            start += width;
+        }
+        None
+    }
+
+    /// Whether the observables depend on the time.
+    pub fn observes_time(&self) -> bool {
+        !self.observed.is_autonomous()
     }
 
     /// The name of the part of the state whose rate a [`Fault`] is about.

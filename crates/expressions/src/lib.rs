@@ -18,6 +18,7 @@
 
 mod alike;
 mod blocks;
+mod bodies;
 mod compile;
 mod evaluate;
 mod function;
@@ -28,9 +29,10 @@ mod syntax;
 
 pub use alike::{nearest_ids, nearest_name};
 pub use blocks::Blocks;
+pub use bodies::Bodies;
 pub use compile::{Clauses, Comparison};
 pub use evaluate::{Evaluator, Everyone, Fault, Hearing};
-pub use law::{Drawn, Kind, Law, LawError, LawText, Parameter, Time, Variable};
+pub use law::{Asked, Drawn, Kind, Law, LawError, LawText, Parameter, Time, Variable};
 pub use problem::Problem;
 pub use program::Program;
 pub use syntax::{KEYWORDS, Located, Node, NodeKind, Relation, parse_domain, parse_property};

@@ -34,6 +34,8 @@ pub(crate) enum Op {
     Number(Rational),
     Pi,
     Time,
+    /// The number of agents, in statements about any number of them.
+    Agents,
     /// A parameter with one value for each agent.
     Parameter(usize, Of),
     /// A number of the state: where those of agent 0 begin, numbers from one agent to the next, which.
@@ -176,7 +178,13 @@ impl Things {
 
     fn needs(&self, op: &Op) -> Vec<Id> {
         match op {
-            Op::Number(_) | Op::Pi | Op::Time | Op::Parameter(..) | Op::State { .. } | Op::Gathered(..) => Vec::new(),
+            Op::Number(_)
+            | Op::Pi
+            | Op::Time
+            | Op::Agents
+            | Op::Parameter(..)
+            | Op::State { .. }
+            | Op::Gathered(..) => Vec::new(),
             Op::Negated(a) | Op::Power(a, _) | Op::Function(_, a) | Op::Absolute(a) | Op::Not(a) => vec![*a],
             Op::Sum(a, b)
             | Op::Difference(a, b)

@@ -3,7 +3,7 @@
 use crate::bindings::{Bindings, Value};
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::names::{Quantity, Subject, quantity_of, unknown_quantity};
+use crate::names::{OWN, Quantity, Subject, quantity_of, unknown_quantity};
 use crate::question::Question;
 use crate::subject::flock::FlockSubject;
 use crate::subject::graph::GraphSubject;
@@ -53,6 +53,10 @@ impl<'q> Case<'q> {
     /// The quantity of that name, of the subjects of the question.
     pub fn quantity(&self, owner: Option<&str>, name: &str) -> Result<&'static Quantity, Problem> {
         let subjects = self.question.subjects();
+        let full = owner.map_or(name.to_string(), |owner| format!("{owner}.{name}"));
+        if self.question.is_own(&full) {
+            return Ok(&OWN);
+        }
         quantity_of(name, subjects).ok_or_else(|| unknown_quantity(owner, name, &self.question.known_names()))
     }
 

@@ -74,6 +74,16 @@ const fn truth(subject: Subject, name: &'static str, meaning: &'static str) -> Q
     Quantity { name, subject, arguments: &[], is_truth: true, moves: false, meaning }
 }
 
+/// A number of a law of one's own: of its state, or an observable, by a name of its own.
+pub(crate) static OWN: Quantity = Quantity {
+    name: "a number of the law",
+    subject: Subject::Motion,
+    arguments: &[],
+    is_truth: false,
+    moves: true,
+    meaning: "a number of the state, `x[2].1`, or an observable of the law",
+};
+
 /// Those that do not move.
 const FIXED: &[Quantity] = &[
     fixed(Subject::Graph, "n", &[], "number of vertices"),
@@ -215,6 +225,7 @@ const fn family(form: &'static str, name: &'static str, least: usize, most: usiz
 pub const FAMILIES: &[Family] = &[
     family("a..b", "", 0, 0, "the integers from a to b"),
     family("[a, b]", "", 0, 0, "all real numbers from a to b: a continuum, covered by boxes"),
+    family("any", "", 0, 0, "all real numbers; for properties of numbers and functions of them alone"),
     family("integers(a, b)", "integers", 2, 2, "the integers from a to b, covered by boxes instead of one by one"),
     family("x", "", 0, 0, "one number, which may use earlier names"),
     family("[.., ..] (a TOML list)", "", 0, 0, "the members of all that are listed"),

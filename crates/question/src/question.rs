@@ -17,9 +17,6 @@ use models::platoon::Communication;
 use std::fmt::Write;
 use std::sync::{Arc, OnceLock};
 
-/// Gives the text of a file that a question names, or why there is none.
-pub type Files<'a> = &'a dyn Fn(&str) -> Result<String, String>;
-
 /// An expression with the byte of the file where it starts.
 #[derive(Debug, Clone)]
 pub(crate) struct Expression {
@@ -55,6 +52,8 @@ pub struct Question {
     /// Members of the names that depend on no other.
     alone: Vec<OnceLock<Arc<Members>>>,
     starts: OnceLock<Vec<u64>>,
+    /// Whether sums of squares are looked for first, so that as much as possible has a certificate.
+    pub certified: bool,
 }
 
 impl Question {
@@ -192,6 +191,11 @@ impl Question {
         &self.values
     }
 
+    /// Whether it is the name of a number of the law of one's own that its scenario has.
+    pub(crate) fn is_own(&self, name: &str) -> bool {
+        self.scenario.as_ref().is_some_and(|scenario| scenario.is_own(name))
+    }
+
     /// The names of the section `[for]`, in order.
     pub fn bound_names(&self) -> impl Iterator<Item = &str> {
         self.bounds.iter().map(|bound| bound.name.as_ref())
@@ -217,8 +221,14 @@ impl Question {
         }
         let _ = writeln!(text, "budget = {}\n[for]", self.budget);
         for range in self.law.iter().flat_map(|law| &law.ranges) {
-            let ends = range.ends.as_ref().map_or("any".to_string(), |(lo, hi)| format!("[{lo}, {hi}]"));
+            let ends = match (&range.side.lo, &range.side.hi) {
+                (Some(lo), Some(hi)) => format!("[{lo}, {hi}]"),
+                _ => "any".to_string(),
+            };
             let _ = writeln!(text, "{} = {ends}", range.part);
+        }
+        if let Some(every) = self.law.as_ref().and_then(LawFile::every_text) {
+            let _ = writeln!(text, "{every}");
         }
         for bound in &self.bounds {
             let _ = writeln!(text, "{} = {}", bound.name, domain_text(&bound.domain));

@@ -1,13 +1,17 @@
 //! The scenario of a question: a flock in JSON or a motion in TOML, with the bound numbers put in.
 
 use crate::bindings::{Bindings, Value};
-use crate::question::Files;
 use crate::subject::motion::Start as List;
 use arithmetic::{Rational, rational};
+use expressions::Law;
 use models::averaging::Start;
 use models::averaging::read::{Model, flock_of};
-use scenario::{ConfigError, ExactMotion, OwnSteps, Path, Scenario, Source, Step, WithLaw, with_law};
+use scenario::{ConfigError, ExactMotion, OwnSteps, Path, Scenario, Source, Step, WithLaw, own_law, with_law};
 use serde_json::Value as Json;
+use std::sync::Arc;
+
+/// Gives the text of a file that a question names, or why there is none.
+pub type Files<'a> = &'a dyn Fn(&str) -> Result<String, String>;
 
 /// A scenario as its file has it.
 #[derive(Debug, Clone)]
@@ -15,6 +19,8 @@ pub(crate) struct ScenarioFile {
     pub name: String,
     whole: WithLaw,
     file: File,
+    /// The law of one's own that it has.
+    own: Option<Arc<Law>>,
 }
 
 #[derive(Debug, Clone)]
@@ -51,7 +57,11 @@ impl ScenarioFile {
             let is_drawn = source.is_drawn().map_err(told)?;
             file = File::Motion { source, is_drawn };
         }
-        let file = ScenarioFile { name: name.to_string(), whole, file };
+        let own = match &file {
+            File::Motion { source, .. } => own_law(source),
+            File::Flock(_) => None,
+        };
+        let file = ScenarioFile { name: name.to_string(), whole, file, own };
         match file.is_flock() {
             true => file.flock(&Bindings::default()).map(drop)?,
             false => file.motion(&Bindings::default()).map(drop)?,
@@ -70,6 +80,11 @@ impl ScenarioFile {
     /// The text as one line, for the canonical form of a question.
     pub fn digest(&self) -> String {
         format!("{:?}", self.whole.text())
+    }
+
+    /// Whether it is the name of a number of its law of one's own.
+    pub fn is_own(&self, name: &str) -> bool {
+        self.own.as_ref().is_some_and(|law| law.number(name).is_some())
     }
 
     /// Whether it is an averaging flock.
@@ -166,7 +181,9 @@ impl ScenarioFile {
                     return Err("`seed` takes single integers, as in seed = \"1..1000\"".to_string());
                 }
                 value if is_place(name) => {
-                    let Some((lo, hi)) = value.ends() else { continue };
+                    let Some((lo, hi)) = value.ends() else {
+                        return Err(format!("`{name}` should be a number or an interval, not `{}`", value.text()));
+                    };
                     let path = self.place(name)?;
                     let (list, agent, coordinate) = start_place(&path).ok_or_else(|| {
                         format!("`{name}`: only positions, velocities and phases of [state] may range over an interval")

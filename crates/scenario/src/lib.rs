@@ -6,6 +6,7 @@
 mod agents;
 mod alignment;
 mod config;
+mod described;
 mod document;
 mod ensemble;
 mod error;
@@ -42,7 +43,7 @@ pub use exact::ExactMotion;
 pub use law_file::{WithLaw, with_law};
 pub use model::Model;
 pub use observables::{Found, Observable, QUANTITIES, Quantity, Value, measure, observables_as_markdown};
-pub use own::{OwnMotion, OwnSteps, law_problem, read_law};
+pub use own::{OwnMotion, OwnSteps, law_problem, own_law, read_law};
 pub use path::{Path, Step};
 pub use run::{End, Outcome, Row};
 pub use simulation::{Event, Frame, Part};

@@ -1,5 +1,6 @@
 //! From the plan of a program to code for blocks: registers numbered, each level with its constants, what it loads and what comes from outside.
 
+use super::fuse;
 use crate::function::Function;
 use crate::program::{FLOCK, Gather, Id, OWN, Of, Op, Program, Round, Slot, Step as Planned};
 use crate::syntax::Relation;
@@ -49,6 +50,22 @@ pub(super) enum Instruction {
     Compared(Relation, Register, Register),
     Both(Register, Register),
     Not(Register),
+    /// `(a - b)²`.
+    Square(Register, Register),
+    /// `(a - b)² + c`.
+    SquareAdded(Register, Register, Register),
+    /// `(a - b) c`.
+    Scaled(Register, Register, Register),
+    /// `c x^(-1/4)`: c and x.
+    InverseFourthRoot(Register, Register),
+}
+
+/// What a loop gathers of each lane.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Body {
+    Own(Register),
+    /// `c (a - b)`: c, a and b.
+    Scaled(Register, Register, Register),
 }
 
 /// What a level does in turn.
@@ -75,7 +92,7 @@ pub(super) struct Inner {
     pub heard: Heard,
     pub level: Level,
     /// What is gathered, from which register of the level, into which of the level around it.
-    pub results: Vec<(Gather, Register, Register)>,
+    pub results: Vec<(Gather, Body, Register)>,
 }
 
 /// Code that runs over lanes of one sort: once for the flock, for agents, for pairs, ..
@@ -336,8 +353,10 @@ impl Builder<'_> {
         let results = bodies.into_iter().map(|(id, (gather, body))| {
             let to = self.fresh(depth - 1);
             self.open[depth - 1].known.insert(id, to);
-            (gather, body, to)
+            (gather, Body::Own(body), to)
         });
-        Inner { heard, results: results.collect(), level }
+        let mut inner = Inner { heard, results: results.collect(), level };
+        fuse::inside(&mut inner);
+        inner
     }
 }

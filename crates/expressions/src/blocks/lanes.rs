@@ -1,6 +1,6 @@
 //! What is done with the lanes of registers: loops that the compiler makes vectors of.
 
-use super::code::{Instruction, Register};
+use super::code::{Body, Instruction, Register};
 use crate::function::Function;
 use crate::syntax::Relation;
 use motion::sin_cos_of;
@@ -154,7 +154,73 @@ fn done<'a>(instruction: Instruction, out: &mut [f64], of: impl Fn(Register) -> 
         // Whatever the other one is, false decides.
         Instruction::Both(a, b) => two(out, of(a), of(b), |a, b| if (a == 0.0) | (b == 0.0) { 0.0 } else { a * b }),
         Instruction::Not(a) => one(out, of(a), |a| 1.0 - a),
+        Instruction::Square(a, b) => two(out, of(a), of(b), |a, b| (a - b) * (a - b)),
+        Instruction::SquareAdded(a, b, c) => three(out, (of(c), of(a), of(b)), |c, a, b| (a - b) * (a - b) + c),
+        Instruction::Scaled(a, b, c) => three(out, (of(c), of(a), of(b)), |c, a, b| (a - b) * c),
+        Instruction::InverseFourthRoot(c, x) => {
+            let source = inverse_fourth_roots(out, of(x));
+            match (of(c), source) {
+                (View::Same(1.0), source) => source,
+                (View::Same(c), Source::Same) => {
+                    out[0] *= c;
+                    Source::Same
+                }
+                (View::Same(c), _) => {
+                    out.iter_mut().for_each(|out| *out *= c);
+                    Source::Own
+                }
+                (View::Each(c), Source::Same) => {
+                    let root = out[0];
+                    out.iter_mut().zip(c).for_each(|(out, c)| *out = root * c);
+                    Source::Own
+                }
+                (View::Each(c), _) => {
+                    out.iter_mut().zip(c).for_each(|(out, c)| *out *= c);
+                    Source::Own
+                }
+            }
+        }
     }
+}
+
+#[inline(always)]
+fn inverse_fourth_roots(out: &mut [f64], x: View) -> Source {
+    // Beyond these powers of x and of its root leave the normal numbers.
+    const ORDINARY: std::ops::Range<f64> = 1e-250..1e250;
+    let slow = |x: f64| {
+        let root = x.sqrt().sqrt();
+        if root == 0.0 { f64::NAN } else { 1.0 / root }
+    };
+    match x {
+        View::Same(x) => {
+            out[0] = if ORDINARY.contains(&x) { inverse_fourth_root(x) } else { slow(x) };
+            Source::Same
+        }
+        View::Each(x) => {
+            let ordinary = x.iter().fold(true, |all, x| all & (*x >= ORDINARY.start) & (*x < ORDINARY.end));
+            if ordinary {
+                out.iter_mut().zip(x).for_each(|(out, x)| *out = inverse_fourth_root(*x));
+            } else {
+                let of = |x: &f64| if ORDINARY.contains(x) { inverse_fourth_root(*x) } else { slow(*x) };
+                out.iter_mut().zip(x).for_each(|(out, x)| *out = of(x));
+            }
+            Source::Own
+        }
+    }
+}
+
+/// `x^(-1/4)` to 2 units in the last place, without roots and divisions: the exponent is divided by -4, which leaves `|1 - x y^4| < 0.125`; then
+/// twice `y (1 - r)^(-1/4)` with `r = 1 - x y^4` up to the third power of r, whose relative errors are `195/2048 r^4 < 2.5e-5` and less than the rounding.
+#[inline(always)]
+fn inverse_fourth_root(x: f64) -> f64 {
+    let mut y = f64::from_bits(0x4feb_020c_49ba_6000 - (x.to_bits() >> 2));
+    for _ in 0..2 {
+        let square = y * y;
+        let r = (-x).mul_add(square * square, 1.0);
+        let series = (15.0f64 / 128.0).mul_add(r, 5.0 / 32.0).mul_add(r, 0.25);
+        y = (y * r).mul_add(series, y);
+    }
+    y
 }
 
 #[inline(always)]
@@ -230,14 +296,108 @@ fn function_of(function: Function, out: &mut [f64], a: View) -> Source {
     }
 }
 
-/// The sum of some lanes: eight partial sums, whatever the processor.
-pub(super) fn sum(lanes: &[f64]) -> f64 {
-    let (eights, rest) = lanes.as_chunks::<8>();
-    let mut partial = [0.0; 8];
-    for eight in eights {
-        partial.iter_mut().zip(eight).for_each(|(sum, x)| *sum += x);
+/// The lanes of what is gathered.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Lanes<'a> {
+    Own(View<'a>),
+    /// `c (a - b)`.
+    Scaled(View<'a>, View<'a>, View<'a>),
+}
+
+impl Lanes<'_> {
+    pub fn at(&self, lane: usize) -> f64 {
+        match self {
+            Lanes::Own(view) => view.at(lane),
+            Lanes::Scaled(c, a, b) => (a.at(lane) - b.at(lane)) * c.at(lane),
+        }
     }
-    let [a, b, c, d, e, f, g, h] = partial;
-    let all = ((a + e) + (b + f)) + ((c + g) + (d + h));
-    rest.iter().fold(all, |sum, x| sum + x)
+}
+
+impl Registers {
+    pub fn lanes<'a>(&'a self, body: Body, lanes: usize, columns: &'a [Vec<f64>]) -> Lanes<'a> {
+        let of = |register| self.view(register, lanes, columns);
+        match body {
+            Body::Own(register) => Lanes::Own(of(register)),
+            Body::Scaled(c, a, b) => Lanes::Scaled(of(c), of(a), of(b)),
+        }
+    }
+}
+
+/// Adds up lanes part by part: each part of them belongs to a lane of the level around.
+pub(super) struct Sums<'a> {
+    pub lanes: Lanes<'a>,
+    pub parts: &'a [(usize, usize, usize)],
+    pub results: &'a mut [f64],
+}
+
+impl WithSimd for Sums<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Sums { lanes, parts, results } = self;
+        for &(lane, begin, end) in parts {
+            results[lane] += match lanes {
+                Lanes::Own(View::Same(x)) => sum_of(end - begin, |_| x),
+                Lanes::Own(View::Each(list)) => sum_each([&list[begin..end]], |[x]| x),
+                Lanes::Scaled(View::Each(c), View::Each(a), View::Same(b)) => {
+                    sum_each([&c[begin..end], &a[begin..end]], |[c, a]| (a - b) * c)
+                }
+                Lanes::Scaled(View::Each(c), View::Each(a), View::Each(b)) => {
+                    sum_each([&c[begin..end], &a[begin..end], &b[begin..end]], |[c, a, b]| (a - b) * c)
+                }
+                _ => sum_of(end - begin, |k| lanes.at(begin + k)),
+            };
+        }
+    }
+}
+
+/// The sum of a function of some lists: eight partial sums, whatever the processor.
+#[inline(always)]
+fn sum_each<const N: usize>(lists: [&[f64]; N], f: impl Fn([f64; N]) -> f64) -> f64 {
+    let count = lists[0].len();
+    let eights = lists.map(|list| list.as_chunks::<8>().0);
+    let mut partial = [0.0; 8];
+    for k in 0..count / 8 {
+        let rows = eights.map(|list| list[k]);
+        for (place, sum) in partial.iter_mut().enumerate() {
+            *sum += f(rows.map(|row| row[place]));
+        }
+    }
+    (count - count % 8..count).fold(together(partial), |sum, k| sum + f(lists.map(|list| list[k])))
+}
+
+/// The same for numbers by their places.
+#[inline(always)]
+fn sum_of(count: usize, f: impl Fn(usize) -> f64) -> f64 {
+    let mut partial = [0.0; 8];
+    for k in 0..count / 8 {
+        partial.iter_mut().enumerate().for_each(|(place, sum)| *sum += f(8 * k + place));
+    }
+    (count - count % 8..count).fold(together(partial), |sum, k| sum + f(k))
+}
+
+#[inline(always)]
+fn together([a, b, c, d, e, f, g, h]: [f64; 8]) -> f64 {
+    ((a + e) + (b + f)) + ((c + g) + (d + h))
+}
+
+/// The sum of some lanes.
+pub(super) fn sum(lanes: &[f64]) -> f64 {
+    sum_each([lanes], |[x]| x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::inverse_fourth_root;
+
+    #[test]
+    fn fourth_roots_are_as_exact_as_roots_of_roots() {
+        let mut x = 1.1e-250;
+        while x < 1e250 {
+            let (y, wanted) = (inverse_fourth_root(x), 1.0 / x.sqrt().sqrt());
+            assert!((y - wanted).abs() <= 4.0 * f64::EPSILON * wanted, "{x:e}: {y:e} {wanted:e}");
+            x *= 1.003_7;
+        }
+    }
 }

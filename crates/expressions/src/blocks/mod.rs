@@ -5,6 +5,7 @@
 //! Results depend neither on the number of threads nor on the processor: which lanes stand in a block depends on the network only.
 
 mod code;
+mod fuse;
 mod lanes;
 mod run;
 

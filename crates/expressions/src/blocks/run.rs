@@ -1,7 +1,7 @@
 //! Levels run over blocks of lanes: the flock, agents, those whom they hear, those whom these hear, ..
 
 use super::code::{Code, Heard, Inner, Level, Load, Step};
-use super::lanes::{BLOCK, Registers, Straight, View, sum};
+use super::lanes::{BLOCK, Registers, Straight, Sums, View, sum};
 use crate::evaluate::Hearing;
 use crate::program::Gather;
 
@@ -296,9 +296,7 @@ impl Space {
         let (outside, inside) = self.frames.split_at_mut(level.number);
         let frame = &mut inside[0];
         let outer = &mut outside[frame.outer];
-        let of = |register| frame.registers.view(register, frame.lanes, moment.columns);
-        let condition = level.condition.map(of);
-        let mut chosen = Vec::new();
+        let condition = level.condition.map(|register| frame.registers.view(register, frame.lanes, moment.columns));
         for &(lane, begin, end) in &frame.parts {
             match condition {
                 None => frame.counts[lane] += (end - begin) as f64,
@@ -307,19 +305,19 @@ impl Space {
             }
         }
         let outer_lanes = outer.lanes;
+        let mut chosen = Vec::new();
         for &(gather, body, to) in &inner.results {
-            let view = of(body);
+            let lanes = frame.registers.lanes(body, frame.lanes, moment.columns);
             let results = outer.registers.own(to, outer_lanes);
+            if condition.is_none() && matches!(gather, Gather::Sum | Gather::Mean | Gather::Count) {
+                moment.arch.dispatch(Sums { lanes, parts: &frame.parts, results });
+                continue;
+            }
             for &(lane, begin, end) in &frame.parts {
-                let result = &mut results[lane];
-                if let (None, View::Each(list)) = (condition, view) {
-                    join(gather, result, &list[begin..end]);
-                    continue;
-                }
                 chosen.clear();
                 let counts = |k: &usize| condition.is_none_or(|condition| condition.at(*k) != 0.0);
-                chosen.extend((begin..end).filter(counts).map(|k| view.at(k)));
-                join(gather, result, &chosen);
+                chosen.extend((begin..end).filter(counts).map(|k| lanes.at(k)));
+                join(gather, &mut results[lane], &chosen);
             }
         }
     }

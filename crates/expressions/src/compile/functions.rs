@@ -11,6 +11,7 @@ impl Compiler<'_> {
         match name {
             "pi" => return Ok(Value::Number(self.things.add(Op::Pi))),
             "t" => return Ok(Value::Number(self.things.add(Op::Time))),
+            "agents" if self.of_any => return Ok(Value::Number(self.things.add(Op::Agents))),
             "agents" => return Ok(Value::Number(self.things.integer(self.agents as i64))),
             "if" => return self.choice(arguments, scope),
             "dot" | "cross" | "norm" | "norm2" | "unit" | "turn" | "heading" => {

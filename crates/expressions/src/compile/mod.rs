@@ -105,6 +105,8 @@ pub(crate) struct Compiler<'a> {
     changes: HashMap<Id, Id>,
     /// The rates of a part of the state of an agent.
     rates_of: HashMap<(usize, Of), Vec<Id>>,
+    /// Whether the number of agents stays a number of its own.
+    of_any: bool,
     /// The entries whose texts are read, the one inside of all others last.
     reading: Vec<(&'static str, &'a str)>,
 }
@@ -128,6 +130,7 @@ impl<'a> Compiler<'a> {
             things: Things::new(),
             changes: HashMap::new(),
             rates_of: HashMap::new(),
+            of_any: false,
             reading: Vec::new(),
         };
         compiler.lay_out()?;

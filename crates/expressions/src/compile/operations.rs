@@ -2,6 +2,7 @@
 
 use super::{Compiler, Made, Scope, Value};
 use crate::function::Function;
+use crate::law::Kind;
 use crate::problem::Problem;
 use crate::program::{Id, Op, Things};
 use crate::syntax::{Node, NodeKind, Relation};
@@ -22,7 +23,25 @@ impl Compiler<'_> {
         })
     }
 
+    /// Whether it is a coordinate of a place, or a sum or a difference of such.
+    fn is_length(&self, id: Id) -> bool {
+        match &self.things.ops[id] {
+            Op::State { start, .. } => {
+                let is_place = |name: &String| self.text.position.as_ref() == Some(name);
+                self.variables.iter().any(|own| own.start == *start && own.kind == Kind::Vector && is_place(&own.name))
+            }
+            Op::Negated(a) => self.is_length(*a),
+            Op::Sum(a, b) | Op::Difference(a, b) => self.is_length(*a) || self.is_length(*b),
+            _ => false,
+        }
+    }
+
     pub(super) fn added(&mut self, a: Value, b: Value, minus: bool, node: &Node) -> Made<Value> {
+        if let (Value::Number(length), Value::Angle(_)) | (Value::Angle(_), Value::Number(length)) = (&a, &b)
+            && self.is_length(*length)
+        {
+            return self.refuse(node.at, Problem::Other("an angle and a length are not added".to_string()));
+        }
         let things = &mut self.things;
         let mut join = |a, b| things.add(if minus { Op::Difference(a, b) } else { Op::Sum(a, b) });
         match (a, b) {

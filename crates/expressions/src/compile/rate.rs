@@ -76,7 +76,7 @@ impl<'a> Compiler<'a> {
         let of = |this: &Self, id: &Id| this.changes[id];
         let zero = self.things.integer(0);
         Ok(match &op {
-            Op::Number(_) | Op::Pi | Op::Parameter(..) => zero,
+            Op::Number(_) | Op::Pi | Op::Agents | Op::Parameter(..) => zero,
             Op::Time => self.things.integer(1),
             Op::State { start, component, of, .. } => self.of_state(*start, *component, *of)?,
             Op::Negated(a) => self.negated(of(self, a)),
@@ -206,7 +206,7 @@ impl<'a> Compiler<'a> {
         let op = self.things.ops[id].clone();
         let of = |id: &Id| self.changes[id];
         let next = match &op {
-            Op::Number(_) | Op::Pi | Op::Parameter(..) => return Ok(id),
+            Op::Number(_) | Op::Pi | Op::Agents | Op::Parameter(..) => return Ok(id),
             Op::Time => {
                 let why = "the change over a step of what depends on `t` is not there yet";
                 return self.refuse(node.at, Problem::Other(why.to_string()));

@@ -1,7 +1,8 @@
 //! A property of states as comparisons with zero: each clause has one that is true, at every state for which the property is claimed.
 
 use super::{Compiler, Made, Scope, Value};
-use crate::evaluate::{Evaluator, Hearing};
+use crate::bodies::Bodies;
+use crate::evaluate::{Evaluator, Everyone, Hearing};
 use crate::law::{LawError, LawText};
 
 use crate::problem::Problem;
@@ -28,13 +29,33 @@ impl Comparison {
     /// # Errors
     /// [`ArithmeticError`] where it has no value, or the scalar cannot hold it.
     pub fn value<T: Number>(&self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<T, ArithmeticError> {
-        let mut evaluator = Evaluator::new(&self.program, &self.lists, time);
-        let numbers = evaluator.flock(time, state, hearing).map_err(|fault| fault.error)?;
-        numbers.into_iter().next().ok_or(ArithmeticError::Domain("a number"))
+        first(&mut self.evaluator(time), time, state, hearing)
     }
-}
 
-impl Comparison {
+    /// What computes the number again and again.
+    pub fn evaluator<T: Number>(&self, like: &T) -> Evaluator<T> {
+        Evaluator::new(&self.program, &self.lists, like)
+    }
+
+    /// The number, and behind it all that was divided by and that functions were taken of: where those are the same at two states, it has a value at both or at
+    /// neither.
+    ///
+    /// # Errors
+    /// [`ArithmeticError`] as [`Self::value`].
+    pub fn trail<T: Number>(&self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<Vec<T>, ArithmeticError> {
+        let mut evaluator = self.evaluator(time).trailed();
+        let value = first(&mut evaluator, time, state, hearing)?;
+        Ok([vec![value], evaluator.into_trail()].concat())
+    }
+
+    /// The number where each agent hears each with a weight, row by row: a sum over those whom an agent hears is one of products with the weights.
+    ///
+    /// # Errors
+    /// [`ArithmeticError`] as [`Self::value`], and where something else than sums is made of those whom an agent hears.
+    pub fn weighted<T: Number>(&self, time: &T, state: &[T], weights: &[Vec<T>]) -> Result<T, ArithmeticError> {
+        first(&mut self.evaluator(time).weighted(weights.concat()), time, state, &Everyone(weights.len()))
+    }
+
     /// How many functions without rational values are computed at most, where sums run over so many agents.
     pub fn functions(&self, agents: usize) -> u64 {
         let each = self.program.functions() as u64;
@@ -45,6 +66,26 @@ impl Comparison {
     pub fn is_symmetric(&self) -> bool {
         self.program.is_symmetric()
     }
+
+    /// Whether the time does not occur.
+    pub fn is_autonomous(&self) -> bool {
+        self.program.is_autonomous()
+    }
+
+    /// How it depends on the number of agents, where that is known: see [`Bodies`].
+    pub fn bodies(&self) -> Option<Bodies> {
+        self.program.bodies()
+    }
+}
+
+fn first<T: Number>(
+    evaluator: &mut Evaluator<T>,
+    time: &T,
+    state: &[T],
+    hearing: &dyn Hearing,
+) -> Result<T, ArithmeticError> {
+    let numbers = evaluator.flock(time, state, hearing).map_err(|fault| fault.error)?;
+    numbers.into_iter().next().ok_or(ArithmeticError::Domain("a number"))
 }
 
 /// Some comparison of each clause is true.
@@ -58,10 +99,23 @@ impl LawText {
     /// # Errors
     /// [`LawError`]; its table is `property` where the property is at fault.
     pub fn statement(&self, agents: usize, property: &Node) -> Result<Clauses, LawError> {
+        self.stated(agents, property, false)
+    }
+
+    /// The same, where the number of agents is kept apart from other numbers ([`Comparison::bodies`]).
+    ///
+    /// # Errors
+    /// As [`Self::statement`].
+    pub fn statement_of_any(&self, property: &Node) -> Result<Clauses, LawError> {
+        self.stated(2, property, true)
+    }
+
+    fn stated(&self, agents: usize, property: &Node, of_any: bool) -> Result<Clauses, LawError> {
         let mut text = self.clone();
         text.define.append(&mut text.observables.clone());
         text.observables.clear();
         let mut compiler = Compiler::new(&text, agents)?;
+        compiler.of_any = of_any;
         compiler.list_parameters();
         compiler.reading.push(("property", ""));
         let drafts = compiler.clauses(property, true)?;

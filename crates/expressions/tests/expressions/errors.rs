@@ -52,3 +52,19 @@ fn definitions_in_circles_and_names_given_twice() {
     let nested = format!("{}v{}", "(".repeat(10_000), ")".repeat(10_000));
     assert!(refusal(&nested).0.contains("nested more than"));
 }
+
+#[test]
+fn angles_are_not_added_to_lengths() {
+    let law = |rate: &str| {
+        let state = vec![("x".to_string(), Kind::Vector), ("theta".to_string(), Kind::Angle)];
+        let rates = vec![("x".to_string(), "vector(1, 0)".to_string()), ("theta".to_string(), rate.to_string())];
+        let law = LawText { dimension: 2, position: Some("x".to_string()), state, rates, ..LawText::default() };
+        law.compile(2).map(|_| ()).map_err(|error| error.to_string())
+    };
+    for rate in ["theta + x.1", "x.2 - theta", "sum(j, theta[j] - (x[j].1 - x.1))"] {
+        assert_eq!(law(rate), Err("an angle and a length are not added".to_string()), "{rate}");
+    }
+    for rate in ["theta + 2*x.1", "theta + pi/2", "heading(x) - theta"] {
+        assert_eq!(law(rate), Ok(()), "{rate}");
+    }
+}

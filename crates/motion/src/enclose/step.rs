@@ -140,11 +140,6 @@ impl<L: System> Flow<L> {
         Flow { law, length, written: None }
     }
 
-    /// The law.
-    pub fn law(&self) -> &L {
-        &self.law
-    }
-
     /// A step from a set at `time`, as long as what is cut off stays small, and not beyond `until`.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use super::Question;
 use crate::domain::{Domain, Sort};
 use crate::error::{Problem, QuestionError};
-use crate::names::{FAMILIES, FUNCTIONS, Subject, quantity_of, unknown_quantity};
+use crate::names::{FAMILIES, FUNCTIONS, OWN, Subject, quantity_of, unknown_quantity};
 use crate::scenario_file::ScenarioFile;
 use crate::syntax::{Kind, Node};
 use arithmetic::shown;
@@ -201,7 +201,9 @@ impl Check<'_> {
             None => (None, name),
         };
         let known = self.question.known_names();
-        let quantity = quantity_of(own_name, self.question.subjects());
+        let own = if self.question.is_own(name) { Some(&OWN) } else { None };
+        let owner = owner.filter(|_| own.is_none());
+        let quantity = own.or_else(|| quantity_of(own_name, self.question.subjects()));
         let quantity = quantity.ok_or_else(|| at(unknown_quantity(owner, own_name, &known)))?;
         self.owner(owner, name, quantity.subject).map_err(at)?;
         if quantity.subject == Subject::Platoon {

@@ -1,11 +1,12 @@
 //! A question read from its file, and checked name by name on the way.
 
 use super::check::Check;
-use super::{BUDGET, Expression, Files, Question};
+use super::{BUDGET, Expression, Question};
 use crate::domain::{Bound, Classes, Domain, read_domain};
 use crate::error::{Place, Problem, QuestionError};
 use crate::inequalities::inequalities;
 use crate::names::FUNCTIONS;
+use crate::scenario_file::Files;
 use crate::scenario_file::{ScenarioFile, is_place};
 use crate::source::{Entry, Section, Source};
 use crate::states::LawFile;
@@ -122,11 +123,13 @@ impl Question {
             classes: Classes::default(),
             alone: Vec::new(),
             starts: OnceLock::new(),
+            certified: false,
         })
     }
 
     fn read_family(&mut self, section: &Section, files: Files) -> Result<(), QuestionError> {
         let mut restriction = None;
+        let mut every: Vec<(String, usize)> = Vec::new();
         for entry in section.entries() {
             if entry.key == "where" {
                 if self.law.is_some() {
@@ -144,6 +147,12 @@ impl Question {
                 }
                 let added = law.add_range(&entry.key, &located.text);
                 added.map_err(|problem| self.at(located.base, problem))?;
+                continue;
+            }
+            if let Some(law) = self.law.as_mut().filter(|_| ["agents", "graph"].contains(&entry.key.as_str()))
+                && entry.text().is_ok_and(|located| law.add_every(&entry.key, &located.text))
+            {
+                every.push((entry.key.clone(), entry.key_at));
                 continue;
             }
             self.check_new_name(&entry)?;
@@ -171,6 +180,20 @@ impl Question {
                 return Err(self.at(bound.base, Problem::expected(expected, "of different sorts")));
             }
             self.bounds.push(bound);
+        }
+        if let Some((name, at)) = every.first() {
+            let agents = every.iter().any(|(name, _)| name == "agents");
+            let other = self
+                .bounds
+                .iter()
+                .find(|bound| is_place(&bound.name) || ["agents", "graph"].contains(&bound.name.as_ref()));
+            if !agents || other.is_some() || every.len() > 2 {
+                let at = other.map_or(*at, |bound| bound.key_at);
+                let why = format!(
+                    "`{name} = \"any\"` is about flocks of every size: `agents = \"any\"` once, with `graph = \"any\"` for every network without directions, or without a graph for complete ones, and no numbers of single agents"
+                );
+                return Err(self.at(at, Problem::Other(why)));
+            }
         }
         if let Some(entry) = restriction {
             self.subjects = self.found_subjects();

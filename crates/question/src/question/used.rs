@@ -37,7 +37,7 @@ impl Question {
         // A place puts its number into the scenario, and the seed draws without being named.
         let mut used = is_place(name) || name == "seed";
         if let Some(law) = self.law() {
-            used |= name == "agents" || self.sort(name) == Some(Sort::Graph);
+            used |= name == "agents" || name == "t" || self.sort(name) == Some(Sort::Graph);
             used |= law.law.parameters.iter().any(|(known, _)| known == name);
         }
         for node in expressions {

@@ -1,6 +1,7 @@
 //! The decision about the states of one flock.
 
-use super::inequality::holds_on_boxes;
+use super::every::Sizes;
+use super::inequality::{self, on_states};
 use super::instance::Instance;
 use super::{How, LawFile, identity, pairs, search};
 use crate::bindings::{Bindings, Value};
@@ -10,9 +11,10 @@ use crate::question::{Expression, Question};
 use crate::truth::{Margin, Truth};
 use arithmetic::{Cancelled, Progress, Rational};
 use expressions::{Comparison, Relation};
+use polynomials::sums::Certificate;
 use std::sync::Arc;
 
-/// Decides a property of all states of a flock.
+/// Decides a property of all states of a flock, or of flocks of every size.
 pub(crate) fn decide(
     question: &Question,
     file: &LawFile,
@@ -20,18 +22,44 @@ pub(crate) fn decide(
     bindings: &Bindings,
     progress: &dyn Progress,
 ) -> Result<Decided, QuestionError> {
+    if let Some(network) = file.every {
+        let clauses = file.law.statement_of_any(&expression.node);
+        let clauses = clauses.map_err(|error| file.refused(question, expression, error))?.len();
+        let sizes = Sizes::new(question, file, expression, bindings, network);
+        return together(question, file, expression, (0..clauses).map(|clause| sizes.clause_holds(clause, progress)));
+    }
     let instance = Instance::new(question, file, expression, bindings)?;
-    let mut how = Vec::new();
+    let found = instance.clauses.iter().map(|clause| {
+        let found = clause_holds(&instance, clause, progress)?;
+        let named = match &found {
+            Found::Fails(state) => Some(with_state(bindings, &instance, state)),
+            _ => None,
+        };
+        Ok((found, named))
+    });
+    together(question, file, expression, found)
+}
+
+/// All clauses.
+fn together(
+    question: &Question,
+    file: &LawFile,
+    expression: &Expression,
+    clauses: impl Iterator<Item = Result<(Found, Option<Bindings>), QuestionError>>,
+) -> Result<Decided, QuestionError> {
+    let (mut how, mut certificates) = (Vec::new(), Vec::new());
     let mut truth = Truth::True;
-    for clause in &instance.clauses {
-        match clause_holds(&instance, clause, progress)? {
-            Found::Holds(ways) => how.extend(ways),
-            Found::Fails(state) => {
-                let counterexample = Some(with_state(bindings, &instance, &state));
+    for found in clauses {
+        match found? {
+            (Found::Holds(ways, own), _) => {
+                how.extend(ways);
+                certificates.extend(own);
+            }
+            (Found::Fails(_), counterexample) => {
                 let margin = Margin::of_truth(false);
                 return Ok(Decided { truth: Truth::False, margin, boxes: 1, counterexample, ..Decided::nothing() });
             }
-            Found::Open(why) => truth = Truth::unknown(why, None),
+            (Found::Open(why), _) => truth = Truth::unknown(why, None),
         }
     }
     let open = u64::from(truth != Truth::True);
@@ -39,49 +67,60 @@ pub(crate) fn decide(
         file.note(how);
     }
     let margin = if open == 0 { Margin::of_truth(true) } else { Margin::ANY };
-    Ok(Decided { truth, margin, boxes: 1, open, ..Decided::nothing() })
+    Ok(Decided { truth, margin, boxes: 1, open, certificates, ..Decided::nothing() })
 }
 
-enum Found {
-    Holds(Vec<How>),
+/// What was found about a clause.
+#[derive(Debug)]
+pub(super) enum Found {
+    Holds(Vec<How>, Vec<Certificate>),
     Fails(Vec<Rational>),
     Open(String),
 }
 
-fn clause_holds(instance: &Instance, clause: &[Comparison], progress: &dyn Progress) -> Result<Found, Cancelled> {
+pub(super) fn clause_holds(
+    instance: &Instance,
+    clause: &[Comparison],
+    progress: &dyn Progress,
+) -> Result<Found, Cancelled> {
     if let Some(state) = instance.point() {
         return Ok(match instance.clause_holds(clause, &state) {
-            Some(true) => Found::Holds(vec![How::Point]),
+            Some(true) => Found::Holds(vec![How::Point], Vec::new()),
             Some(false) => Found::Fails(state),
             None => Found::Open("a number has no value at the state, or its sign cannot be told".to_string()),
         });
     }
-    if let Some(state) = search::counterexample(instance, clause, progress)? {
+    if let Some(state) = search::counterexample(instance, clause, search::TRIED, progress)? {
         return Ok(Found::Fails(state));
     }
     for comparison in clause {
         progress.checkpoint()?;
         let may_vanish = matches!(comparison.relation, Relation::Equal | Relation::AtMost | Relation::AtLeast);
         if may_vanish && let Some(bits) = identity::vanishes(instance, comparison) {
-            return Ok(Found::Holds(vec![How::Identity(bits)]));
+            return Ok(Found::Holds(vec![How::Identity(bits)], Vec::new()));
         }
-    }
-    let all: Vec<usize> = (0..instance.sides.len()).collect();
-    if let Some(ways) = holds_on_boxes(instance, clause, &instance.links, &all, progress)? {
-        return Ok(Found::Holds(ways));
     }
     for comparison in clause {
         let may_vanish = matches!(comparison.relation, Relation::AtMost | Relation::AtLeast);
-        if may_vanish && let Some(ways) = pairs::holds(instance, comparison, progress)? {
-            return Ok(Found::Holds(ways));
+        if may_vanish && let Some((ways, certificates)) = pairs::holds(instance, comparison, progress)? {
+            return Ok(Found::Holds(ways, certificates));
         }
     }
-    let texts = "no counterexample was found, and no identity, enclosure on boxes or sum over pairs that proves it";
-    Ok(Found::Open(texts.to_string()))
+    let all: Vec<usize> = (0..instance.sides.len()).collect();
+    Ok(match on_states(instance, clause, &instance.links, &all, progress)? {
+        inequality::Found::Holds(ways, certificates) => Found::Holds(ways, certificates),
+        inequality::Found::Fails(state) => match instance.clause_holds(clause, &state) {
+            Some(false) => Found::Fails(state),
+            _ => Found::Open("the two sides may be equal somewhere".to_string()),
+        },
+        inequality::Found::Open(why) => Found::Open(format!(
+            "no counterexample was found, and no identity and no sum over pairs of terms of one sign; {why}"
+        )),
+    })
 }
 
 /// The names of a case with every number of a state.
-fn with_state(bindings: &Bindings, instance: &Instance, state: &[Rational]) -> Bindings {
+pub(super) fn with_state(bindings: &Bindings, instance: &Instance, state: &[Rational]) -> Bindings {
     let mut all = Bindings::default();
     for (name, value) in bindings.iter().filter(|(name, _)| !instance.names.iter().any(|own| own == name)) {
         all.push(Arc::from(name), value.clone());

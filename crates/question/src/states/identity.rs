@@ -1,42 +1,34 @@
 //! Equations that hold at every state, by random primes; roots and other functions count as numbers of which nothing is known.
 
-use super::instance::{Instance, Links, Side, value_of};
-use arithmetic::identity::{Identity, IdentityOutcome, test_identity};
+use super::instance::{Instance, Links, filled, trail_of, value_of};
+use arithmetic::identity::{Identity, IdentityOutcome, Sides, test_identity};
 use arithmetic::random::generator;
 use arithmetic::{ArithmeticError, Field, Probe, Rational, Ring, rational};
 use expressions::Comparison;
 
 /// Points of a test.
-const CASES: usize = 8;
+const CASES: u64 = 8;
 
-/// Whether two lists of functions of the free numbers of a state agree identically: the bits by which a wrong identity is less likely than 1.
+/// Fewer bits are not enough.
+const LEAST_BITS: u64 = 64;
+
+/// Whether two lists of functions of so many numbers agree identically: the bits by which a wrong identity is less likely than 1.
 ///
-/// Besides the bound of the test, arguments of functions that differ may agree at a random point, one of at most `functions²` pairs.
+/// Besides the bound of the test, arguments of functions that differ may agree at a random point. Of `functions` there are less than `functions²/2` pairs,
+/// and the bound of the whole is at least half of that of a difference of two arguments; so each case is missed at most `1 + functions²` times as often.
 pub(super) fn agree(
-    instance: &Instance,
+    numbers: usize,
     functions: u64,
-    sides: impl Fn(&[Probe]) -> Result<(Vec<Probe>, Vec<Probe>), ArithmeticError>,
+    sides: impl Fn(&[Probe]) -> Result<Sides<Probe>, ArithmeticError>,
 ) -> Option<u64> {
-    let free: Vec<usize> =
-        (0..instance.sides.len()).filter(|&k| !matches!(instance.sides[k], Side::Point(_))).collect();
-    if free.is_empty() {
+    if numbers == 0 {
         return None;
     }
-    let at = |numbers: &[Probe]| -> Vec<Probe> {
-        let like = &numbers[0];
-        let number = |side: &Side| match side {
-            Side::Point(q) => like.rational(q),
-            _ => like.zero(),
-        };
-        let mut state: Vec<Probe> = instance.sides.iter().map(number).collect();
-        free.iter().zip(numbers).for_each(|(&place, number)| state[place] = number.clone());
-        state
-    };
-    let identity = Identity::new(free.len(), |numbers| sides(&at(numbers)));
-    match test_identity(&identity, CASES, &mut generator("question", "states", 0)) {
+    let identity = Identity::new(numbers, sides);
+    match test_identity(&identity, CASES as usize, &mut generator("question", "states", 0)) {
         Ok(IdentityOutcome::Agreed { error_bits, .. }) => {
-            let lost = CASES as u64 * (1 + 2 * u64::from(u64::BITS - functions.leading_zeros()));
-            error_bits.checked_sub(lost).filter(|bits| *bits >= 64)
+            let lost = CASES * (1 + 2 * u64::from(u64::BITS - functions.leading_zeros()));
+            error_bits.checked_sub(lost).filter(|bits| *bits >= LEAST_BITS)
         }
         _ => None,
     }
@@ -44,11 +36,28 @@ pub(super) fn agree(
 
 /// Whether a number is 0 at every state.
 pub(super) fn vanishes(instance: &Instance, comparison: &Comparison) -> Option<u64> {
-    let functions = comparison.functions(instance.of_agent.len());
-    agree(instance, functions, |state| {
-        let value = value_of(comparison, &instance.links, state)?;
+    let (free, functions) = (instance.free(), comparison.functions(instance.of_agent.len()));
+    agree(free.len(), functions, |numbers| {
+        let value = value_of(comparison, &instance.links, &filled(&instance.sides, &free, numbers))?;
         let zero = value.zero();
         Ok((vec![value], vec![zero]))
+    })
+}
+
+/// Whether a number stays as it is, and has a value as before, where these numbers of the state are moved by one and the same amount.
+pub(super) fn is_invariant(
+    instance: &Instance,
+    comparison: &Comparison,
+    links: &Links,
+    column: &[usize],
+) -> Option<u64> {
+    let (free, functions) = (instance.free(), comparison.functions(instance.of_agent.len()));
+    agree(free.len() + 1, 2 * functions, |numbers| {
+        let (by, numbers) = numbers.split_last().ok_or(ArithmeticError::Domain("a number"))?;
+        let state = filled(&instance.sides, &free, numbers);
+        let mut moved = state.clone();
+        column.iter().for_each(|&place| moved[place] = moved[place].clone() + by);
+        Ok((trail_of(comparison, links, &state)?, trail_of(comparison, links, &moved)?))
     })
 }
 
@@ -62,16 +71,24 @@ pub(super) fn sum_over_pairs(
     let agents = instance.of_agent.len();
     let functions = comparison.functions(agents).saturating_mul(2 * pairs.len() as u64 + 1);
     let others = agents.saturating_sub(1).max(1) as i64;
+    let free = instance.free();
     [rational(1, 1), rational(1, others)].into_iter().find_map(|factor| {
-        let bits = agree(instance, functions, |state| {
-            let whole = value_of(comparison, &instance.links, state)?;
+        let bits = agree(free.len(), functions, |numbers| {
+            let state = filled(&instance.sides, &free, numbers);
+            let known = trail_of(comparison, &instance.links, &state)?;
+            let whole = known[0].clone();
             let (mut left, mut right) = (Vec::new(), Vec::new());
             let mut sum = whole.zero();
             for ((i, j), links) in pairs {
-                let part = value_of(comparison, links, state)?;
+                let found = trail_of(comparison, links, &state)?;
+                // Where the whole has a value, its parts have one, too.
+                if !found[1..].iter().all(|own| known[1..].contains(own)) {
+                    return Err(ArithmeticError::Domain("parts with values"));
+                }
+                let part = found[0].clone();
                 sum = sum + &part;
                 // The others might be anywhere.
-                let mut alone = state.to_vec();
+                let mut alone = state.clone();
                 for (agent, places) in instance.of_agent.iter().enumerate() {
                     if agent != *i && agent != *j {
                         places.iter().for_each(|&place| alone[place] = part.zero());

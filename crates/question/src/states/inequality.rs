@@ -1,76 +1,107 @@
-//! Inequalities on boxes of states: enclosures, and halves of boxes where these are too wide. What is attained is not decided so.
+//! Inequalities on all states, by the decision about functions on a domain: enclosures, derivatives where they are attained, sums of squares.
 
 use super::How;
-use super::instance::{Instance, Links, Side, value_of};
-use arithmetic::{Cancelled, Enclosure, FloatInterval, Progress, Rational, rational};
+use super::identity::is_invariant;
+use super::instance::{Instance, Links, filled, value_of};
+use arithmetic::{ArithmeticError, Cancelled, Number, Progress, Rational, rational};
 use expressions::{Comparison, Relation};
-use num_traits::ToPrimitive;
+use polynomials::decide::{Decision, Effort, decide};
+use polynomials::sums::Certificate;
+use polynomials::{Compared, Function, Literal, Side};
 
-/// Boxes that are looked at.
-const MOST_BOXES: usize = 4000;
+/// Boxes that are looked at: fewer where there are so many numbers that boxes help little.
+const MOST_BOXES: u64 = 20_000;
+const FEW_BOXES: u64 = 1_000;
+const MANY_NUMBERS: usize = 6;
 
-/// Whether some comparison of a clause holds whatever the numbers in these places are; the others, on which nothing depends, are 0 where they may be
-/// anything.
-pub(super) fn holds_on_boxes(
+/// A comparison of a clause as a function of the numbers of a state that are free.
+struct OnStates<'a> {
+    comparison: &'a Comparison,
+    links: &'a Links,
+    sides: &'a [Side],
+    free: &'a [usize],
+    /// Whether it is negative where the comparison is true.
+    turned: bool,
+}
+
+impl Function for OnStates<'_> {
+    fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
+        if at.is_empty() {
+            return Err(ArithmeticError::Domain("a number"));
+        }
+        let value = value_of(self.comparison, self.links, &filled(self.sides, self.free, at))?;
+        Ok(if self.turned { -value } else { value })
+    }
+}
+
+/// What was found about a clause on all states.
+pub(super) enum Found {
+    Holds(Vec<How>, Vec<Certificate>),
+    /// It may be false at this state.
+    Fails(Vec<Rational>),
+    Open(String),
+}
+
+/// Whether some comparison of a clause holds whatever the numbers in these places are, wherever all have values; the others, on which nothing depends, are 0
+/// where they may be anything.
+pub(super) fn on_states(
     instance: &Instance,
     clause: &[Comparison],
     links: &Links,
     places: &[usize],
     progress: &dyn Progress,
-) -> Result<Option<Vec<How>>, Cancelled> {
-    let ends = |place: usize| match &instance.sides[place] {
-        Side::Point(q) => Some((q.clone(), q.clone())),
-        _ if !places.contains(&place) => Some((rational(0, 1), rational(0, 1))),
-        Side::Between(lo, hi) => Some((lo.clone(), hi.clone())),
-        Side::Line => None,
-    };
-    let Some(first) = (0..instance.sides.len()).map(ends).collect::<Option<Vec<_>>>() else { return Ok(None) };
-    let mut open = vec![first];
-    let mut looked = 0;
-    while let Some(sides) = open.pop() {
-        progress.checkpoint()?;
-        looked += 1;
-        if looked > MOST_BOXES {
-            return Ok(None);
-        }
-        if clause.iter().any(|comparison| holds(comparison, links, &sides)) {
+) -> Result<Found, Cancelled> {
+    let nothing = Side::point(rational(0, 1));
+    let mut sides = instance.sides.clone();
+    let last = sides.len() - 1;
+    let others = sides.iter_mut().enumerate().filter(|(place, _)| *place != last && !places.contains(place));
+    others.filter(|(_, side)| side.contains(&rational(0, 1))).for_each(|(_, side)| *side = nothing.clone());
+    let mut how = Vec::new();
+    // Where nothing depends on where all are together, one of them may be at 0.
+    for column in &instance.columns {
+        if !column.iter().all(|&place| instance.sides[place] == Side::line()) {
             continue;
         }
-        let Some([low, high]) = halves(&sides) else { return Ok(None) };
-        open.extend([high, low]);
+        let Some(&first) = column.iter().find(|place| places.contains(place)) else { continue };
+        let bits: Option<Vec<u64>> =
+            clause.iter().map(|comparison| is_invariant(instance, comparison, links, column)).collect();
+        if let Some(bits) = bits {
+            how.extend(bits.into_iter().map(How::Identity));
+            how.push(How::Moved);
+            sides[first] = nothing.clone();
+        }
     }
-    Ok(Some(vec![How::Decided("enclosures")]))
-}
-
-type Sides = Vec<(Rational, Rational)>;
-
-fn holds(comparison: &Comparison, links: &Links, sides: &Sides) -> bool {
-    let enclosed =
-        |(lo, hi): &(Rational, Rational)| FloatInterval::from_rational(lo).hull(&FloatInterval::from_rational(hi));
-    let state: Vec<FloatInterval> = sides.iter().map(enclosed).collect();
-    value_of(comparison, links, &state).is_ok_and(|value| match comparison.relation {
-        Relation::Less => value.upper() < 0.0,
-        Relation::AtMost => value.upper() <= 0.0,
-        Relation::Greater => value.lower() > 0.0,
-        Relation::AtLeast => value.lower() >= 0.0,
-        Relation::Equal => value.lower() == 0.0 && value.upper() == 0.0,
-        Relation::Different => value.lower() > 0.0 || value.upper() < 0.0,
+    let free: Vec<usize> = (0..sides.len()).filter(|&place| sides[place].as_point().is_none()).collect();
+    let literals: Vec<Literal<OnStates>> = clause
+        .iter()
+        .map(|comparison| {
+            let (turned, compared) = match comparison.relation {
+                Relation::Less => (true, Compared::Positive),
+                Relation::AtMost => (true, Compared::NotNegative),
+                Relation::Greater => (false, Compared::Positive),
+                Relation::AtLeast => (false, Compared::NotNegative),
+                Relation::Equal => (false, Compared::Zero),
+                Relation::Different => (false, Compared::NotZero),
+            };
+            let function = OnStates { comparison, links, sides: &sides, free: &free, turned };
+            Literal { function, compared, guarded: true }
+        })
+        .collect();
+    let domain: Vec<Side> = free.iter().map(|&place| sides[place].clone()).collect();
+    let boxes = if free.len() > MANY_NUMBERS { FEW_BOXES } else { MOST_BOXES };
+    Ok(match decide(&literals, &domain, Effort { boxes, ..Effort::default() }, progress)? {
+        Decision::Holds(proof) => {
+            how.extend(proof.methods.iter().map(|method| How::Decided(method.words())));
+            Found::Holds(how, proof.certificates)
+        }
+        Decision::Fails(at) => Found::Fails(filled_points(&sides, &free, &at)),
+        Decision::Undecided(open) => Found::Open(open.why),
     })
 }
 
-/// The two halves along the longest side; nothing of a single point.
-fn halves(sides: &Sides) -> Option<[Sides; 2]> {
-    let length = |(lo, hi): &(Rational, Rational)| (hi - lo).to_f64().unwrap_or(f64::INFINITY);
-    let longest = (0..sides.len()).max_by(|a, b| length(&sides[*a]).total_cmp(&length(&sides[*b])).then(b.cmp(a)))?;
-    let (lo, hi) = sides[longest].clone();
-    if lo == hi {
-        return None;
+fn filled_points(sides: &[Side], free: &[usize], at: &[Rational]) -> Vec<Rational> {
+    match at.first() {
+        Some(_) => filled(sides, free, at),
+        None => sides.iter().map(Side::middle).collect(),
     }
-    let middle = (&lo + &hi) * rational(1, 2);
-    let with = |ends: (Rational, Rational)| {
-        let mut half = sides.clone();
-        half[longest] = ends;
-        half
-    };
-    Some([with((lo, middle.clone())), with((middle, hi))])
 }

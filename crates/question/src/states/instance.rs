@@ -7,6 +7,7 @@ use crate::question::{Expression, Question};
 use arithmetic::{ArithmeticError, Interval, Number, Rational, Sign, Signed, rational};
 use expressions::{Comparison, Hearing, Kind, Parameter, Relation, Time};
 use num_traits::ToPrimitive;
+use polynomials::Side;
 use std::sync::Arc;
 
 /// Who hears whom.
@@ -59,24 +60,19 @@ impl Links {
     }
 }
 
-/// What a number of the state ranges over; without ends all reals.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Side {
-    Point(Rational),
-    Between(Rational, Rational),
-    Line,
-}
-
 /// A property of the states of one flock.
 #[derive(Debug, Clone)]
 pub(super) struct Instance {
     pub clauses: Vec<Vec<Comparison>>,
     pub links: Links,
+    /// What each number of the state ranges over; the time is the last one.
     pub sides: Vec<Side>,
     /// The numbers of the state by their names in a question.
     pub names: Vec<String>,
     /// Numbers of each agent, by their places in the state.
     pub of_agent: Vec<Vec<usize>>,
+    /// The places of one number of all agents, for each number that an agent has.
+    pub columns: Vec<Vec<usize>>,
 }
 
 impl Instance {
@@ -96,11 +92,11 @@ impl Instance {
         for (name, value) in bindings.iter() {
             let parameter = name.strip_prefix("law.parameters.").unwrap_or(name);
             match value {
-                Value::Number(q) if name != "agents" && !parameter.contains(['.', '[']) => {
+                Value::Number(q) if !["agents", "t"].contains(&name) && !parameter.contains(['.', '[']) => {
                     law.parameters.retain(|(known, _)| known != parameter);
                     law.parameters.push((parameter.to_string(), Parameter::One(q.clone())));
                 }
-                Value::Box(..) if !name.contains('[') => {
+                Value::Box(..) | Value::Any if name != "t" && !name.contains('[') => {
                     return Err(refuse(format!("`{name}` ranges over an interval; here only numbers of the state do")));
                 }
                 Value::Integers(..) => return Err(refuse(format!("`{name}` should be one number in each case"))),
@@ -110,33 +106,45 @@ impl Instance {
         let refused = |error| file.refused(question, expression, error);
         let compiled = law.compile(agents).map_err(refused)?;
         let clauses = law.statement(agents, &expression.node).map_err(refused)?;
-        let mut instance = Instance { clauses, links, sides: Vec::new(), names: Vec::new(), of_agent: Vec::new() };
-        instance.sides = vec![Side::Point(rational(0, 1)); compiled.size()];
-        instance.names = vec![String::new(); compiled.size()];
-        instance.of_agent = vec![Vec::new(); agents];
+        let autonomous = clauses.iter().flatten().all(Comparison::is_autonomous);
+        let mut instance = Instance {
+            clauses,
+            links,
+            sides: vec![Side::point(rational(0, 1)); compiled.size() + 1],
+            names: vec![String::new(); compiled.size() + 1],
+            of_agent: vec![Vec::new(); agents],
+            columns: Vec::new(),
+        };
+        let bound = |name: &str| match bindings.get(name) {
+            Some(Value::Number(q)) => Some(Side::point(q.clone())),
+            Some(Value::Box(lo, hi)) => Some(Side::between(lo.clone(), hi.clone())),
+            Some(Value::Any) => Some(Side::line()),
+            _ => None,
+        };
+        if !autonomous {
+            let later = Side { lo: Some(rational(0, 1)), ..Side::line() };
+            instance.sides[compiled.size()] = bound("t").unwrap_or(later);
+            instance.names[compiled.size()] = "t".to_string();
+        }
         for variable in compiled.variables() {
             let range = file.ranges.iter().find(|range| range.part == variable.name);
-            for agent in 0..agents {
-                for component in 0..variable.width {
+            for component in 0..variable.width {
+                let mut column = Vec::new();
+                for agent in 0..agents {
                     let place = variable.start + agent * variable.stride + component;
                     let number = format!("{}[{}]", variable.name, agent + 1);
                     let vector = variable.kind == Kind::Vector && variable.width > 1;
                     let name = if vector { format!("{number}.{}", component + 1) } else { number };
-                    instance.sides[place] = match (bindings.get(&name), range) {
-                        (Some(Value::Number(q)), _) => Side::Point(q.clone()),
-                        (Some(Value::Box(lo, hi)), _) => Side::Between(lo.clone(), hi.clone()),
-                        (_, Some(range)) => match &range.ends {
-                            Some((lo, hi)) => Side::Between(lo.clone(), hi.clone()),
-                            None => Side::Line,
-                        },
-                        (_, None) => {
-                            let why = format!("`{}` is missing in [for]: \"any\", or an interval", variable.name);
-                            return Err(refuse(why));
-                        }
+                    let Some(side) = bound(&name).or_else(|| range.map(|range| range.side.clone())) else {
+                        let why = format!("`{}` is missing in [for]: \"any\", or an interval", variable.name);
+                        return Err(refuse(why));
                     };
+                    instance.sides[place] = side;
                     instance.names[place] = name;
                     instance.of_agent[agent].push(place);
+                    column.push(place);
                 }
+                instance.columns.push(column);
             }
         }
         Ok(instance)
@@ -148,27 +156,26 @@ impl Instance {
         self.of_agent.windows(2).all(|pair| of(&pair[0]) == of(&pair[1]))
     }
 
+    /// The places of the numbers that are not given.
+    pub fn free(&self) -> Vec<usize> {
+        (0..self.sides.len()).filter(|&place| self.sides[place].as_point().is_none()).collect()
+    }
+
     /// The whole state, where nothing is left open.
     pub fn point(&self) -> Option<Vec<Rational>> {
-        let number = |side: &Side| match side {
-            Side::Point(q) => Some(q.clone()),
-            _ => None,
-        };
-        self.sides.iter().map(number).collect()
+        self.sides.iter().map(|side| side.as_point().cloned()).collect()
     }
 
     /// Whether a comparison holds at a state: exactly, or by enclosures of growing precision; nothing where it has no value or cannot be told.
     pub fn holds(&self, comparison: &Comparison, state: &[Rational]) -> Option<bool> {
-        let zero = rational(0, 1);
-        match comparison.value(&zero, state, &self.links) {
+        match value_of(comparison, &self.links, state) {
             Ok(value) => return value.sign().map(|sign| admits(comparison.relation, sign)),
             Err(ArithmeticError::Domain(_)) => {}
             Err(_) => return None,
         }
         for precision in [128, 512] {
             let enclosed: Vec<Interval> = state.iter().map(|q| Interval::from_rational(q, precision)).collect();
-            let time = Interval::from_rational(&zero, precision);
-            if let Ok(value) = comparison.value(&time, &enclosed, &self.links)
+            if let Ok(value) = value_of(comparison, &self.links, &enclosed)
                 && let Some(sign) = value.sign()
             {
                 return Some(admits(comparison.relation, sign));
@@ -185,17 +192,31 @@ impl Instance {
         }
         found.iter().all(|one| *one == Some(false)).then_some(false)
     }
-
-    /// The floats of a clause's comparisons, as far as they have values.
-    pub fn floats(&self, clause: &[Comparison], state: &[f64]) -> Vec<Option<f64>> {
-        clause.iter().map(|one| one.value(&0.0, state, &self.links).ok().filter(|x| x.is_finite())).collect()
-    }
 }
 
-/// A comparison as a function of a state over any scalar.
+/// The state with these numbers in the places that are free, of which there is one at least; the others are points.
+pub(super) fn filled<T: Number>(sides: &[Side], free: &[usize], numbers: &[T]) -> Vec<T> {
+    let like = &numbers[0];
+    let number = |side: &Side| side.as_point().map_or_else(|| like.zero(), |q| like.rational(q));
+    let mut state: Vec<T> = sides.iter().map(number).collect();
+    free.iter().zip(numbers).for_each(|(&place, number)| state[place] = number.clone());
+    state
+}
+
+/// A comparison as a function of a state and the time behind it, over any scalar.
 pub(super) fn value_of<T: Number>(comparison: &Comparison, links: &Links, state: &[T]) -> Result<T, ArithmeticError> {
-    let like = state.first().ok_or(ArithmeticError::Domain("a state"))?;
-    comparison.value(&like.zero(), state, links)
+    let (time, state) = state.split_last().ok_or(ArithmeticError::Domain("a state"))?;
+    comparison.value(time, state, links)
+}
+
+/// The same with what was divided by and what functions were taken of behind it.
+pub(super) fn trail_of<T: Number>(
+    comparison: &Comparison,
+    links: &Links,
+    state: &[T],
+) -> Result<Vec<T>, ArithmeticError> {
+    let (time, state) = state.split_last().ok_or(ArithmeticError::Domain("a state"))?;
+    comparison.trail(time, state, links)
 }
 
 pub(super) fn admits(relation: Relation, sign: Sign) -> bool {

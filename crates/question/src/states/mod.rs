@@ -1,6 +1,7 @@
 //! Questions about every state of every flock: `law = "FILE"` in the place of a scenario.
 
 mod decide;
+mod every;
 mod identity;
 mod inequality;
 mod instance;
@@ -9,8 +10,9 @@ mod search;
 
 use crate::error::{Problem, QuestionError};
 use crate::question::{Expression, Question};
-use arithmetic::{Rational, parse_rational};
+use arithmetic::parse_rational;
 use expressions::{Kind, LawError, LawText};
+use polynomials::Side;
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
@@ -19,11 +21,11 @@ pub(crate) use decide::decide;
 /// Most agents.
 const MOST_AGENTS: usize = 64;
 
-/// What the numbers of a part of the state range over: all reals where there are no ends.
+/// What the numbers of a part of the state range over.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Range {
     pub part: String,
-    pub ends: Option<(Rational, Rational)>,
+    pub side: Side,
 }
 
 /// How something was proved for all states.
@@ -33,10 +35,22 @@ pub(crate) enum How {
     Identity(u64),
     /// Pair by pair.
     Pairs,
+    /// By identities that are the same for every number of agents.
+    EverySize,
+    /// With one agent at 0, since nothing depends on where all are together.
+    Moved,
     /// What was decided about a function on a domain, in its words.
     Decided(&'static str),
     /// At a single state.
     Point,
+}
+
+/// The networks of flocks of every size.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Network {
+    Complete,
+    /// All in which those hear each other of whom one hears the other.
+    Mutual,
 }
 
 /// The law of a question.
@@ -46,6 +60,8 @@ pub(crate) struct LawFile {
     text: String,
     pub law: LawText,
     pub ranges: Vec<Range>,
+    /// Where flocks of every size are meant, on which networks.
+    pub every: Option<Network>,
     /// How the property was proved, of all cases together.
     how: Mutex<BTreeSet<How>>,
 }
@@ -70,6 +86,12 @@ impl LawFile {
         if how.contains(&How::Pairs) {
             parts.push("as a sum over pairs of agents of terms that are each of one sign".to_string());
         }
+        if how.contains(&How::EverySize) {
+            parts.push("for every number of agents, by as many of them as the orders of the sums ask for".to_string());
+        }
+        if how.contains(&How::Moved) {
+            parts.push("with one agent at 0, since nothing depends on where all are together".to_string());
+        }
         let decided: Vec<&str> =
             how.iter().filter_map(|how| if let How::Decided(words) = how { Some(*words) } else { None }).collect();
         if !decided.is_empty() {
@@ -79,7 +101,11 @@ impl LawFile {
         if how.contains(&How::Point) {
             grades.push("exact");
         }
-        let sentence = if parts.is_empty() { String::new() } else { format!("Proved {}.", parts.join("; ")) };
+        let sentence = if parts.is_empty() {
+            String::new()
+        } else {
+            format!("Proved {}; wherever law and property have values.", parts.join("; "))
+        };
         (grades, sentence)
     }
 
@@ -92,12 +118,37 @@ impl LawFile {
         {
             return Err(format!("{name}: {}", scenario::law_problem(text, error)));
         }
-        Ok(LawFile { name: name.to_string(), text: text.to_string(), law, ranges: Vec::new(), how: Mutex::default() })
+        Ok(LawFile {
+            name: name.to_string(),
+            text: text.to_string(),
+            law,
+            ranges: Vec::new(),
+            every: None,
+            how: Mutex::default(),
+        })
     }
 
     /// The law as one line, for the canonical form of a question.
     pub fn digest(&self) -> String {
         format!("{:?}", self.text)
+    }
+
+    /// Reads `agents = "any"` and `graph = "any"`: whether the entry is one of these.
+    pub fn add_every(&mut self, name: &str, text: &str) -> bool {
+        match (name, text.trim()) {
+            ("agents", "any") => self.every = Some(self.every.unwrap_or(Network::Complete)),
+            ("graph", "any") => self.every = Some(Network::Mutual),
+            _ => return false,
+        }
+        true
+    }
+
+    /// What the flocks are, for the canonical form of a question.
+    pub fn every_text(&self) -> Option<&'static str> {
+        self.every.map(|network| match network {
+            Network::Complete => "agents = any, complete",
+            Network::Mutual => "agents = any, on every network without directions",
+        })
     }
 
     /// Whether a name of `[for]` is a part of the state.
@@ -108,19 +159,19 @@ impl LawFile {
     /// Reads what the numbers of a part range over: `any`, or an interval.
     pub fn add_range(&mut self, part: &str, text: &str) -> Result<(), Problem> {
         let refuse = || Problem::expected("\"any\", or an interval such as \"[-2, 2]\"", format!("`{text}`"));
-        let ends = match text.trim() {
-            "any" => None,
+        let side = match text.trim() {
+            "any" => Side::line(),
             other => {
                 let inside = other.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).ok_or_else(refuse)?;
                 let (lo, hi) = inside.split_once(',').ok_or_else(refuse)?;
-                let ends = (parse_rational(lo)?, parse_rational(hi)?);
-                if ends.0 > ends.1 {
+                let (lo, hi) = (parse_rational(lo)?, parse_rational(hi)?);
+                if lo > hi {
                     return Err(refuse());
                 }
-                Some(ends)
+                Side::between(lo, hi)
             }
         };
-        self.ranges.push(Range { part: part.to_string(), ends });
+        self.ranges.push(Range { part: part.to_string(), side });
         Ok(())
     }
 

@@ -2,17 +2,18 @@
 
 use super::How;
 use super::identity::sum_over_pairs;
-use super::inequality::holds_on_boxes;
+use super::inequality::{Found, on_states};
 use super::instance::{Instance, Links};
 use arithmetic::{Cancelled, Progress};
 use expressions::Comparison;
+use polynomials::sums::Certificate;
 
 /// Whether a number has a sign at every state because it is a sum over pairs of terms that have.
 pub(super) fn holds(
     instance: &Instance,
     comparison: &Comparison,
     progress: &dyn Progress,
-) -> Result<Option<Vec<How>>, Cancelled> {
+) -> Result<Option<(Vec<How>, Vec<Certificate>)>, Cancelled> {
     let pairs: Vec<((usize, usize), Links)> =
         instance.links.pairs().into_iter().map(|pair| (pair, instance.links.only(pair))).collect();
     if instance.of_agent.len() < 3 || pairs.is_empty() {
@@ -22,7 +23,7 @@ pub(super) fn holds(
     // Where no agent is named, what holds of one pair holds of all that hear each other alike and range over the same.
     let alike = comparison.is_symmetric() && instance.is_uniform();
     let mutual = |links: &Links| links.is_mutual();
-    let mut how = vec![How::Identity(bits), How::Pairs];
+    let (mut how, mut certificates) = (vec![How::Identity(bits), How::Pairs], Vec::new());
     let mut looked: Vec<bool> = Vec::new();
     for ((i, j), links) in &pairs {
         if alike && looked.contains(&mutual(links)) {
@@ -30,11 +31,10 @@ pub(super) fn holds(
         }
         let places = [&instance.of_agent[*i][..], &instance.of_agent[*j][..]].concat();
         let alone = std::slice::from_ref(comparison);
-        match holds_on_boxes(instance, alone, links, &places, progress)? {
-            Some(ways) => how.extend(ways),
-            None => return Ok(None),
-        }
+        let Found::Holds(ways, own) = on_states(instance, alone, links, &places, progress)? else { return Ok(None) };
+        how.extend(ways);
+        certificates.extend(own);
         looked.push(mutual(links));
     }
-    Ok(Some(how))
+    Ok(Some((how, certificates)))
 }

@@ -1,34 +1,37 @@
 //! States at which a clause is false: floats propose, exact arithmetic or enclosures confirm.
 
-use super::instance::{Instance, Side, admits};
+use super::instance::{Instance, admits};
 use arithmetic::random::{generator, uniform};
 use arithmetic::{Cancelled, Progress, Rational, Sign, rational};
-use expressions::Comparison;
+use expressions::{Comparison, Evaluator};
 use num_traits::ToPrimitive;
+use polynomials::Side;
 use rand_chacha::ChaCha8Rng;
 
 /// States that are tried.
-const TRIED: usize = 4000;
+pub(super) const TRIED: usize = 4000;
 
-/// Sizes of numbers that are drawn.
-const SIZES: [i64; 5] = [1, 2, 4, 16, 100];
+/// Sizes of numbers that are drawn: what falls with the distance is small only far away.
+const SIZES: [i64; 8] = [1, 2, 4, 16, 100, 10_000, 1_000_000, 1_000_000_000];
 
-/// A state at which the clause is false.
+/// A state at which the clause is false, among so many that are tried.
 pub(super) fn counterexample(
     instance: &Instance,
     clause: &[Comparison],
+    tried: usize,
     progress: &dyn Progress,
 ) -> Result<Option<Vec<Rational>>, Cancelled> {
     let mut random = generator("question", "counterexamples of states", 0);
-    for k in 0..TRIED {
+    let mut machines: Vec<Evaluator<f64>> = clause.iter().map(|comparison| comparison.evaluator(&0.0)).collect();
+    for k in 0..tried {
         progress.checkpoint()?;
         let state = drawn(instance, k, &mut random);
         let floats: Vec<f64> = state.iter().map(|q| q.to_f64().unwrap_or(f64::NAN)).collect();
-        let values = instance.floats(clause, &floats);
-        let fails = clause
-            .iter()
-            .zip(&values)
-            .all(|(comparison, value)| value.is_some_and(|x| !admits(comparison.relation, sign_of(x))));
+        let Some((time, numbers)) = floats.split_last() else { return Ok(None) };
+        let fails = clause.iter().zip(&mut machines).all(|(comparison, machine)| {
+            let value = machine.flock(time, numbers, &instance.links).ok().and_then(|list| list.first().copied());
+            value.is_some_and(|x| x.is_finite() && !admits(comparison.relation, sign_of(x)))
+        });
         if fails && instance.clause_holds(clause, &state) == Some(false) {
             return Ok(Some(simpler(instance, clause, state, progress)?));
         }
@@ -46,33 +49,94 @@ fn sign_of(x: f64) -> Sign {
     }
 }
 
-/// Small whole numbers first, then fractions of several sizes; some agents alike.
+/// Small whole numbers first, then fractions of several sizes, the same for all numbers of a state or one for each number that an agent has; then agents are put
+/// where laws change or have extremes.
 fn drawn(instance: &Instance, k: usize, random: &mut ChaCha8Rng) -> Vec<Rational> {
-    let size = SIZES[k % SIZES.len()];
     let parts = if k.is_multiple_of(3) { 1 } else { 8 };
-    let mut number = |lo: &Rational, hi: &Rational| {
-        let steps = (size * parts * 2) as f64;
-        let step = (uniform(random) * (steps + 1.0)).floor().min(steps) as i64;
-        lo + (hi - lo) * rational(step, size * parts * 2)
+    let mut sizes = vec![SIZES[k % SIZES.len()]; instance.sides.len()];
+    if k % 2 == 1 {
+        for column in &instance.columns {
+            let size = SIZES[below(SIZES.len(), random)];
+            column.iter().for_each(|&place| sizes[place] = size);
+        }
+    }
+    let mut number = |lo: &Rational, hi: &Rational, size: i64| {
+        let steps = size.min(10_000) * parts * 2;
+        let step = (uniform(random) * (steps as f64 + 1.0)).floor().min(steps as f64) as i64;
+        lo + (hi - lo) * rational(step, steps)
     };
     let mut state: Vec<Rational> = instance
         .sides
         .iter()
-        .map(|side| match side {
-            Side::Point(q) => q.clone(),
-            Side::Between(lo, hi) => number(lo, hi),
-            Side::Line => number(&rational(-size, 1), &rational(size, 1)),
+        .zip(sizes)
+        .map(|(side, size)| match (&side.lo, &side.hi) {
+            _ if side.as_point().is_some() => side.middle(),
+            (Some(lo), Some(hi)) => number(lo, hi, size),
+            (Some(lo), None) => number(lo, &(lo + rational(size, 1)), size),
+            (None, Some(hi)) => number(&(hi - rational(size, 1)), hi, size),
+            (None, None) => number(&rational(-size, 1), &rational(size, 1), size),
         })
         .collect();
-    // Every fourth one with numbers that are 0, where they may be.
-    if k % 4 == 3 {
-        for (x, side) in state.iter_mut().zip(&instance.sides) {
-            if *side == Side::Line && uniform(random) < 0.5 {
-                *x = rational(0, 1);
+    arrange(instance, k, &mut state, random);
+    state
+}
+
+fn below(bound: usize, random: &mut ChaCha8Rng) -> usize {
+    ((uniform(random) * bound as f64) as usize).min(bound.saturating_sub(1))
+}
+
+/// Agents at one place, close together, opposite to each other, with one velocity, at rest, at the ends of what they range over.
+fn arrange(instance: &Instance, k: usize, state: &mut [Rational], random: &mut ChaCha8Rng) {
+    let agents = instance.of_agent.len();
+    let set = |state: &mut [Rational], place: usize, x: Rational| {
+        if instance.sides[place].contains(&x) {
+            state[place] = x;
+        }
+    };
+    let (a, b) = (below(agents, random), below(agents, random));
+    let pairs: Vec<(usize, usize)> =
+        instance.of_agent[a].iter().copied().zip(instance.of_agent[b].iter().copied()).collect();
+    match k % 8 {
+        1 | 2 => {
+            // The same, or nearly so, in every number or in those of some parts.
+            let apart = if k.is_multiple_of(2) { rational(0, 1) } else { rational(1, 1 << (2 * below(8, random))) };
+            let all = uniform(random) < 0.5;
+            for (from, to) in pairs {
+                if all || uniform(random) < 0.5 {
+                    let x = state[from].clone() + &apart;
+                    set(state, to, x);
+                }
             }
         }
+        3 => {
+            for (from, to) in pairs {
+                let x = -state[from].clone();
+                set(state, to, x);
+            }
+        }
+        4 => {
+            for column in instance.columns.iter().filter(|_| uniform(random) < 0.5) {
+                let x = state[column[0]].clone();
+                column.iter().for_each(|&place| set(state, place, x.clone()));
+            }
+        }
+        5 => {
+            for place in 0..instance.sides.len() {
+                if instance.sides[place] == Side::line() && uniform(random) < 0.5 {
+                    set(state, place, rational(0, 1));
+                }
+            }
+        }
+        6 => {
+            for (place, side) in instance.sides.iter().enumerate() {
+                let end = if uniform(random) < 0.5 { &side.lo } else { &side.hi };
+                if let Some(end) = end.clone().filter(|_| uniform(random) < 0.5) {
+                    set(state, place, end);
+                }
+            }
+        }
+        _ => {}
     }
-    state
 }
 
 /// The same with simpler numbers, as long as the clause is false.
@@ -83,17 +147,16 @@ fn simpler(
     progress: &dyn Progress,
 ) -> Result<Vec<Rational>, Cancelled> {
     for place in 0..state.len() {
-        let (lo, hi) = match &instance.sides[place] {
-            Side::Point(_) => continue,
-            Side::Between(lo, hi) => (Some(lo), Some(hi)),
-            Side::Line => (None, None),
-        };
+        let side = &instance.sides[place];
+        if side.as_point().is_some() {
+            continue;
+        }
         for tried in [0, 1, -1, 2, -2, 3, -3].map(|n| rational(n, 1)) {
             progress.checkpoint()?;
             if tried == state[place] {
                 break;
             }
-            if lo.is_some_and(|lo| tried < *lo) || hi.is_some_and(|hi| tried > *hi) {
+            if !side.contains(&tried) {
                 continue;
             }
             let before = std::mem::replace(&mut state[place], tried);

@@ -4,9 +4,10 @@ use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::number::Number;
 use crate::subject::measured::measured;
-use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
+use crate::timeline::{Covered, Measured, Moment, Piece, Steps};
 use crate::truth::Doubt;
-use arithmetic::{Progress, Rational, rational};
+use arithmetic::{Progress, Rational};
+use expressions::Asked;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 use scenario::{Links, Model, OwnSteps, Rows, View};
@@ -21,6 +22,8 @@ const MOST_BITS: u64 = 1 << 24;
 /// A flock of a case, followed as far as it was needed.
 pub(crate) struct StepsSubject<'c> {
     followed: RefCell<Followed>,
+    /// Whether the law has observables.
+    observes: bool,
     progress: &'c dyn Progress,
 }
 
@@ -36,17 +39,26 @@ struct State {
     positions: Vec<Vec<Rational>>,
     velocities: Vec<Vec<Rational>>,
     links: (usize, Vec<(usize, usize)>),
+    numbers: Vec<Rational>,
+    /// Those of the observables, where there are some.
+    observed: Option<Result<Vec<Number>, String>>,
 }
 
 impl State {
-    fn of(flock: &OwnSteps) -> Self {
+    fn of(flock: &OwnSteps, observes: bool) -> Self {
         let links = match flock.links() {
             Links::These(order, links) => (order, links.into_owned()),
             Links::Everyone(order) | Links::Between(order, _) => {
                 (order, (0..order).flat_map(|i| (i + 1..order).map(move |j| (i, j))).collect())
             }
         };
-        State { positions: flock.positions(), velocities: flock.velocities(), links }
+        State {
+            positions: flock.positions(),
+            velocities: flock.velocities(),
+            links,
+            numbers: flock.state().to_vec(),
+            observed: observes.then(|| flock.observed().map_err(|fault| fault.to_string())),
+        }
     }
 }
 
@@ -56,8 +68,9 @@ fn too_far() -> String {
 
 impl<'c> StepsSubject<'c> {
     pub fn new(flock: OwnSteps, progress: &'c dyn Progress) -> Self {
-        let states = vec![State::of(&flock)];
-        StepsSubject { followed: RefCell::new(Followed { flock, states, rest: None }), progress }
+        let observes = !flock.law().observables().is_empty();
+        let states = vec![State::of(&flock, observes)];
+        StepsSubject { followed: RefCell::new(Followed { flock, states, rest: None }), observes, progress }
     }
 
     /// The state at a time, or where it rests before.
@@ -75,7 +88,7 @@ impl<'c> StepsSubject<'c> {
             if flock.state() == before && flock.is_autonomous() {
                 *rest = Some(states.len() - 1);
             } else {
-                states.push(State::of(flock));
+                states.push(State::of(flock, self.observes));
             }
         }
         let place = rest.map_or(time, |rest| rest.min(time));
@@ -89,7 +102,7 @@ impl<'c> StepsSubject<'c> {
     }
 }
 
-impl Timeline for StepsSubject<'_> {
+impl Steps for StepsSubject<'_> {
     fn pieces(&self, from: &Rational, to: Option<&Rational>, _: &[&str]) -> Result<Covered, Failure> {
         let integer = |t: usize| Rational::from_integer(t.into());
         let last = to.and_then(|to| to.to_integer().to_usize()).unwrap_or(MOST_STEPS).min(MOST_STEPS);
@@ -112,30 +125,6 @@ impl Timeline for StepsSubject<'_> {
     fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure> {
         Ok(Box::new(At { flock: self, time: piece.from.to_integer() }))
     }
-
-    fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {
-        let to = piece.to.as_ref()?;
-        if *to <= piece.from {
-            return None;
-        }
-        let middle = ((&piece.from + to) * rational(1, 2)).floor();
-        Some([
-            Piece { from: piece.from.clone(), to: Some(middle.clone()) },
-            Piece { from: middle + rational(1, 1), to: Some(to.clone()) },
-        ])
-    }
-
-    fn prepare(&self, _: &Rational) -> Result<(), Failure> {
-        Ok(())
-    }
-
-    fn is_discrete(&self) -> bool {
-        true
-    }
-
-    fn inside(&self, from: Rational, to: Option<Rational>) -> (Rational, Option<Rational>) {
-        (from.ceil(), to.map(|to| to.floor()))
-    }
 }
 
 /// A time of a flock, or all times at which it rests.
@@ -144,20 +133,47 @@ struct At<'f, 'c> {
     time: BigInt,
 }
 
-impl Moment for At<'_, '_> {
-    fn measure(&self, quantity: &Quantity, _: &[Number], precision: u32) -> Result<Measured, Failure> {
+impl At<'_, '_> {
+    fn state(&self) -> Result<State, Failure> {
         // All times from one beyond the last step on are one stretch: it is known only where nothing changes any more.
         let time = self.time.to_usize().filter(|time| *time <= MOST_STEPS);
         if time.is_none() && self.flock.rest(MOST_STEPS)?.is_none() {
             return Err(Failure::open(too_far(), None));
         }
-        let State { positions, velocities, links: (order, links) } = self.flock.state(time.unwrap_or(MOST_STEPS))?;
+        self.flock.state(time.unwrap_or(MOST_STEPS))
+    }
+}
+
+impl Moment for At<'_, '_> {
+    fn measure(&self, quantity: &Quantity, _: &[Number], precision: u32) -> Result<Measured, Failure> {
+        let State { positions, velocities, links: (order, links), .. } = self.state()?;
         let view = View {
             positions: Rows::of(positions.len(), || positions),
             velocities: Rows::of(velocities.len(), || velocities),
             ..View::new(Model::Own, Links::These(order, links.into()))
         };
         let found = scenario::measure(quantity.name, &view).ok().flatten();
-        measured(found.ok_or_else(|| Failure::open("it is not measured", None))?, 1, precision)
+        let none = || Failure::open(format!("`{}` has no value in this state", quantity.name), None);
+        measured(found.ok_or_else(none)?, 1, precision)
+    }
+
+    fn own(&self, name: &str, _: u32) -> Result<Measured, Failure> {
+        let state = self.state()?;
+        let followed = self.flock.followed.borrow();
+        let law = followed.flock.law();
+        let is_past_rest = followed.rest.is_some_and(|rest| self.time > BigInt::from(rest));
+        let number = match law.number(name) {
+            Some(Asked::Observed(_)) if law.observes_time() && is_past_rest => {
+                return Err(Failure::open(format!("`{name}` depends on the time"), None));
+            }
+            Some(Asked::State(place)) => state.numbers.get(place).cloned().map(Number::Exact),
+            Some(Asked::Observed(place)) => match state.observed {
+                Some(Ok(all)) => all.get(place).cloned(),
+                Some(Err(why)) => return Err(Failure::open(why, None)),
+                None => None,
+            },
+            None => None,
+        };
+        Ok(Measured::Number(number.ok_or_else(|| Failure::open("there is no such number", None))?))
     }
 }

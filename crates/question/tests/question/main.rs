@@ -6,6 +6,7 @@ mod bad_input;
 mod decisions;
 mod exact_facts;
 mod families;
+mod gallery;
 mod language;
 mod missing;
 mod motions;

@@ -76,3 +76,118 @@ fn what_is_wrong_has_its_place() {
     assert!(told(&format!("{ALL}\n\"x[1].3\" = 0"), "rate(momentum) = 0").contains("there is no number at `x[1].3`"));
     assert!(told(&format!("{ALL}\nwhere = \"agents > 2\""), "rate(momentum) = 0").contains("left out"));
 }
+
+/// The law with sums, which are the same for both of a pair on every network without directions.
+fn by_sums(weight: &str) -> String {
+    CUCKER_SMALE.replace("mean(j, weight", "sum(j, weight").replace("K / (1 + norm2(x[j] - x[i]))^beta", weight)
+}
+
+const WEIGHT: &str = "K / (1 + norm2(x[j] - x[i]))^beta";
+const COMPLETE: &str = "agents = \"any\"\nx = \"any\"\nv = \"any\"";
+const EVERY: &str = "agents = \"any\"\ngraph = \"any\"\nx = \"any\"\nv = \"any\"";
+
+fn answer_of(law: &str, family: &str, property: &str, control: &str) -> Answer {
+    let text = format!(
+        "[question]\nid = \"mine.states\"\nlaw = \"law.toml\"\n[for]\n{family}\n[holds]\nproperty = \"{property}\"\ncontrols = [\"{control}\"]\n"
+    );
+    decide(&Question::read(&text, &|_: &str| Ok(law.to_string())).unwrap(), &Unwatched).unwrap()
+}
+
+#[test]
+fn velocities_come_together_in_flocks_of_every_size() {
+    let both = "rate(momentum) = 0 and rate(fluctuation) <= 0";
+    let control = "rate(fluctuation) <= -fluctuation/100";
+    for (law, family) in [(CUCKER_SMALE.to_string(), COMPLETE), (by_sums(WEIGHT), COMPLETE), (by_sums(WEIGHT), EVERY)] {
+        let found = answer_of(&law, family, both, control);
+        assert_eq!((found.verdict, &found.controls[..]), (Verdict::Holds, &[true][..]), "{}", found.why);
+        assert!(found.why.contains("for every number of agents"), "{}", found.why);
+        assert!(found.grades.contains(&"identity"), "{:?}", found.grades);
+    }
+    // One flock, pair by pair.
+    let found = answer_of(
+        &by_sums(WEIGHT),
+        "agents = 4\ngraph = \"connected(agents)\"\nx = \"any\"\nv = \"any\"",
+        both,
+        control,
+    );
+    assert_eq!(found.verdict, Verdict::Holds, "{}", found.why);
+    assert!(found.why.contains("sum over pairs"), "{}", found.why);
+}
+
+/// What looks like a sum over pairs of terms of one sign and is none.
+#[test]
+fn what_is_no_sum_over_pairs_of_one_sign_does_not_hold() {
+    let falls = "rate(fluctuation) <= 0";
+    let control = "rate(fluctuation) <= -1";
+    // A mean over those whom an agent hears.
+    let found = answer_of(CUCKER_SMALE, EVERY, "rate(momentum) = 0", "rate(momentum) = v[1]");
+    assert_eq!(found.verdict, Verdict::False, "{}", found.why);
+    // Weights that are negative far away, or at one distance only.
+    let far = answer_of(&by_sums("1 - norm2(x[j] - x[i])/100000000"), EVERY, falls, control);
+    assert_eq!(far.verdict, Verdict::False, "{}", far.why);
+    let narrow = answer_of(&by_sums("(norm2(x[j] - x[i]) - 21/10)^2 - 1/100000000"), EVERY, falls, control);
+    assert_ne!(narrow.verdict, Verdict::Holds, "{}", narrow.why);
+    // Weights of a sign for each agent: the terms of some pairs are positive.
+    let signs = by_sums("m[i]*m[j]").replace("K = 1", "m = [1, 1, -1]");
+    let three = "agents = 3\nx = \"any\"\nv = \"any\"";
+    assert_eq!(answer_of(&signs, three, falls, control).verdict, Verdict::False);
+    let positive = signs.replace("-1]", "2]");
+    let found = answer_of(&positive, three, falls, control);
+    assert_eq!(found.verdict, Verdict::Holds, "{}", found.why);
+    // Not the same for both: the momentum is not conserved, and the terms are not of one sign.
+    assert_eq!(answer_of(&positive.replace("m[i]*", ""), three, "rate(momentum) = 0", "1 < 0").verdict, Verdict::False);
+    // Arcs without one back.
+    let arcs = "agents = 3\ngraph = \"arcs:3:1-2,2-3\"\nx = \"any\"\nv = \"any\"";
+    assert_eq!(answer_of(&by_sums(WEIGHT), arcs, falls, control).verdict, Verdict::False);
+    // Weights that are positive for few agents only.
+    let few = by_sums("7 - agents");
+    let found = answer_of(&few, COMPLETE, falls, control);
+    assert_ne!(found.verdict, Verdict::Holds, "{}", found.why);
+}
+
+/// Identities that hold for few agents only.
+#[test]
+fn what_holds_for_few_agents_does_not_hold_for_all() {
+    let zeros: Vec<String> = (1..=6).map(|n| format!("(agents - {n})")).collect();
+    let few = format!("{}*sum(i, v[i].1) = 0", zeros.join("*"));
+    let found = answer_of(&by_sums(WEIGHT), COMPLETE, &few, "1 < 0");
+    assert_ne!(found.verdict, Verdict::Holds, "{}", found.why);
+    let counted =
+        "(count(i) - 1)*(count(i) - 2)*(count(i) - 3)*(count(i) - 4)*(count(i) - 5)*(count(i) - 6)*sum(i, v[i].1) = 0";
+    assert_ne!(answer_of(&by_sums(WEIGHT), COMPLETE, counted, "1 < 0").verdict, Verdict::Holds);
+    // Of three agents, two numbers agree, or their differences have a product that is 0 by symmetry.
+    let odd = "sum(i, sum(j, sum(k, (v[i].1 - v[j].1)*(v[j].1 - v[k].1)*(v[k].1 - v[i].1)))) = 0";
+    assert_eq!(answer_of(&by_sums(WEIGHT), COMPLETE, odd, "sum(i, v[i].1) = 0").verdict, Verdict::Holds);
+    // A square in the place of the product: three different numbers are needed, which two agents do not have.
+    let three = odd.replace("*(v[k].1 - v[i].1)", "*(v[k].1 - v[i].1)*(v[i].1 - v[j].1)");
+    assert_eq!(answer_of(&by_sums(WEIGHT), COMPLETE, &three, "1 < 0").verdict, Verdict::False);
+}
+
+/// On a sphere, in a ball, on a set that is left.
+#[test]
+fn sets_that_are_not_left() {
+    let alone = "agents = 1\nx = \"any\"\nv = \"any\"";
+    let speed = CUCKER_SMALE.replace("mean(j, weight(i, j) * (v[j] - v))", "(1 - norm2(v))*v");
+    let found = answer_of(
+        &speed,
+        alone,
+        "norm2(v[1]) = 1 implies rate(norm2(v[1])) = 0",
+        "norm2(v[1]) = 2 implies rate(norm2(v[1])) = 0",
+    );
+    assert_eq!((found.verdict, &found.controls[..]), (Verdict::Holds, &[true][..]), "{}", found.why);
+    let found = answer_of(
+        &speed,
+        alone,
+        "norm2(v[1]) = 2 implies rate(norm2(v[1])) < 0",
+        "norm2(v[1]) = 1/2 implies rate(norm2(v[1])) < 0",
+    );
+    assert_eq!((found.verdict, &found.controls[..]), (Verdict::Holds, &[true][..]), "{}", found.why);
+    // The unit ball is not left; half of it is.
+    let found = answer_of(
+        &speed,
+        alone,
+        "norm2(v[1]) >= 1 implies rate(norm2(v[1])) <= 0",
+        "norm2(v[1]) >= 1/2 implies rate(norm2(v[1])) <= 0",
+    );
+    assert_eq!((found.verdict, &found.controls[..]), (Verdict::Holds, &[true][..]), "{}", found.why);
+}

@@ -69,12 +69,13 @@ pub(crate) struct Frame<'a> {
 }
 
 /// The pages that every page leads to.
-const MENU: [(&str, &str); 7] = [
+const MENU: [(&str, &str); 8] = [
     ("index.html", "Claims"),
     ("papers/index.html", "Papers"),
     ("errata/index.html", "Errata"),
     ("results.html", "Results"),
     ("explore/index.html", "Explore"),
+    ("laws/index.html", "Laws"),
     ("graph.html", "Graph"),
     ("guarantees.html", "Guarantees"),
 ];

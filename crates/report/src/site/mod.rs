@@ -9,6 +9,7 @@ mod figure;
 mod glossary;
 mod graph;
 mod index;
+mod laws;
 mod markdown;
 mod notation;
 mod notes;
@@ -81,7 +82,7 @@ impl<'a> Site<'a> {
     /// The files whose texts stand on pages, by their paths in the repository.
     pub fn shown() -> impl Iterator<Item = String> {
         let notes = notes::NOTES.iter().map(|name| format!("notes/{name}.md"));
-        notes.chain(explore::FILES.iter().map(ToString::to_string))
+        notes.chain(explore::FILES.iter().map(ToString::to_string)).chain(laws::files().map(ToString::to_string))
     }
 
     fn entries(&self) -> &[Entry] {
@@ -129,6 +130,12 @@ impl<'a> Site<'a> {
         for show in explore::SHOWS {
             let body = explore::body(self, show)?;
             pages.push(self.inner(&format!("explore/{}.html", show.name), show.title, "explore", &body));
+        }
+        pages.push(self.inner("laws/index.html", "Laws", "explore", &laws::list(self.texts)));
+        for law in laws::LAWS {
+            if let Some((title, body)) = laws::body(law, self.texts)? {
+                pages.push(self.inner(&format!("laws/{}.html", law.name), &title, "explore", &body));
+            }
         }
         for name in notes::NOTES.iter().filter(|name| !["guarantees", "results"].contains(name)) {
             let (path, title) = (format!("notes/{name}.html"), notes::title(self.text(name)));

@@ -152,6 +152,11 @@ impl<T: Stepped> Stepping<T> {
         &self.law
     }
 
+    /// The numbers of the observables over any scalar.
+    pub fn observed<U: Number>(&self, time: &U, state: &[U]) -> Result<Vec<U>, Fault> {
+        self.law.observe(time, state, &Heard(&self.network))
+    }
+
     pub fn shown(&self) -> crate::view::Links<'static> {
         match self.network.shown() {
             crate::view::Links::These(order, links) => crate::view::Links::These(order, links.into_owned().into()),
@@ -169,7 +174,7 @@ impl<T: Stepped> Stepping<T> {
         self.state.iter().map(self.rounded).collect()
     }
 
-    fn time(&self) -> Rational {
+    pub fn time(&self) -> Rational {
         &self.step * Rational::from_integer(self.taken.into())
     }
 

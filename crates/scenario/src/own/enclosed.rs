@@ -5,7 +5,7 @@ use super::read::Described;
 use crate::network::Network;
 use crate::view::Links;
 use arithmetic::{ArithmeticError, Number, Rational};
-use expressions::{Kind, Law, Time, Variable};
+use expressions::{Asked, Kind, Law, Time, Variable};
 use motion::System;
 use std::sync::Arc;
 
@@ -68,6 +68,24 @@ impl OwnMotion {
     pub fn place(&self, part: &str, agent: usize, coordinate: usize) -> Option<usize> {
         let part = self.part(part).filter(|part| agent < self.agents() && coordinate < part.width)?;
         Some(part.start + agent * part.stride + coordinate)
+    }
+
+    /// A number of the flock by its name in a property, at a state: of the state itself, or an observable of the law; nothing where there is none of that name.
+    ///
+    /// # Errors
+    /// [`ArithmeticError`] where it has no value, or depends on the time.
+    pub fn number<T: Number>(&self, name: &str, state: &[T]) -> Option<Result<T, ArithmeticError>> {
+        Some(match self.law.number(name)? {
+            Asked::State(place) => state.get(place).cloned().ok_or(ArithmeticError::Domain("a state")),
+            Asked::Observed(_) if self.law.observes_time() => Err(ArithmeticError::Domain("the state alone")),
+            Asked::Observed(place) => {
+                let like = state.first()?.zero();
+                let numbers = self.law.observe(&like, state, &Heard(&self.network));
+                numbers
+                    .map_err(|fault| fault.error)
+                    .and_then(|all| all.get(place).cloned().ok_or(ArithmeticError::Domain("a number")))
+            }
+        })
     }
 
     /// The links.

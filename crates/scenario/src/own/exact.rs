@@ -5,8 +5,8 @@ use super::read::describe;
 use crate::error::{ConfigError, RunError};
 use crate::source::{Entry, Source};
 use crate::view::Links;
-use arithmetic::{Rational, rational};
-use expressions::{Kind, Time, Variable};
+use arithmetic::{Interval, Rational, RealNumber, rational};
+use expressions::{Fault, Kind, Law, Time, Variable};
 use num_traits::ToPrimitive;
 
 /// A flock under a law in discrete time, exact; its steps are of length 1.
@@ -65,6 +65,26 @@ impl OwnSteps {
     /// The whole state.
     pub fn state(&self) -> &[Rational] {
         self.stepping.state()
+    }
+
+    /// The law.
+    pub fn law(&self) -> &Law {
+        self.stepping.law()
+    }
+
+    /// The numbers of the observables: exact, or enclosed.
+    ///
+    /// # Errors
+    /// [`Fault`] where one has no value.
+    pub fn observed(&self) -> Result<Vec<RealNumber>, Fault> {
+        const BITS: u32 = 192;
+        if let Ok(all) = self.stepping.observed(&self.stepping.time(), self.state()) {
+            return Ok(all.into_iter().map(RealNumber::Exact).collect());
+        }
+        let enclosed = |q: &Rational| Interval::from_rational(q, BITS);
+        let state: Vec<Interval> = self.state().iter().map(enclosed).collect();
+        let all = self.stepping.observed(&enclosed(&self.stepping.time()), &state)?;
+        Ok(all.into_iter().map(RealNumber::interval).collect())
     }
 
     /// Whether a state that stays as it is in a step stays so for ever: neither the law nor the network depends on the time from now on.

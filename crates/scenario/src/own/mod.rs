@@ -7,9 +7,10 @@ mod exact;
 mod measured;
 mod noisy;
 mod read;
+mod run;
 mod start;
 
 pub use enclosed::OwnMotion;
 pub use exact::OwnSteps;
 pub(super) use read::describe;
-pub use read::{law_problem, read_law};
+pub use read::{law_problem, own_law, read_law};

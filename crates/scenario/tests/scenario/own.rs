@@ -298,3 +298,86 @@ fn noise_in_continuous_time_is_that_of_a_diffusion() {
             .contains("has no noise")
     );
 }
+
+/// Laws of the papers as files of the gallery, beside the built-in ones.
+#[test]
+fn files_of_the_gallery_move_as_built_in_laws() {
+    let gallery = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/laws");
+    let read = |name: &str| std::fs::read_to_string(gallery.join(format!("{name}.toml"))).expect("a law");
+    let start = |text: &str| {
+        let (_, rest) = text.split_once("[state]").expect("a start");
+        let rest = rest.replace("\nx = ", "\npositions = ").replace("\nv = ", "\nvelocities = ");
+        format!("[state]{}", rest.replace("\ntheta = ", "\nphases = "))
+    };
+    let turning = [("x", "positions"), ("theta", "phases")];
+    for (name, model, law, names) in [
+        (
+            "fish",
+            "fish",
+            "T = \"1/10\"\nomega0 = \"1/5\"\nKrep = 1\nKori = \"1/10\"\nKatt = \"1/20\"\nrepulsion = 1\norientation = 3\nattraction = 6",
+            &turning[..],
+        ),
+        (
+            "heading_alignment",
+            "heading-alignment",
+            "potential = \"inverse-square-log\"\nheading_difference = \"raw\"",
+            &[("x", "positions"), ("v", "velocities")],
+        ),
+        ("phase_model", "phase", "omega0 = 0\nK1 = -1", &[("theta", "phases")]),
+    ] {
+        let text = read(name);
+        let own = run(&text);
+        let built_in = run(&format!("model = \"{model}\"\n{}\n[law]\n{law}\n", start(&text)));
+        assert_alike(&own, &built_in, names, 1e-7);
+    }
+    // The start of the circling particles is drawn: both get one that is written down.
+    let text = read("circling");
+    let (law, _) = text.split_once("[state]").expect("a start");
+    let rest = "[state]\nx = [[0, 0], [1, 0], [0, 2], [-1, \"1/2\"]]\ntheta = [0, 1, \"5/2\", -1]\n[run]\nuntil = 8\nsamples = [1, 4, 8]\ntolerance = 1e-12\n";
+    let own = run(&format!("{law}{rest}"));
+    let built_in = run(&format!("model = \"particles\"\n{}[law]\nomega0 = 1\nK0 = 1\n", start(rest)));
+    assert_alike(&own, &built_in, &turning, 1e-8);
+    let spacing = |outcome: &Outcome, name: &str| number(outcome.rows.last().expect("a row"), name);
+    assert!((spacing(&own, "spacing") - spacing(&built_in, "spacing_potential")).abs() < 1e-8);
+    let text = read("platoon_both_sides");
+    let rest = text
+        .split_once("[state]")
+        .expect("a start")
+        .1
+        .replace("\nx = ", "\npositions = ")
+        .replace("\nv = ", "\nvelocities = ");
+    let built_in =
+        format!("model = \"platoon\"\n[state]{rest}[law]\nf = -1\ng = -1\ncommunication = \"front-and-back\"\n");
+    assert_alike(&run(&text), &run(&built_in), &[("x", "positions"), ("v", "velocities")], 1e-7);
+}
+
+/// In space: rigid rotation about an axis keeps distances; a rotation about (1, 1, 1) by 2 pi/3 permutes the axes.
+#[test]
+fn laws_in_space() {
+    let text = "model = \"own\"\n[law]\ndimension = 3\nstate = { x = \"vector\" }\nparameters = { w = \"5773502691896257645/10000000000000000000\" }\n[law.rates]\nx = \"cross(vector(w, w, w), x)\"\n\
+                [state]\nx = [[1, 0, 0], [0, \"1/2\", 2], [-1, 1, 1]]\n[run]\nuntil = \"20943951023931953/10000000000000000\"\ntolerance = 1e-12\n";
+    let outcome = run(text);
+    let end = part(outcome.rows.last().expect("a row"), "x");
+    for (found, wanted) in end.iter().zip([0.0, 1.0, 0.0, 2.0, 0.0, 0.5, 1.0, -1.0, 1.0]) {
+        assert!((found - wanted).abs() < 1e-9, "{end:?}");
+    }
+    for row in &outcome.rows {
+        assert!((number(row, "min_distance") - number(&outcome.rows[0], "min_distance")).abs() < 1e-9);
+    }
+}
+
+/// One agent hears nobody: sums are 0, a largest value has no value.
+#[test]
+fn one_agent_alone() {
+    let text = |rate: &str| {
+        format!(
+            "model = \"own\"\n[law]\ndimension = 1\nstate = {{ x = \"number\" }}\n[law.rates]\nx = \"{rate}\"\n[state]\nx = [1]\n[run]\nuntil = 1\n"
+        )
+    };
+    let outcome = run(&text("-x + sum(j, x[j]) + mean(j, x[j]) + count(j)"));
+    let end = part(outcome.rows.last().expect("a row"), "x");
+    assert!((end[0] - (-1f64).exp()).abs() < 1e-9, "{end:?}");
+    assert_eq!(number(&outcome.rows[0], "components"), 1.0);
+    let error = Scenario::read(&text("max(j, x[j])")).unwrap_err().to_string();
+    assert!(error.contains("of agent 1"), "{error}");
+}

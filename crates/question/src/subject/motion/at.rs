@@ -3,7 +3,7 @@
 use super::MotionSubject;
 use super::exact::Holds;
 use super::laws::phasors_of;
-use super::numbers::BITS;
+use super::numbers::{BITS, widened};
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
@@ -163,5 +163,14 @@ impl Moment for At<'_, '_> {
         let unmeasured = |error| Failure::open(format!("it cannot be measured on the enclosure: {error}"), None);
         let found = measure(quantity.name, &view).map_err(unmeasured)?;
         measured(found.ok_or_else(not_here)?, index, BITS)
+    }
+
+    fn own(&self, name: &str, _: u32) -> Result<Measured, Failure> {
+        let ExactMotion::Own(own) = self.motion else {
+            return Err(Failure::open("this motion is not enclosed", None));
+        };
+        let unmeasured = |error| Failure::open(format!("`{name}` cannot be measured on the enclosure: {error}"), None);
+        let found = own.number(name, &self.state).ok_or_else(|| Failure::open("there is no such number", None))?;
+        Ok(Measured::Number(Number::interval(widened(&found.map_err(unmeasured)?.range()))))
     }
 }
