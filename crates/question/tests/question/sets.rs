@@ -14,7 +14,7 @@ fn first_velocity(half: &str) -> String {
 
 #[test]
 fn a_velocity_may_be_as_wide_as_a_fifth() {
-    for (half, boxes) in [("1/10000", 1), ("1/1000", 1), ("1/10", 3)] {
+    for (half, boxes) in [("1/10000", 1), ("1/1000", 1), ("1/10", 8)] {
         let always = "always[0, 10](min_distance > 8/10)";
         let answer = answered(AGENTS, &first_velocity(half), always, "always[0, 10](min_distance > 93/100)");
         assert_eq!(answer.verdict, Verdict::Holds, "{half}: {}", answer.why);
