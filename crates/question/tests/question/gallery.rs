@@ -14,7 +14,7 @@ const RECORDED: [(&str, Verdict); 21] = [
     ("fish", Verdict::Holds),
     ("heading_alignment", Verdict::Holds),
     ("hegselmann_krause", Verdict::Holds),
-    ("intelligent_driver", Verdict::Holds),
+    ("intelligent_driver", Verdict::Undecided),
     ("jadbabaie", Verdict::Holds),
     ("kuramoto", Verdict::Holds),
     ("lazy_averaging", Verdict::Holds),
@@ -36,7 +36,6 @@ fn every_law_has_a_question_with_its_recorded_verdict() {
     let files = |name: &str| std::fs::read_to_string(folder.join(name)).map_err(|error| error.to_string());
     let mut wrong = Vec::new();
     for (name, verdict) in RECORDED {
-        let begin = std::time::Instant::now();
         let question = match Question::read(&files(&format!("{name}.toml")).expect("a question"), &files) {
             Ok(question) => question,
             Err(error) => {
@@ -51,15 +50,7 @@ fn every_law_has_a_question_with_its_recorded_verdict() {
                 continue;
             }
         };
-        println!(
-            "{name}: {:?} {:?} {:?} {:?}: {}",
-            answer.verdict,
-            answer.grades,
-            answer.controls,
-            begin.elapsed(),
-            answer.why
-        );
-        if answer.verdict != verdict || answer.controls.is_empty() || !answer.controls.iter().all(|refuted| *refuted) {
+        if answer.verdict != verdict || answer.controls.is_empty() || answer.controls.contains(&false) {
             wrong.push(format!("{name}: {:?} {:?}: {}", answer.verdict, answer.controls, answer.why));
         }
     }
