@@ -4,7 +4,7 @@ From mathcomp Require all_ssreflect all_algebra.
 From Coq Require Reals QArith Qabs.
 From Coquelicot Require Coquelicot.
 From Flockproof Require RealSums chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_sharp
-  chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked chazelle_angle
+  chazelle_limits chazelle_spectral chazelle_eigenvalues chazelle_stabilisers chazelle_birds chazelle_worked chazelle_angle
   chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits chazelle_reals
   chazelle_entries chazelle_switches chazelle_losses chazelle_lower.
 
@@ -357,6 +357,19 @@ Check (@chazelle_spectral.eq_3_7 :
     & forall (lam : R) (f : 'I_m.+1 -> R),
       (forall i : 'I_m.+1, \sum_j M G c i j * f j = lam * f i) ->
       (exists i : 'I_m.+1, f i != 0) -> lam = 1 \/ -1 < lam < 1]).
+(* chazelle.eq3.7, clause 2 *)
+Check (@chazelle_eigenvalues.eigenvalues_in_order :
+  forall (R : rcfType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R),
+  network G ->
+  model_D G c ->
+  (forall i j : 'I_m.+1, connect G i j) ->
+  (forall i : 'I_m.+1, 0 < c i) ->
+  exists lam : 'I_m.+1 -> R,
+  [/\ char_poly (M G c) = \prod_k ('X - (lam k)%:P),
+      lam ord0 = 1,
+      forall k : 'I_m.+1, k != ord0 -> lam k < 1,
+      forall j k : 'I_m.+1, (j <= k)%N -> lam k <= lam j
+    & forall k : 'I_m.+1, - 1 <= lam k]).
 (* chazelle.eq3.8 (part) *)
 Check (@chazelle_spectral.eq_3_8 :
   forall (R : rcfType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R),

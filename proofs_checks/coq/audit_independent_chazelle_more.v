@@ -3,7 +3,7 @@
 Set Warnings "-notation-overridden,-ambiguous-paths".
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Flockproof Require Import chazelle_model chazelle_ergodicity chazelle_fixed chazelle_limits chazelle_products chazelle_entries.
-From Flockproof Require chazelle_stabilisers chazelle_losses chazelle_network chazelle_spectral chazelle_switches audit_independent_chazelle.
+From Flockproof Require chazelle_stabilisers chazelle_losses chazelle_network chazelle_spectral chazelle_eigenvalues chazelle_switches audit_independent_chazelle.
 Module A := audit_independent_chazelle.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -288,4 +288,22 @@ apply: (@chazelle_losses.losses R n d a x v G (A.from_0 G w) n4 dn a0 (A.flock_i
 - by case=> // u _ e; apply: same.
 - by move=> p; have := A.flock_speed F p; rewrite expr1.
 by rewrite !subn1; apply: ltnW.
+Qed.
+
+(* chazelle.eq3.7 clause 2, written after the theorem: the list of the eigenvalues with their multiplicities, from the largest to the smallest *)
+Definition eq3_7_2 : Prop := forall (R : rcfType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R), A.fixed G c ->
+  exists s : seq R, [/\ size s = m.+1, char_poly (A.M_of G c) = \prod_(x <- s) ('X - x%:P), sorted (fun x y => y <= x) s,
+    nth 0 s 0 = 1 /\ (forall k, (0 < k < m.+1)%N -> nth 0 s k < 1) & forall x, x \in s -> - 1 <= x].
+Lemma eq3_7_2_holds : eq3_7_2.
+Proof.
+move=> R m G c [net MD con c0]; rewrite A.M_is.
+have [lam [-> first less dec low]] := chazelle_eigenvalues.eigenvalues_in_order net MD con c0.
+pose s := [tuple lam i | i < m.+1]; have nthE (k : 'I_m.+1) : nth 0 s k = lam k by rewrite (nth_mktuple _ _ k).
+have at_ k (h : (k < m.+1)%N) : nth 0 s k = lam (Ordinal h) by rewrite -nthE.
+exists s; split; first by rewrite size_tuple.
+- by rewrite big_tuple; apply: eq_bigr => i _; rewrite tnth_mktuple.
+- apply/(sortedP 0) => k; rewrite size_tuple => h; rewrite (at_ _ h) (at_ _ (ltnW h)); by apply: dec; rewrite /= leqnSn.
+- split=> [|k /andP[k0 h]]; first by rewrite -first -(nthE ord0).
+  by rewrite (at_ _ h); apply: less; rewrite -val_eqE /= -lt0n.
+by move=> x /tnthP[k ->]; rewrite tnth_mktuple.
 Qed.

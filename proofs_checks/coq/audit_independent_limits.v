@@ -1,9 +1,9 @@
 (* Clauses about limits and stability of phases, formalised from their words with own definitions: paley.thm1.conv, paley.thm1.bal, paley.thm1.sync clause 2,
-   paley.unbal clauses 2, 3; and tanner2.noninter. Equilibria are taken modulo rotation. *)
+   paley.unbal clauses 2, 3, paley.balexist; and tanner2.noninter. Equilibria are taken modulo rotation. *)
 From Coq Require Import Reals Lra Lia Classical.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase tanner_energy tanner_flock.
-From Flockproof Require inclusions paley_limits tanner2_filippov tanner2_motion tanner2_collision audit_independent_tanner2.
+From Flockproof Require inclusions paley_limits paley_fourier paley_directed tanner2_filippov tanner2_motion tanner2_collision audit_independent_tanner2.
 Module T2 := audit_independent_tanner2.
 Open Scope R_scope.
 
@@ -111,4 +111,38 @@ Proof.
   - exists r, v. split; [|split; [exact N|exists T; split; [lra|exact E]]]. split; [exact A|]. intros t k Ht Hk. destruct (M t Ht) as [M1 M2]. split; [now apply M1|]. intros Ap.
     specialize (M2 Ap k Hk). rewrite <- T2.law4_is in M2.
     now destruct (T2.both_law n adj V V' (fun k => r k t) (fun k => v k t) k S (proj1 P) (T2.slopes_of n adj V V' P) Hk Ap) as (_ & _ & <-).
+Qed.
+
+(* ---- paley.balexist, directed graphs too: the neighbours of k are at the same offsets, modulo n, as those of node 0 ---- *)
+Definition ring_like n (adj : graph) := forall k j k' j', (k < n)%nat -> (j < n)%nat -> (k' < n)%nat -> (j' < n)%nat ->
+  (exists m, (j + k' + m * n = j' + k \/ j + k' = j' + k + m * n)%nat) -> adj k j = adj k' j'.
+(* W_1 = 1/(2N) sum over arcs of 1 - cos; changed in one phase only, its derivative is 0 *)
+Definition W_arcs n (adj : graph) th := / (2 * INR n) * Sum n (fun k => Sum n (fun j => if adj k j then 1 - cos (th j - th k) else 0)).
+Definition level n (W : (nat -> R) -> R) th := forall k, (k < n)%nat -> is_derive (fun s => W (fun l => if Nat.eqb l k then s else th l)) (th k) 0.
+Definition balexist : Prop := forall n adj, (2 <= n)%nat -> ring_like n adj ->
+  exists th, Sum n (fun k => cos (th k)) = 0 /\ Sum n (fun k => sin (th k)) = 0 /\ level n (W_arcs n adj) th.
+Lemma W_arcs_is n adj th : W_arcs n adj th = W1 n adj th.
+Proof.
+  unfold W_arcs, W1. rewrite Q_phasors. f_equal. unfold cos_pairs. apply Sum_ext. intros k Hk.
+  rewrite (Sum_ext n (fun j => lap n adj k j * cos (th j - th k)) (fun j => deg n adj k * (delta k j * cos (th j - th k)) - w adj k j * cos (th j - th k))) by (intros; unfold lap; ring).
+  rewrite Sum_minus, Sum_scal, (Sum_delta_l n k (fun j => cos (th j - th k))) by assumption. rewrite Rminus_eq_0, cos_0, Rmult_1_r. unfold deg. rewrite <- Sum_minus.
+  apply Sum_ext. intros j _. unfold w. destruct (adj k j); ring.
+Qed.
+Theorem balexist_proved : balexist.
+Proof.
+  intros n adj Hn Ci. assert (H1 : (1 <= n)%nat) by lia. pose proof (INR_pos n H1) as P.
+  assert (C : paley_fourier.circulant n adj (fun d => adj 0%nat d)).
+  { intros k j Hk Hj. apply Ci; try assumption; try lia; [apply Nat.mod_upper_bound; lia|].
+    pose proof (Nat.div_mod (j + n - k) n ltac:(lia)) as E. destruct (le_lt_dec k j) as [L|L].
+    - replace ((j + n - k) mod n)%nat with (j - k)%nat; [exists 0%nat; left; lia|].
+      replace (j + n - k)%nat with (j - k + 1 * n)%nat by lia. rewrite Nat.mod_add, Nat.mod_small by lia. reflexivity.
+    - rewrite Nat.mod_small by lia. exists 1%nat. left. lia. }
+  destruct (paley_directed.balanced_exists_directed n adj _ Hn C) as (th & B & St). exists th.
+  assert (Z : Sum n (fun k => cos (th k)) = 0 /\ Sum n (fun k => sin (th k)) = 0).
+  { unfold balanced in B. rewrite order_xy in B. injection B as B1 B2.
+    pose proof (Rinv_0_lt_compat _ P) as I. split.
+    - apply (Rmult_eq_reg_l (/ INR n)); [lra|lra].
+    - apply (Rmult_eq_reg_l (/ INR n)); [lra|lra]. }
+  destruct Z as [Z1 Z2]. split; [exact Z1|split; [exact Z2|]]. intros k Hk. specialize (St k Hk). unfold partial in St.
+  apply (is_derive_ext (fun s => W1 n adj (upd th k s))); [|exact St]. intros s. unfold upd. now rewrite <- W_arcs_is.
 Qed.

@@ -217,11 +217,13 @@ class Entry:
     place: str
     statement: str
     clauses: tuple[str, ...]
+    clause_verdicts: tuple[str | None, ...]
     reading: str | None
     verdict: str
     fault: str | None
     corrected: str | None
     counterexample: str | None
+    witnesses: tuple[Mapping[str, Any], ...] = field(hash=False)
     evidence: tuple[Evidence, ...]
     controls: Controls
     values: Mapping[str, str] = field(hash=False)
@@ -254,8 +256,9 @@ def _entry(found: dict[str, Any], derivation: str) -> Entry:
     evidence = tuple(Evidence(**{**e, "clauses": tuple(e["clauses"])}) for e in found["evidence"])
     c = found["controls"]
     controls = Controls(c["refuted"], c["total"], tuple(c["what"]), tuple(c["failed"]))
-    rest = {k: v for k, v in found.items() if k not in ("evidence", "controls", "clauses")}
-    return Entry(clauses=tuple(found["clauses"]), evidence=evidence, controls=controls, derivation=derivation, **rest)
+    lists: dict[str, Any] = {k: tuple(found[k]) for k in ("clauses", "clause_verdicts", "witnesses")}
+    rest = {k: v for k, v in found.items() if k not in ("evidence", "controls", *lists)}
+    return Entry(evidence=evidence, controls=controls, derivation=derivation, **lists, **rest)
 
 
 class Ledger(Sequence[Entry]):

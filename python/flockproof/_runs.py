@@ -335,6 +335,10 @@ class Tracks:
 def tracks(
     data: Any,
     *,
+    columns: Mapping[str, str] | None = None,
+    fps: float | None = None,
+    max_gap: int = 0,
+    min_fish: int | None = None,
     window: int | None = None,
     smooth_positions: bool = False,
     body_length: float = 5.3,
@@ -356,7 +360,15 @@ def tracks(
     ----------
     data
         A DataFrame (pandas, polars) or dictionary with the columns ``t`` (s), ``id``, ``x``, ``y``, or the path of
-        such a CSV file.
+        such a CSV file; or an array of shape (frames, individuals, 2) with ``fps``, NaN where one was not seen.
+    columns
+        Other names of those columns: ``{"frame": "t", "particle": "id"}``.
+    fps
+        Frames per second, where ``t`` counts frames.
+    max_gap
+        Gaps of at most so many frames are bridged by straight lines and marked; 0: none.
+    min_fish
+        Frames count in which at least so many fish have a heading; left out: all.
     window
         Frames of the moving average for velocities, odd; left out: closest to 5 s.
     smooth_positions
@@ -404,8 +416,12 @@ def tracks(
     (2, 60)
     """
     float_seen("measured trajectories are floats")
-    text, source = _trajectories(data)
+    text, source = _trajectories(data, fps)
     chosen = {
+        "columns": [f"{name}={meaning}" for name, meaning in (columns or {}).items()],
+        "fps": fps,
+        "max_gap": max_gap,
+        "min_fish": min_fish,
         "window": window,
         "smooth_positions": bool(smooth_positions),
         "body_length": body_length,
@@ -428,9 +444,15 @@ def tracks(
     return Tracks(json.loads(named["summary.json"]), named, text)
 
 
-def _trajectories(data: Any) -> tuple[str, str]:
+def _trajectories(data: Any, fps: float | None) -> tuple[str, str]:
     if isinstance(data, (str, os.PathLike)):
         return _refused(data, lambda: Path(data).read_text(encoding="utf-8-sig")), Path(data).name
+    if isinstance(data, np.ndarray):
+        if data.ndim != 3 or data.shape[2] != 2 or fps is None:
+            raise ValueError(f"an array has the shape (frames, individuals, 2) and comes with fps; this one has {data.shape}")
+        frames, individuals = np.nonzero(~np.isnan(data).any(axis=2))
+        x, y = data[frames, individuals].T
+        data = {"t": frames, "id": individuals + 1, "x": x.astype(float), "y": y.astype(float)}
     if isinstance(data, Mapping):
         columns = {str(key): list(values) for key, values in data.items()}
     elif hasattr(data, "columns") and hasattr(data, "__getitem__"):

@@ -5,7 +5,7 @@ use super::refuse;
 use super::watch::{Watch, watched};
 use flockproof::report::{Provenance, TracksReport, digest};
 use flockproof::scenario::{End, Ensemble, Outcome, Row, Scenario, with_law};
-use flockproof::tracks::{Choices, NearestRule, PositionsUsed, Tracks, analyse, null_models};
+use flockproof::tracks::{Choices, Format, NearestRule, PositionsUsed, Tracks, analyse, null_models};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -128,6 +128,10 @@ fn observables<'py>(py: Python<'py>, outcome: &Outcome) -> PyResult<Bound<'py, P
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Chosen {
+    columns: Vec<String>,
+    fps: Option<f64>,
+    max_gap: u64,
+    min_fish: Option<usize>,
     window: Option<usize>,
     smooth_positions: bool,
     body_length: f64,
@@ -161,23 +165,27 @@ pub fn tracks<'py>(
     if shifts > MOST_SHIFTS {
         return Err(refuse(format!("null = {shifts} is more than {MOST_SHIFTS} shifts")));
     }
-    let mut tracks = Tracks::from_csv(text).map_err(refuse)?;
+    let format = Format::new(&chosen.columns, chosen.fps).map_err(refuse)?;
+    let mut tracks = Tracks::from_table(text, &format).map_err(refuse)?;
     if let Some(ids) = &chosen.ids {
         tracks = tracks.only(ids).map_err(refuse)?;
     }
+    let tracks = tracks.bridge(chosen.max_gap);
     let choices = choices(&chosen, &tracks)?;
     choices.check(tracks.fish()).map_err(refuse)?;
     let configuration = json!({
-        "command": "tracks", "file": {"name": source, "sha256": digest(text.as_bytes())}, "ids": chosen.ids,
+        "command": "tracks", "file": {"name": source, "sha256": digest(text.as_bytes())}, "columns": chosen.columns,
+        "fps": chosen.fps, "max_gap": chosen.max_gap, "min_fish": chosen.min_fish, "ids": chosen.ids,
         "window": chosen.window, "smooth_positions": chosen.smooth_positions, "body_length": chosen.body_length,
         "zones": chosen.zones, "blind": chosen.blind, "still": chosen.still, "plain_nearest": chosen.plain_nearest,
         "nearest": chosen.nearest, "null": shifts, "at": at,
     });
     let work = move |watch: &Arc<Watch>| {
         let analysis = analyse(&tracks, &choices, &**watch).map_err(|error| error.to_string())?;
-        let null = null_models(&analysis.sample(), shifts as usize, &chosen.seed, &**watch);
-        let null = null.map_err(|stopped| stopped.to_string())?;
-        let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: Some(&null) };
+        let sample = analysis.sample();
+        let null = (sample.frames() > 0).then(|| null_models(&sample, shifts as usize, &chosen.seed, &**watch));
+        let null = null.transpose().map_err(|stopped| stopped.to_string())?;
+        let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: null.as_ref() };
         let mut files = report.tables(&Provenance::new("flockproof.tracks/1", Some(&chosen.seed), configuration));
         if chosen.pictures {
             files.extend(report.pictures(at).map_err(|error| error.to_string())?);
@@ -199,5 +207,6 @@ fn choices(chosen: &Chosen, tracks: &Tracks) -> PyResult<Choices> {
         still: chosen.still,
         rule: if chosen.plain_nearest { NearestRule::Nearest } else { NearestRule::SecondInRepulsion },
         nearest: chosen.nearest.clone(),
+        min_fish: chosen.min_fish,
     })
 }

@@ -28,6 +28,9 @@ pub struct Arguments {
     /// Write the answers as a page that needs no other file, with counterexamples drawn
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
+    /// Draw the quantities of a question about a motion over time: enclosed for all its starts, with single runs and the worst of them
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
@@ -40,11 +43,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     arguments.html.as_deref().map_or(Ok(()), output::check_writable)?;
     arguments.certificate.as_deref().map_or(Ok(()), output::check_writable)?;
-    let (mut documents, mut pages, mut certificates) = (Vec::new(), Vec::new(), Vec::new());
+    arguments.plot.as_deref().map_or(Ok(()), output::check_writable)?;
+    if arguments.plot.is_some() && arguments.files.len() > 1 {
+        return Err(CliError::Use("--plot draws one question; leave the others out".to_string()));
+    }
+    let (mut documents, mut pages, mut certificates, mut uncertified) = (Vec::new(), Vec::new(), Vec::new(), 0);
     let mut worst = Verdict::Holds;
     let mut interrupted = false;
     for path in &arguments.files {
-        let question = read(path)?;
+        let mut question = read(path)?;
+        question.certified = arguments.certificate.is_some();
         let watch = interrupt::Watch::with(progress::bar());
         let decided = decide(&question, &watch);
         watch.finish();
@@ -58,8 +66,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             Err(error) => return Err(CliError::file(path, error)),
         };
         let replay = write_replay(&question, &answer, path, &arguments.replay)?;
+        let drawn = arguments.plot.as_ref().map(|_| plot(&question, &answer)).transpose()?;
         worst = worse(worst, answer.verdict);
-        certificates.extend(answer.certificates.iter().map(Certificate::text));
+        certificates.extend(answer.certificates.iter().map(certificate));
+        uncertified += answer.uncertified;
         if arguments.html.is_some() {
             pages.push((answer.id.clone(), shown::question(&question, &answer, &watch)));
         }
@@ -76,13 +86,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             let gap = if documents.is_empty() && path == &arguments.files[0] { "" } else { "\n" };
             output::print(&(gap.to_string() + &lines.collect::<String>()))?;
         }
+        if let (Some(path), Some(drawn)) = (&arguments.plot, drawn) {
+            output::write_file(path, drawn.as_bytes())?;
+            if !arguments.json {
+                output::print(&format!("written: {}\n", path.display()))?;
+            }
+        }
     }
     if arguments.json && !documents.is_empty() {
         let document = if documents.len() == 1 { documents.remove(0) } else { documents.into() };
         output::print_json(&document)?;
     }
     if let Some(path) = &arguments.certificate {
-        write_certificates(path, &certificates, arguments.json)?;
+        write_certificates(path, &certificates, uncertified, arguments.json)?;
     }
     if let Some(path) = arguments.html.as_deref().filter(|_| !pages.is_empty()) {
         output::write_file(path, page(arguments, &pages).as_bytes())?;
@@ -93,8 +109,27 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     Ok(if interrupted { interrupt::status(false) } else { ExitCode::from(worst.status()) })
 }
 
+/// A sum of squares that says what was asked, where the checker sees that it does; otherwise what it says of polynomials.
+fn certificate(own: &Certificate) -> String {
+    let text = own.text();
+    let refused = own.statement.is_some() && flockproof_checker::check(text.as_bytes()).is_err();
+    if refused { Certificate { statement: None, ..own.clone() }.text() } else { text }
+}
+
+/// The quantities of a question about a motion, over time.
+fn plot(question: &Question, answer: &Answer) -> Result<String, CliError> {
+    let watch = interrupt::Watch::with(progress::bar());
+    let tubes = question.tubes(answer.counterexample.as_ref(), &watch);
+    watch.finish();
+    let tubes = tubes.map_err(|error| CliError::Use(format!("the quantities cannot be drawn: {error}")))?;
+    if tubes.tubes.is_empty() {
+        return Err(CliError::Use("--plot draws quantities that move, and the property has none".to_string()));
+    }
+    Ok(shown::tubes(question, &tubes).svg())
+}
+
 /// One file for each sum of squares.
-fn write_certificates(path: &Path, certificates: &[String], quiet: bool) -> Result<(), CliError> {
+fn write_certificates(path: &Path, certificates: &[String], uncertified: u64, quiet: bool) -> Result<(), CliError> {
     let none = "no answer rests on a sum of squares, so that there is no certificate";
     if certificates.is_empty() {
         return Err(CliError::Use(none.to_string()));
@@ -108,6 +143,9 @@ fn write_certificates(path: &Path, certificates: &[String], quiet: bool) -> Resu
         if !quiet {
             output::print(&format!("written: {}\n", Path::new(&name).display()))?;
         }
+    }
+    if uncertified > 0 && !quiet {
+        output::print(&format!("proved without a certificate: {uncertified} of the parts\n"))?;
     }
     Ok(())
 }

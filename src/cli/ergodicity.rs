@@ -10,6 +10,7 @@ use flockproof::matrix::{
 };
 use flockproof::report::Provenance;
 use num_traits::ToPrimitive;
+use rayon::prelude::*;
 use serde_json::json;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -55,9 +56,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     certify::write_asked(arguments.certificate.as_deref(), || Ok(Certificate::Product(Product::new(&factors)?)))?;
     let work = factors.clone();
     let made = interrupt::results(move |sender| {
-        for prefix in prefix_products(&work) {
-            let measured = prefix.map(|prefix| (Prefix::of(&prefix), prefix));
-            if sender.send(measured).is_err() {
+        // Each product needs the one before; what is measured of them does not.
+        let mut products = prefix_products(&work).peekable();
+        let mut count = 1;
+        while products.peek().is_some() {
+            let some: Vec<_> = products.by_ref().take(count).collect();
+            count = (2 * count).min(2 * rayon::current_num_threads());
+            let measure = |prefix: Result<StochasticMatrix, _>| prefix.map(|prefix| (Prefix::of(&prefix), prefix));
+            let measured: Vec<_> = some.into_par_iter().map(measure).collect();
+            if measured.into_iter().any(|measured| sender.send(measured).is_err()) {
                 break;
             }
         }
@@ -74,6 +81,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         product = Some(prefix);
     }
     bar.finish_and_clear();
+    interrupt::finishing();
     let complete = prefixes.len() == factors.len();
     if !complete {
         eprintln!("interrupted: {} of {} products are finished", prefixes.len(), factors.len());

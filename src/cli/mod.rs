@@ -56,7 +56,7 @@ enum Command {
     Serve(serve::Arguments),
     /// Reproduce tables and figures of the papers as CSV, SVG and PNG
     Reproduce(reproduce::Arguments),
-    /// Enclose the main resonance of the two-sided platoon rigorously; search it on any communication graph
+    /// Enclose the peak of a platoon rigorously: two-sided, or on any communication graph, or of a linear system
     Resonance(resonance::Arguments),
     /// Enclose the eigenvalues of a Laplacian or adjacency matrix of a graph
     Spectrum(spectrum::Arguments),

@@ -4,6 +4,7 @@ use super::CliError;
 use flockproof::campaign::store::aside;
 use flockproof::report::{digest, folded};
 use serde_json::{Value, json};
+use std::fmt::Display;
 use std::io::{self, ErrorKind, IsTerminal, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -205,4 +206,14 @@ pub fn width() -> usize {
     let stdout = io::stdout();
     let terminal = if stdout.is_terminal() { terminal_size::terminal_size_of(stdout) } else { None };
     terminal.map_or(80, |(width, _)| usize::from(width.0).max(LEAST))
+}
+
+/// A number of things: `1 follower`, `2 followers`; with `es` for those that end in `ch`.
+pub fn counted(count: impl TryInto<u128> + Display + Copy, thing: &str) -> String {
+    let plural = match count.try_into() {
+        Ok(1) => "",
+        _ if thing.ends_with("ch") => "es",
+        _ => "s",
+    };
+    format!("{count} {thing}{plural}")
 }

@@ -233,8 +233,8 @@ fn document(graph: &str, kind: LaplacianKind, found: &Found, digits: u32) -> Val
 
 fn table(graph: &str, kind: LaplacianKind, found: &Found, digits: u32) -> String {
     let (spectrum, root) = (&found.spectrum, found.root);
-    let what = if spectrum.order == 1 { "eigenvalue" } else { "eigenvalues" };
-    let head = format!("{graph}: {} {what} of `{}` ({})", spectrum.order, kind.name(), meaning(kind, root));
+    let count = output::counted(spectrum.order, "eigenvalue");
+    let head = format!("{graph}: {count} of `{}` ({})", kind.name(), meaning(kind, root));
     let how = format!("{}: {}", spectrum.method.name(), spectrum.reason);
     let what = match spectrum.method {
         Method::Certified => "Each line: how many eigenvalues lie in the enclosure.",

@@ -5,7 +5,8 @@ use super::{CliError, output, progress};
 use flockproof::arithmetic::Cancelled;
 use flockproof::report::{File, Provenance, TracksReport};
 use flockproof::tracks::{
-    Choices, ChoicesError, NearestRule, PositionsUsed, School, Setting, Tracks, analyse, null_models, synthetic_school,
+    Choices, ChoicesError, Format, FormatError, NearestRule, PositionsUsed, School, Setting, Tracks, analyse,
+    null_models, synthetic_school,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -21,6 +22,18 @@ pub struct Arguments {
     /// Folder for summary.json, tables and pictures; it is made if it is missing
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    /// Columns by other names, such as frame=t,particle=id
+    #[arg(long, value_name = "NAME=t,..", value_delimiter = ',', conflicts_with = "synthetic")]
+    columns: Vec<String>,
+    /// Frames per second, where the column of time holds numbers of frames
+    #[arg(long, value_name = "F", value_parser = super::help::finite, conflicts_with = "synthetic")]
+    fps: Option<f64>,
+    /// Bridge gaps of at most so many frames by straight lines; they are marked
+    #[arg(long, value_name = "FRAMES", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=1_000_000))]
+    max_gap: u64,
+    /// Use frames in which at least so many fish have a heading [default: all]
+    #[arg(long, value_name = "N")]
+    min_fish: Option<usize>,
     /// Frames of the moving average for velocities, odd [default: closest to 5 s]
     #[arg(long, value_name = "FRAMES")]
     window: Option<usize>,
@@ -107,7 +120,10 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
     }
     let path = arguments.file.as_deref().unwrap_or(Path::new(""));
     let input = output::read_input(path)?;
-    let tracks = Tracks::from_csv(&input.text).map_err(|error| CliError::file(path, error))?;
+    let format = Format::new(&arguments.columns, arguments.fps).map_err(|error| {
+        CliError::Use(format!("--{}: {error}", if matches!(error, FormatError::Rate(_)) { "fps" } else { "columns" }))
+    })?;
+    let tracks = Tracks::from_table(&input.text, &format).map_err(|error| CliError::file(path, error))?;
     // The name only, so that the same file gives the same output wherever it is.
     let name = path.file_name().unwrap_or(path.as_os_str());
     Ok((tracks, name.to_string_lossy().into_owned(), input.origin))
@@ -126,6 +142,7 @@ fn choices(arguments: &Arguments, tracks: &Tracks) -> Result<Choices, CliError> 
         still: arguments.still,
         rule: if arguments.plain_nearest { NearestRule::Nearest } else { NearestRule::SecondInRepulsion },
         nearest: arguments.nearest.clone(),
+        min_fish: arguments.min_fish,
     })
 }
 
@@ -140,6 +157,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     } else {
         tracks.only(&arguments.ids).map_err(|error| CliError::Use(format!("--ids: {error}")))?
     };
+    let tracks = tracks.bridge(arguments.max_gap);
     let choices = choices(arguments, &tracks)?;
     if let (Some(at), [first, .., last]) = (arguments.at, tracks.frames.as_slice())
         && !(first.time..=last.time).contains(&at)
@@ -153,7 +171,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         output::write_file(&arguments.out.join("tracks.csv"), tracks.to_csv().as_bytes())?;
     }
     let configuration = json!({
-        "command": "tracks", "file": origin, "ids": arguments.ids, "window": arguments.window,
+        "command": "tracks", "file": origin, "columns": arguments.columns, "fps": arguments.fps,
+        "max_gap": arguments.max_gap, "min_fish": arguments.min_fish, "ids": arguments.ids, "window": arguments.window,
         "smooth_positions": arguments.smooth_positions, "body_length": arguments.body_length, "zones": arguments.zones,
         "blind": arguments.blind, "still": arguments.still, "plain_nearest": arguments.plain_nearest,
         "nearest": arguments.nearest, "null": arguments.null, "at": arguments.at,
@@ -188,12 +207,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     interrupt::keep(&measured);
     interrupt::working();
-    let null = null_models(&analysis.sample(), arguments.null, &arguments.seed, &watch);
+    let sample = analysis.sample();
+    let compared = sample.frames() > 0;
+    let null =
+        if compared { null_models(&sample, arguments.null, &arguments.seed, &watch).map(Some) } else { Ok(None) };
     interrupt::finishing();
     interrupt::kept();
     let Ok(null) = null else { return interrupted() };
     watch.finish();
-    report.null = Some(&null);
+    report.null = null.as_ref();
     let mut files = write(arguments, report.tables(&provenance))?;
     // Who stops the work does not wait for pictures.
     let complete = !interrupt::happened();

@@ -102,3 +102,62 @@ fn wrong_input() {
     let unread = question("edges > 0", "edges < 0").replace("[for]", "scenario = \"flock.toml\"\n[for]");
     assert_refused(&["check", &file(&folder, "question.toml", unread.as_bytes())], "line 3, column 12");
 }
+
+/// Sums of squares as files: they say the question itself where it is one of polynomials, and the separate checker agrees.
+#[test]
+fn certificates_are_written_and_accepted() {
+    let folder = folder("check-certificate");
+    let asked = |names: &str, property: &str| {
+        format!(
+            "[question]\nid = \"mine\"\n[for]\n{names}\n[holds]\nproperty = \"{property}\"\ncontrols = [\"1 < 0\"]\n"
+        )
+    };
+    let out = folder.join("out.cert").to_string_lossy().into_owned();
+    let written = |names: &str, property: &str| {
+        let path = file(&folder, "question.toml", asked(names, property).as_bytes());
+        let output = flockproof(&["check", &path, "--certificate", &out]);
+        assert_eq!(output.status.code(), Some(0), "{}", stdout(&output));
+        assert!(stdout(&output).contains("written: "), "{}", stdout(&output));
+        let text = std::fs::read(&out).expect("a certificate");
+        (stdout(&output), flockproof_checker::check(&text).expect("the checker accepts it").claim)
+    };
+    let (_, claim) = written("x = \"any\"\ny = \"any\"", "x^4*y^2 + x^2*y^4 + 1 >= 3*x^2*y^2");
+    assert!(claim.starts_with("for all x in R, y in R: "), "{claim}");
+    let (_, claim) = written("n = 2\nx = \"[0, 1]\"\ny = \"[-1, 1]\"", "x >= y^2 implies x*(x + 1) >= n*x*y");
+    assert!(claim.starts_with("for all x in [0, 1], y in [-1, 1]: ") && claim.contains(" or "), "{claim}");
+    // That there is a root, and what is shown of polynomials after it was taken away.
+    let (_, claim) = written("x = \"[0, 1]\"\ny = \"[0, 1]\"", "sqrt(x*y) <= (x + y)/2");
+    assert_eq!(claim, "for all x in [0, 1], y in [0, 1]: x*y >= 0");
+    let second = std::fs::read(format!("{out}.2")).expect("a certificate");
+    let claim = flockproof_checker::check(&second).expect("the checker accepts it").claim;
+    assert!(claim.starts_with("for all real x1, x2"), "{claim}");
+    let (told, _) = written("x = \"[0, 1]\"\ny = \"[0, 1]\"", "2*x*y <= x^2 + y^2 and exp(x) >= 1 + x");
+    assert!(told.contains("proved without a certificate: 1 of the parts"), "{told}");
+    let path = file(&folder, "question.toml", asked("x = \"[0, 1]\"", "exp(x) >= 1 + x").as_bytes());
+    let output = flockproof(&["check", &path, "--certificate", &out]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("no answer rests on a sum of squares"));
+}
+
+/// The tube of a motion from a box of starts, with runs from its middle and corners.
+#[test]
+fn quantities_are_drawn_over_time() {
+    let folder = folder("check-plot");
+    let scenario = "model = \"velocity-alignment\"\n[graph]\nkind = \"edges\"\nedges = [[1, 2]]\n[state]\n\
+        positions = [[0, 0], [1, 0]]\nvelocities = [[0, 0], [1, 0]]\n[law]\npotential = \"none\"\n[run]\nuntil = 2\n";
+    file(&folder, "motion.toml", scenario.as_bytes());
+    let question = "[question]\nid = \"mine\"\nscenario = \"motion.toml\"\n[for]\n\"state.velocities[1][1]\" = \"[0, 1/4]\"\n\
+        [holds]\nproperty = \"always[0, 2](min_distance > 1/2)\"\ncontrols = [\"always[0, 2](min_distance > 6/5)\"]\n";
+    let path = file(&folder, "question.toml", question.as_bytes());
+    let plot = folder.join("tube.svg").to_string_lossy().into_owned();
+    let output = flockproof(&["check", &path, "--plot", &plot]);
+    assert!(output.status.success() && stdout(&output).ends_with(&format!("written: {plot}\n")), "{output:?}");
+    let drawn = std::fs::read_to_string(&plot).expect("a picture");
+    for text in ["min_distance", "all starts, enclosed", "single starts", "The worst of the starts"] {
+        assert!(drawn.contains(text), "{text}");
+    }
+    // Nothing moves there, and one question is drawn at a time.
+    let still = file(&folder, "still.toml", self::question("edges >= 0", "edges < 0").as_bytes());
+    assert_refused(&["check", &still, "--plot", &plot], "has none");
+    assert_refused(&["check", &still, &path, "--plot", &plot], "one question");
+}

@@ -89,7 +89,11 @@ fn what_is_kept_is_the_compiled_files_themselves() {
     // Axioms that were noted for another file, or of other theorems, are asked for again.
     let noted = bench.out().join("chazelle_angle.axioms");
     let text = std::fs::read_to_string(&noted).expect("it is there");
-    for altered in [text.replacen("chazelle_angle ", "chazelle_angle 0", 1), text.replace("lifted_birds", "lifted"), text.clone() + "none\n"] {
+    for altered in [
+        text.replacen("chazelle_angle ", "chazelle_angle 0", 1),
+        text.replace("lifted_birds", "lifted"),
+        text.clone() + "none\n",
+    ] {
         assert_ne!(text, altered);
         std::fs::write(&noted, altered).expect("it is written");
         assert_eq!(bench.asked(&[]), BTreeSet::from(["axioms_of_chazelle_angle".to_string()]));

@@ -2,7 +2,7 @@
 
 use super::{assert_refused, file, flockproof, folder, stdout};
 
-const COMMANDS: [&str; 20] = [
+const COMMANDS: [&str; 21] = [
     "verify",
     "list",
     "explain",
@@ -14,6 +14,7 @@ const COMMANDS: [&str; 20] = [
     "tracks",
     "prove",
     "check",
+    "reach",
     "sweep",
     "fuzz",
     "serve",

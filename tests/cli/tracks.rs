@@ -48,6 +48,49 @@ fn a_synthetic_school_can_be_analysed_again_from_its_table() {
     assert!(frames.lines().all(|line| line.split(',').count() == fields));
 }
 
+/// Ten fish at 25 frames a second, 2 % of the positions missing and two long gaps, in a table with other names: with bridges and fewer
+/// fish than all it is analysed, and what it rests on is said.
+#[test]
+fn a_recording_with_gaps_is_bridged_and_says_on_what_it_rests() {
+    let folder = folder("gappy_tracks");
+    let mut table = String::from("frame,particle,x,y\n");
+    for frame in 0..600 {
+        for fish in 0..10 {
+            let away = (fish == 3 && (100..220).contains(&frame)) || (fish == 7 && (300..420).contains(&frame));
+            if !away && (frame * 7 + fish * 31) % 50 != 0 {
+                let turn = 0.01 * f64::from(frame) + 0.6 * f64::from(fish);
+                table += &format!("{frame},{fish},{:.4},{:.4}\n", 30.0 * turn.cos(), 30.0 * turn.sin());
+            }
+        }
+    }
+    let path = file(&folder, "school.csv", table.as_bytes());
+    let out = folder.join("out");
+    let read = ["tracks", &path, "--columns", "frame=t,particle=id", "--fps", "25", "--window", "25", "--null", "9"];
+    let with = |more: &[&str]| flockproof(&[&read[..], &["--out", out.to_str().expect("UTF-8")], more].concat());
+    // Without either no frame is left, and the sentence names both.
+    let refused = with(&[]);
+    let error = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(error.contains("--max-gap") && error.contains("--min-fish"), "{error}");
+    let analysed = with(&["--max-gap", "5", "--min-fish", "8"]);
+    let text = stdout(&analysed);
+    assert!(analysed.status.success(), "{}", String::from_utf8_lossy(&analysed.stderr));
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "wider than 80 columns:\n{text}");
+    for part in
+        ["at least 8 of 10 fish", "bridged", "with all fish", "rotation (milling) 1.000", "a heading of every fish"]
+    {
+        let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words(&text).contains(part), "{part} is missing in\n{text}");
+    }
+    let gaps = std::fs::read_to_string(out.join("gaps.csv")).expect("written");
+    assert!(
+        gaps.lines().any(|gap| gap.ends_with("between,true")) && gaps.contains("3,4,8.76,120,between,false"),
+        "{gaps}"
+    );
+    let frames = std::fs::read_to_string(out.join("frames.csv")).expect("written");
+    assert!(frames.starts_with("t,seen,bridged,headings,"));
+}
+
 #[test]
 fn bad_tracks_are_refused() {
     let folder = folder("bad_tracks");
@@ -74,6 +117,10 @@ fn bad_tracks_are_refused() {
     refuse("good.csv", &good, &["--window", "1", "--ids", "a,z"], "no fish z");
     refuse("good.csv", &good, &["--window", "1", "--ids", "a"], "only one fish");
     refuse("good.csv", &good, &["--window", "1", "--nearest", "3"], "between 1 and 2");
+    refuse("good.csv", &good, &["--window", "1", "--min-fish", "4"], "between 2 and 3");
+    refuse("good.csv", &good, &["--columns", "frame=t"], "no column `frame`");
+    refuse("good.csv", &good, &["--columns", "t"], "--columns: `t` is not NAME=t");
+    refuse("good.csv", &good, &["--fps", "0"], "--fps: 0 frames per second");
     refuse("good.csv", &good, &["--window", "1", "--body-length", "0"], "body length 0");
     refuse("good.csv", &good, &["--window", "1", "--body-length", "nan"], "`nan` is not an integer");
     refuse("good.csv", &good, &["--window", "1", "--blind", "400"], "blind spot of 400");

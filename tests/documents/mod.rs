@@ -78,7 +78,7 @@ fn is_as_shown(shown: &[&str], lines: &[&str]) -> bool {
 #[test]
 fn console_blocks_show_what_is_printed() {
     let folder = workplace("documents-console");
-    let mut count = 0;
+    let (mut count, mut wrong) = (0, Vec::new());
     for page in pages() {
         let blocks = page.blocks();
         for shown in blocks.iter().filter(|block| block.language == "console").flat_map(|block| block.commands()) {
@@ -89,15 +89,17 @@ fn console_blocks_show_what_is_printed() {
             let expected = shown.command.split_once("# exit status ").map_or(Ok(0), |(_, code)| code.trim().parse());
             assert_eq!(output.status.code(), expected.ok(), "{}: `{}`: {error}", page.path.display(), shown.command);
             let lines: Vec<&str> = printed.trim_end().lines().map(str::trim_end).collect();
-            assert!(
-                is_as_shown(&shown.output, &lines),
-                "{} does not show what `{}` prints:\n{printed}",
-                page.path.display(),
-                shown.command
-            );
+            if !is_as_shown(&shown.output, &lines) {
+                wrong.push(format!(
+                    "{} does not show what `{}` prints:\n{printed}",
+                    page.path.display(),
+                    shown.command
+                ));
+            }
             count += 1;
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(count > 10);
 }
 
@@ -226,13 +228,17 @@ fn named_files_exist() {
         root().join(name).exists() || page.path.parent().is_some_and(|folder| root().join(folder).join(name).exists())
     };
     let is_placeholder = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_ascii_uppercase());
+    let mut missing = Vec::new();
     for page in pages() {
         let one_file = |span: &&String| !span.contains([' ', '*', '{']) && !span.split('/').any(is_placeholder);
         for span in page.spans().iter().filter(one_file) {
             let names_file = span.ends_with(".md") || FOLDERS.iter().any(|folder| span.starts_with(folder));
-            assert!(!names_file || exists(&page, span), "{}: there is no {span}", page.path.display());
+            if names_file && !exists(&page, span) {
+                missing.push(format!("{}: there is no {span}", page.path.display()));
+            }
         }
     }
+    assert!(missing.is_empty(), "{}", missing.join("\n"));
     let readme = std::fs::read_to_string(root().join("README.md")).expect("text");
     for picture in readme.split("src=\"").skip(1).filter_map(|after| after.split('"').next()) {
         assert!(root().join(picture).is_file(), "README.md: there is no {picture}");

@@ -4,7 +4,7 @@ use super::page::root;
 use flockproof::arithmetic::Unwatched;
 use flockproof::question::{Question, Verdict, decide, names};
 
-const RECORDED: [(&str, Verdict); 15] = [
+const RECORDED: [(&str, Verdict); 16] = [
     ("algebraic_connectivity", Verdict::Holds),
     ("gap_and_diameter", Verdict::False),
     ("more_links_are_faster", Verdict::False),
@@ -17,6 +17,7 @@ const RECORDED: [(&str, Verdict); 15] = [
     ("order_grows", Verdict::Holds),
     ("products_contract", Verdict::Holds),
     ("open_question", Verdict::Undecided),
+    ("motzkin", Verdict::Holds),
     ("momentum_is_conserved", Verdict::Holds),
     ("momentum_of_normalised_weights", Verdict::False),
     ("fluctuation_at_a_rate", Verdict::False),

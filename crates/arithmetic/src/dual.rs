@@ -125,4 +125,9 @@ impl<T: Ring + Signed> Signed for Dual<T> {
             sign => Some(sign),
         }
     }
+
+    #[inline]
+    fn side(&self) -> Option<Sign> {
+        self.sign().or_else(|| self.value.side().filter(|side| *side != Sign::Zero))
+    }
 }

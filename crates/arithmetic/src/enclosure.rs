@@ -26,12 +26,6 @@ pub trait Enclosure: Ring {
     /// A scalar of one number of the set, near its middle; zero where the set is not bounded.
     fn middle(&self) -> Self;
 
-    /// Whether the set is bounded.
-    #[inline]
-    fn is_finite(&self) -> bool {
-        self.lower().is_finite() && self.upper().is_finite()
-    }
-
     /// The difference of the ends, rounded up.
     #[inline]
     fn spread(&self) -> f64 {

@@ -105,12 +105,6 @@ impl FloatInterval {
         self.lo <= x && x <= self.hi
     }
 
-    /// Whether the other interval lies inside this one.
-    #[inline]
-    pub fn encloses(&self, other: &Self) -> bool {
-        self.lo <= other.lo && other.hi <= self.hi
-    }
-
     /// The smallest interval that contains both.
     #[inline]
     pub fn hull(&self, other: &Self) -> Self {

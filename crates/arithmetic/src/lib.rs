@@ -66,7 +66,7 @@ pub use number::{NumberError, decimal, parse_rational, shown};
 pub use probe::Probe;
 pub use progress::{Cancelled, Progress, Unwatched};
 pub use radical::RadicalSum;
-pub use rational::{NoRational, Rational, common_denominator, content, gcd, lcm, quotient, rational, simplest_between};
+pub use rational::{NoRational, Rational, common_denominator, content, gcd, lcm, rational, simplest_between};
 pub use real_cyclotomic::{CosineField, RealCyclotomic};
 pub use real_number::{Algebraic, Obstacle, PreciseNumber, RealNumber};
 pub use regression::regression_line;
@@ -285,12 +285,18 @@ pub trait Signed: Ring {
         self.sign() == Some(Sign::Negative)
     }
 
+    /// The sign as far as a choice between two formulas needs it: an enclosure of a function on a box, with ends that may be zero, has one side on all of the box.
+    #[inline]
+    fn side(&self) -> Option<Sign> {
+        self.sign()
+    }
+
     /// The absolute value.
     ///
     /// # Errors
     /// [`ArithmeticError::UNDECIDED_SIGN`] where it depends on a sign that is not decided.
     fn absolute(&self) -> Result<Self, ArithmeticError> {
-        match self.sign().ok_or(ArithmeticError::UNDECIDED_SIGN)? {
+        match self.side().ok_or(ArithmeticError::UNDECIDED_SIGN)? {
             Sign::Negative => Ok(-self.clone()),
             _ => Ok(self.clone()),
         }
@@ -301,7 +307,7 @@ pub trait Signed: Ring {
     /// # Errors
     /// As [`Signed::absolute`].
     fn larger(&self, other: &Self) -> Result<Self, ArithmeticError> {
-        let sign = (self.clone() - other).sign().ok_or(ArithmeticError::UNDECIDED_SIGN)?;
+        let sign = (self.clone() - other).side().ok_or(ArithmeticError::UNDECIDED_SIGN)?;
         Ok(if sign == Sign::Negative { other.clone() } else { self.clone() })
     }
 
@@ -310,7 +316,7 @@ pub trait Signed: Ring {
     /// # Errors
     /// As [`Signed::absolute`].
     fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
-        let sign = (self.clone() - other).sign().ok_or(ArithmeticError::UNDECIDED_SIGN)?;
+        let sign = (self.clone() - other).side().ok_or(ArithmeticError::UNDECIDED_SIGN)?;
         Ok(if sign == Sign::Positive { other.clone() } else { self.clone() })
     }
 }

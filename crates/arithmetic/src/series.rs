@@ -219,4 +219,8 @@ impl<T: Ring + Signed> Signed for Series<T> {
             sign => Some(sign),
         }
     }
+
+    fn side(&self) -> Option<Sign> {
+        self.sign().or_else(|| self.coefficients[0].side().filter(|side| *side != Sign::Zero))
+    }
 }

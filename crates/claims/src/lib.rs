@@ -42,8 +42,16 @@ pub const EVIDENCE: &str = include_str!("evidence.tsv");
 /// # Errors
 /// [`LedgerError`] where a claim is registered twice or lacks a source; the tests rule that out.
 pub fn ledger() -> Result<Ledger, LedgerError> {
+    ledger_with(Development::own())
+}
+
+/// The same with what another development proves.
+///
+/// # Errors
+/// Those of [`ledger`].
+pub fn ledger_with(development: &'static Development) -> Result<Ledger, LedgerError> {
     let mut ledger =
-        Ledger::new().with_list(LISTED).with_record(RECORDED).with_evidence(EVIDENCE).with_proofs(Development);
+        Ledger::new().with_list(LISTED).with_record(RECORDED).with_evidence(EVIDENCE).with_proofs(development);
     let papers = [chazelle::claims(), veerman::claims(), paley::claims(), tanner1::claims(), tanner2::claims()];
     for claim in papers.into_iter().flatten().chain(beyond::claims()) {
         ledger.register_boxed(claim)?;

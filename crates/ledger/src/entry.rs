@@ -31,6 +31,9 @@ pub struct Entry {
     pub statement: String,
     /// The sentences of the statement that can be true or false alone; those of a correction follow, marked as such.
     pub clauses: Vec<String>,
+    /// The verdict on each clause ([`Entry::verdicts_by_clause`]); nothing where it has none of its own.
+    #[serde(default)]
+    pub clause_verdicts: Vec<Option<Verdict>>,
     /// How the statement is read, where that is a choice.
     pub reading: Option<String>,
     /// The verdict.

@@ -113,6 +113,9 @@ pub struct Evidence {
     pub cases: Option<u64>,
     /// `2^-k`, for identities.
     pub error_bound: Option<String>,
+    /// Whether it speaks against its clauses: how a counterexample was found, or a proof of the negation.
+    #[serde(skip)]
+    pub refutes: bool,
     /// The negative controls, counted from 1, whose check fails in this part; `p` for the printed form, from which a correction is
     /// to be told apart.
     #[serde(skip)]
@@ -135,6 +138,7 @@ impl Evidence {
             detail: detail.into(),
             cases: None,
             error_bound: None,
+            refutes: false,
             controls: Vec::new(),
             steps: Vec::new(),
         }
@@ -154,6 +158,12 @@ impl Evidence {
     /// The same for all parameters of its clauses. To be said only where the evidence would change if the clause were false for any of them.
     pub fn for_all(mut self) -> Self {
         self.scope = Some(Scope::All);
+        self
+    }
+
+    /// The same against its clauses.
+    pub fn refuting(mut self) -> Self {
+        self.refutes = true;
         self
     }
 

@@ -88,7 +88,8 @@ impl Judge<'_> {
             Ok(Outcome::Holds(evidence)) if evidence.is_empty() => Ruling::undecided("the check gave no evidence"),
             Ok(Outcome::Holds(evidence)) => Ruling::of(Verdict::Holds, self.placed(evidence, 0)),
             Ok(Outcome::Fails { counterexample, evidence, .. }) => {
-                self.refuted(counterexample, self.placed(evidence, 0), &mut values)
+                let against = self.placed(evidence, 0).into_iter().map(Evidence::refuting).collect();
+                self.refuted(counterexample, against, &mut values)
             }
         };
         let (controls, surviving_controls, failures) = self.controls();
@@ -107,6 +108,7 @@ impl Judge<'_> {
             place: self.source.place.clone(),
             statement: self.source.statement.clone(),
             clauses,
+            clause_verdicts: Vec::new(),
             reading: if self.correction { None } else { self.claim.reading() },
             verdict: ruling.verdict,
             fault: ruling.fault,

@@ -5,6 +5,7 @@
 //! says, never written down: see [`Ledger::verify`].
 
 mod claim;
+mod clauses;
 mod document;
 mod entry;
 mod evidence;

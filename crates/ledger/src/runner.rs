@@ -279,6 +279,7 @@ impl Ledger {
                     while let Some((registered, check)) = checks.get(next.fetch_add(1, Ordering::Relaxed)) {
                         let Some(mut entry) = check_in_time(registered, check, options) else { break };
                         join(&mut entry, &*self.proofs);
+                        entry.clause_verdicts = entry.verdicts_by_clause();
                         done(&entry);
                         let mut finished = finished.lock().unwrap_or_else(|e| e.into_inner());
                         finished.push(entry);
@@ -408,6 +409,7 @@ fn abandoned(registered: &Registered, why: String, after: Duration) -> Entry {
         place: registered.source.place.clone(),
         statement: registered.source.statement.clone(),
         clauses: Vec::new(),
+        clause_verdicts: Vec::new(),
         reading: None,
         verdict: Verdict::Undecided,
         fault: None,
@@ -498,6 +500,8 @@ fn overstated(entry: &Entry) -> Vec<String> {
             sentences.push(format!("the evidence \"{}\" names no clause", e.part));
         }
     }
+    let both = entry.contradicted().into_iter().map(|k| format!("clause {k} is refuted and established"));
+    sentences.extend(both);
     let covered = entry.covered(false);
     for (k, clause) in clauses.zip(&entry.clauses).filter(|(k, _)| !covered.contains(k)) {
         if entry.verdict == Verdict::Holds || clause.starts_with(CORRECTED) {

@@ -231,21 +231,6 @@ impl Integrator {
         });
         self.dense = Some(coefficients.collect());
     }
-
-    /// Steps until a time is reached.
-    ///
-    /// # Errors
-    /// [`IntegrationError`].
-    pub fn advance(&mut self, field: &mut impl VectorField, until: f64) -> Result<(), IntegrationError> {
-        let first = self.steps;
-        while self.time < until {
-            self.step(field, until)?;
-            if self.steps - first >= MOST_STEPS {
-                return Err(IntegrationError::TooManySteps { steps: MOST_STEPS, time: self.time });
-            }
-        }
-        Ok(())
-    }
 }
 
 /// The states at some times, which must not decrease, from `state` at `time`; steps end where the tolerance lets them, and the

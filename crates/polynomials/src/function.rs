@@ -6,10 +6,7 @@ use num_traits::ToPrimitive;
 /// A function of several numbers, written once over the scalar: rationals give its values exactly, intervals bounds, dual numbers derivatives, the
 /// scalar [`Symbolic`](crate::Symbolic) the function itself.
 pub trait Function: Sync {
-    /// The number of its arguments.
-    fn arity(&self) -> usize;
-
-    /// The value; `at` has [`Function::arity`] numbers.
+    /// The value at a point of the domain.
     ///
     /// # Errors
     /// [`ArithmeticError`] where there is none, or the scalar cannot hold it.
@@ -60,22 +57,43 @@ pub struct Side {
     pub lo: Option<Rational>,
     /// Upper end.
     pub hi: Option<Rational>,
+    /// Whether only the integers of that range are meant.
+    pub integer: bool,
 }
 
 impl Side {
     /// From one number to another one.
     pub fn between(lo: Rational, hi: Rational) -> Self {
-        Side { lo: Some(lo), hi: Some(hi) }
+        Side { lo: Some(lo), hi: Some(hi), integer: false }
     }
 
     /// One number.
     pub fn point(at: Rational) -> Self {
-        Side { lo: Some(at.clone()), hi: Some(at) }
+        Side { lo: Some(at.clone()), hi: Some(at), integer: false }
     }
 
     /// All reals.
     pub fn line() -> Self {
-        Side { lo: None, hi: None }
+        Side { lo: None, hi: None, integer: false }
+    }
+
+    /// The integers from one to another one.
+    pub fn integers(lo: i64, hi: i64) -> Self {
+        Side { lo: Some(rational(lo, 1)), hi: Some(rational(hi, 1)), integer: true }
+    }
+
+    /// With smaller ends where that leaves out no integer, if only integers are meant.
+    pub(crate) fn rounded(mut self) -> Self {
+        if self.integer {
+            self.lo = self.lo.map(|lo| lo.ceil());
+            self.hi = self.hi.map(|hi| hi.floor());
+        }
+        self
+    }
+
+    /// Whether it has no number.
+    pub fn is_empty(&self) -> bool {
+        self.lo.as_ref().zip(self.hi.as_ref()).is_some_and(|(lo, hi)| lo > hi)
     }
 
     /// The only number, where there is one only.
@@ -83,8 +101,9 @@ impl Side {
         self.lo.as_ref().filter(|lo| self.hi.as_ref() == Some(lo))
     }
 
-    /// The number, moved into the range where it lies outside.
+    /// The number, moved into the range where it lies outside; the integer before it where only these are meant.
     pub fn nearest(&self, x: Rational) -> Rational {
+        let x = if self.integer { x.floor() } else { x };
         match (&self.lo, &self.hi) {
             (Some(lo), _) if x < *lo => lo.clone(),
             (_, Some(hi)) if x > *hi => hi.clone(),
@@ -94,11 +113,16 @@ impl Side {
 
     /// Whether the number lies in the range.
     pub fn contains(&self, x: &Rational) -> bool {
-        self.lo.as_ref().is_none_or(|lo| lo <= x) && self.hi.as_ref().is_none_or(|hi| x <= hi)
+        let inside = self.lo.as_ref().is_none_or(|lo| lo <= x) && self.hi.as_ref().is_none_or(|hi| x <= hi);
+        inside && (!self.integer || x.is_integer())
     }
 
     /// A number inside, in the middle where there is one.
     pub fn middle(&self) -> Rational {
+        self.nearest(self.centre())
+    }
+
+    fn centre(&self) -> Rational {
         match (&self.lo, &self.hi) {
             (Some(lo), Some(hi)) => (lo + hi) * rational(1, 2),
             (Some(lo), None) => {

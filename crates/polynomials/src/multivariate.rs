@@ -72,11 +72,6 @@ impl<T: Ring + PartialEq> Multivariate<T> {
         self.terms.iter()
     }
 
-    /// The coefficient of a monomial without zeros at the end.
-    pub fn coefficient(&self, monomial: &[u32]) -> T {
-        self.terms.get(monomial).unwrap_or(&self.zero).clone()
-    }
-
     /// Whether it is the zero polynomial.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
@@ -128,19 +123,6 @@ impl<T: Ring + PartialEq> Multivariate<T> {
         let rest = (by.len()..arity).map(|k| Multivariate::variable(k, &self.zero));
         let all: Vec<Self> = by.iter().cloned().chain(rest).collect();
         self.at(&all, &like, |c| Multivariate::constant(c.clone()))
-    }
-
-    /// The derivative by a variable.
-    pub fn derivative(&self, variable: usize) -> Self {
-        let term = |(monomial, c): (&Monomial, &T)| {
-            let exponent = monomial.get(variable).copied().unwrap_or(0);
-            let mut lower = monomial.clone();
-            if exponent > 0 {
-                lower[variable] -= 1;
-            }
-            (lower, c.integer(i64::from(exponent)) * c)
-        };
-        Multivariate::from_terms(self.terms.iter().map(term), &self.zero)
     }
 
     /// As a polynomial in one of its variables: the coefficients, the constant one first.

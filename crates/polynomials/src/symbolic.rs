@@ -1,7 +1,9 @@
 //! Functions themselves as a scalar: quotients of polynomials in the arguments and in new variables for roots, absolute values, sines and exponentials.
 
+mod functions;
+
 use crate::multivariate::Multivariate;
-use arithmetic::{ArithmeticError, Field, Number, Rational, Ring, Sign, Signed, operators, rational};
+use arithmetic::{ArithmeticError, Field, Rational, Ring, Sign, Signed, operators, rational};
 use num_traits::{Signed as _, Zero};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -102,6 +104,15 @@ impl Extension {
     fn known(&self, meaning: Meaning) -> usize {
         let found = self.with(|inner| inner.meanings.iter().position(|own| *own == meaning));
         found.map_or_else(|| self.variable(meaning), |place| self.arity + place)
+    }
+
+    /// Whether it is pi, which is the only number between two.
+    fn is_circle(&self, monomial: &[u32]) -> bool {
+        let [.., 1] = monomial else { return false };
+        let place = (monomial.len() - 1).checked_sub(self.arity);
+        let alone = monomial.iter().sum::<u32>() == 1;
+        let is_between = |k: usize| self.with(|inner| matches!(inner.meanings.get(k), Some(Meaning::Between(..))));
+        alone && place.is_some_and(is_between)
     }
 
     /// The product of powers of divisors.
@@ -210,39 +221,6 @@ impl Symbolic {
     fn denominator(&self) -> Polynomial {
         self.extension.product(&self.fraction.1)
     }
-
-    /// The variable of a function of this argument.
-    fn call(&self, function: Function) -> usize {
-        let known = self.extension.with(|inner| {
-            let same = |own: &&(Function, Fraction, usize)| own.0 == function && own.1 == self.fraction;
-            inner.calls.iter().find(same).map(|(_, _, variable)| *variable)
-        });
-        known.unwrap_or_else(|| {
-            let variable = match function {
-                Function::Cosine => {
-                    let cosine = self.extension.variable(Meaning::Cosine);
-                    self.extension.variable(Meaning::Sine);
-                    cosine
-                }
-                Function::Exponential => self.extension.variable(Meaning::Positive),
-                Function::Other(_) => self.extension.variable(Meaning::Any),
-            };
-            self.extension.with(|inner| inner.calls.push((function, self.fraction.clone(), variable)));
-            variable
-        })
-    }
-
-    /// The value where it is rational, otherwise the variable of the function.
-    fn called(
-        &self,
-        function: Function,
-        exact: impl Fn(&Rational) -> Result<Rational, ArithmeticError>,
-    ) -> Result<Self, ArithmeticError> {
-        if let Some(value) = self.as_constant().and_then(|c| exact(&c).ok()) {
-            return Ok(self.rational(&value));
-        }
-        Ok(self.extension.of(Multivariate::x(self.call(function))))
-    }
 }
 
 operators!([] Symbolic, Symbolic::plus, Symbolic::minus, Symbolic::times, Symbolic::negated);
@@ -308,61 +286,5 @@ impl Signed for Symbolic {
     fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
         let apart = (self.clone() - other).absolute()?;
         Ok((self.clone() + other - apart) * self.ratio(1, 2))
-    }
-}
-
-impl Number for Symbolic {
-    fn circle(&self) -> Result<Self, ArithmeticError> {
-        let scale = num_bigint::BigInt::from(1) << 60u32;
-        let pi = arithmetic::Real::pi(&arithmetic::Interval::from_rational(&rational(1, 1), 100));
-        let lo = (pi.to_rationals().0 * Rational::from_integer(scale.clone())).floor();
-        let end = |q: Rational| q / Rational::from_integer(scale.clone());
-        let meaning = Meaning::Between(end(lo.clone()), end(lo + rational(1, 1)));
-        Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
-    }
-
-    fn sqrt(&self) -> Result<Self, ArithmeticError> {
-        if let Some(c) = self.as_constant() {
-            if c.is_negative() {
-                return Err(ArithmeticError::Argument("sqrt"));
-            }
-            if let Ok(root) = c.sqrt() {
-                return Ok(self.rational(&root));
-            }
-        }
-        let meaning = Meaning::Root(self.fraction.0.clone(), self.denominator());
-        Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
-    }
-
-    fn exp(&self) -> Result<Self, ArithmeticError> {
-        self.called(Function::Exponential, Number::exp)
-    }
-
-    fn ln(&self) -> Result<Self, ArithmeticError> {
-        self.called(Function::Other("ln"), Number::ln)
-    }
-
-    fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
-        if self.as_constant().is_some_and(|c| c.is_zero()) {
-            return Ok((self.zero(), self.one()));
-        }
-        let cosine = self.call(Function::Cosine);
-        let of = |variable: usize| self.extension.of(Multivariate::x(variable));
-        Ok((of(cosine + 1), of(cosine)))
-    }
-
-    fn atan(&self) -> Result<Self, ArithmeticError> {
-        self.called(Function::Other("atan"), Number::atan)
-    }
-
-    fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
-        let up = self.exp()?;
-        let down = up.recip()?;
-        let half = self.ratio(1, 2);
-        Ok(((up.clone() - &down) * &half, (up + down) * half))
-    }
-
-    fn angle(_: &Self, _: &Self) -> Result<Self, ArithmeticError> {
-        Err(ArithmeticError::Domain("a quotient of polynomials"))
     }
 }

@@ -75,6 +75,8 @@ pub struct Answer {
     pub attained: Option<Bindings>,
     /// Sums of squares that `holds` rests on, for the separate checker.
     pub certificates: Vec<Certificate>,
+    /// Parts of the property that were proved without one.
+    pub uncertified: u64,
     /// What is open of a continuum.
     pub unsettled: Option<Unsettled>,
     /// The same of each inequality of the property by itself, under the time operators around it; `None` where it was nowhere compared.
@@ -135,6 +137,7 @@ impl Answer {
             margin,
             attained: outcome.attained.filter(|_| verdict == Verdict::Holds),
             certificates: if verdict == Verdict::Holds { outcome.certificates } else { Vec::new() },
+            uncertified: outcome.uncertified,
             unsettled: outcome.unsettled.filter(|_| verdict == Verdict::Undecided),
             inequalities,
             is_conjunction: question.property.as_ref().is_some_and(|whole| matches!(whole.node.kind, Kind::And(_))),

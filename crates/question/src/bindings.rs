@@ -4,6 +4,7 @@ use algebra::graph::{Graph, NamedGraph, WeightedGraph};
 use algebra::matrix::StochasticMatrix;
 use arithmetic::{Rational, rational, simplest_between};
 use num_traits::One;
+use polynomials::Side;
 use std::fmt;
 use std::sync::Arc;
 
@@ -16,6 +17,8 @@ pub enum Value {
     Box(Rational, Rational),
     /// Every integer between two, the second one larger.
     Integers(i64, i64),
+    /// Every real number.
+    Any,
     /// A graph.
     Graph(Arc<GraphValue>),
     /// A sequence of stochastic matrices, the first factor first.
@@ -96,7 +99,7 @@ impl fmt::Display for GraphValue {
 impl Value {
     /// Whether it is a continuum.
     pub fn is_interval(&self) -> bool {
-        matches!(self, Value::Box(..))
+        matches!(self, Value::Box(..) | Value::Any)
     }
 
     /// The smallest and the largest number of a box.
@@ -137,6 +140,7 @@ impl Value {
                 Some(simplest_between(&(&middle - &quarter), &(&middle + &quarter)))
             }
             Value::Integers(from, to) => Some(rational(from + (to - from) / 2, 1)),
+            Value::Any => Some(rational(0, 1)),
             _ => None,
         }
     }
@@ -147,6 +151,7 @@ impl Value {
             Value::Number(q) => q.to_string(),
             Value::Box(lo, hi) => format!("[{lo}, {hi}]"),
             Value::Integers(from, to) => format!("integers({from}, {to})"),
+            Value::Any => "any".to_string(),
             Value::Graph(graph) => graph.to_string(),
             Value::Matrices(list) => {
                 let row = |row: &Vec<Rational>| row.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
@@ -201,6 +206,22 @@ impl Bindings {
         self.entries.iter().enumerate().filter_map(ends).collect()
     }
 
+    /// The names that stand for more than one number, with their places.
+    pub(crate) fn sides(&self) -> Vec<(usize, Side)> {
+        let side = |(k, (_, value)): (usize, &(Arc<str>, Value))| match value {
+            Value::Box(lo, hi) => Some((k, Side::between(lo.clone(), hi.clone()))),
+            Value::Integers(from, to) => Some((k, Side::integers(*from, *to))),
+            Value::Any => Some((k, Side::line())),
+            _ => None,
+        };
+        self.entries.iter().enumerate().filter_map(side).collect()
+    }
+
+    /// Whether a name stands for all reals.
+    pub(crate) fn has_line(&self) -> bool {
+        self.entries.iter().any(|(_, value)| matches!(value, Value::Any))
+    }
+
     /// The two halves of the box that stands in a place.
     pub(crate) fn halves(&self, place: usize) -> Option<[Self; 2]> {
         let with = |value: Value| {
@@ -218,7 +239,10 @@ impl Bindings {
 
     /// Every box replaced by its simplest number.
     pub(crate) fn simplest(&self) -> Self {
-        self.at(|value| value.ends().map(|(lo, hi)| simplest_between(&lo, &hi)))
+        self.at(|value| match value {
+            Value::Any => Some(rational(0, 1)),
+            value => value.ends().map(|(lo, hi)| simplest_between(&lo, &hi)),
+        })
     }
 
     fn at(&self, number: impl Fn(&Value) -> Option<Rational>) -> Self {

@@ -85,7 +85,7 @@ impl Question {
         if let Some(law) = self.law() {
             return states::decide(self, law, expression, bindings, progress);
         }
-        if !bindings.boxes().is_empty() {
+        if !bindings.sides().is_empty() {
             return Division { question: self, expression, progress, most }.decide(bindings);
         }
         let kept = self.is_kept(bindings, progress);
@@ -114,16 +114,7 @@ impl Question {
     }
 }
 
-impl Tabulated {
-    /// The value as tables show it: exact, enclosed, `true` or `false`; empty where it is not known.
-    pub fn text(&self) -> String {
-        match self {
-            Tabulated::Number(number) => number.text(),
-            Tabulated::Truth(truth) => truth.to_string(),
-            Tabulated::Unknown(_) => String::new(),
-        }
-    }
-}
+impl Tabulated {}
 
 /// A value of `[values]`.
 #[derive(Debug, Clone)]
@@ -205,6 +196,7 @@ fn over_family(
         counterexample: None,
         attained: None,
         certificates: Vec::new(),
+        uncertified: 0,
         unsettled: None,
     };
     // A counterexample decides, whatever has no value elsewhere.
@@ -215,7 +207,7 @@ fn over_family(
         let numbers: Vec<_> = (next..end).collect();
         let decide = |&number: &_| -> Result<Option<(Decided, bool)>, QuestionError> {
             let Some(bindings) = question.case(number, progress)? else { return Ok(None) };
-            let boxed = !bindings.boxes().is_empty();
+            let boxed = !bindings.sides().is_empty();
             Ok(Some((question.decide_expression(expression, &bindings, most, progress)?, boxed)))
         };
         let decided = side_by_side(&numbers, decide);
@@ -236,6 +228,7 @@ fn over_family(
             outcome.boxed |= boxed;
             outcome.attained = outcome.attained.or(found.attained);
             outcome.certificates.extend(found.certificates);
+            outcome.uncertified += found.uncertified;
             outcome.unsettled = outcome.unsettled.or(found.unsettled);
             outcome.margin = Some(outcome.margin.map_or(found.margin, |least| least.least(found.margin)));
             Margin::least_of_each(&mut outcome.inequalities, &found.inequalities);

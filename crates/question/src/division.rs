@@ -1,11 +1,12 @@
-//! A continuum divided into boxes until every one is decided.
+//! A continuum: decided where the property is attained, as far as it is one of numbers alone, and on boxes.
+
+mod boxes;
 
 use crate::bindings::{Bindings, Value};
 use crate::case::Case;
 use crate::error::QuestionError;
 use crate::failure::Failure;
-use crate::formula::{Clause, clauses};
-use crate::names::Subject;
+use crate::formula::{Clause, clauses, text};
 use crate::outcome::{Decided, Judged, Unsettled};
 use crate::point::FIRST_BITS;
 use crate::question::{Expression, Question};
@@ -15,11 +16,7 @@ use arithmetic::{Progress, Rational};
 use num_traits::{Signed, ToPrimitive};
 use polynomials::Side;
 use polynomials::decide::{Decision, Effort, Open};
-use std::collections::BinaryHeap;
-
-/// Boxes whose middle is looked at for a counterexample; later only every so many.
-const PROBED: u64 = 64;
-const PROBED_LATER: u64 = 16;
+use polynomials::sums::{Certificate, Statement};
 
 /// A continuum that is divided until every box is decided.
 pub(crate) struct Division<'a> {
@@ -27,16 +24,6 @@ pub(crate) struct Division<'a> {
     pub expression: &'a Expression,
     pub progress: &'a dyn Progress,
     pub most: u64,
-}
-
-/// A box that is not decided, the one with the smallest margin first.
-struct Undecided {
-    bindings: Bindings,
-    margin: f64,
-    number: u64,
-    doubt: Doubt,
-    bounds: Margin,
-    inequalities: Vec<Margin>,
 }
 
 /// What is known on a box.
@@ -48,23 +35,6 @@ pub(crate) struct OnBox {
     pub inequalities: Vec<Margin>,
     /// Whether something was asked for that no box has.
     pub points_only: bool,
-}
-
-impl PartialEq for Undecided {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-impl Eq for Undecided {}
-impl PartialOrd for Undecided {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Undecided {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        other.margin.total_cmp(&self.margin).then_with(|| other.number.cmp(&self.number))
-    }
 }
 
 /// Points without a value: the first one found, and how many there were.
@@ -83,15 +53,36 @@ const MOST_SHARP: u64 = 20_000;
 /// Open boxes that are told.
 const TOLD: usize = 64;
 
-fn boxed(whole: &Bindings, places: &[(usize, Side)], sides: &[Side]) -> Bindings {
+/// A box of the domain; a side without an end stays as it is.
+fn boxed(whole: &Bindings, places: &[usize], sides: &[Side]) -> Bindings {
     let mut bindings = whole.clone();
-    for ((place, _), side) in places.iter().zip(sides) {
+    for (place, side) in places.iter().zip(sides) {
         if let (Some(lo), Some(hi)) = (&side.lo, &side.hi) {
-            let value = if lo == hi { Value::Number(lo.clone()) } else { Value::Box(lo.clone(), hi.clone()) };
-            bindings.set(*place, value);
+            let integers = lo.to_integer().to_i64().zip(hi.to_integer().to_i64()).filter(|_| side.integer);
+            bindings.set(
+                *place,
+                match integers {
+                    _ if lo == hi => Value::Number(lo.clone()),
+                    Some((from, to)) => Value::Integers(from, to),
+                    None => Value::Box(lo.clone(), hi.clone()),
+                },
+            );
         }
     }
     bindings
+}
+
+/// A clause with its domain, as the checker of certificates reads it.
+fn statement(whole: &Bindings, clause: &Clause) -> Option<Statement> {
+    let range = |value: &Value| match value {
+        Value::Any => Some("R".to_string()),
+        value => value.ends().map(|(lo, hi)| format!("[{lo}, {hi}]")),
+    };
+    let ranges: Vec<(&str, String)> = whole.iter().filter_map(|(name, value)| Some((name, range(value)?))).collect();
+    let names: Vec<&str> = ranges.iter().map(|(name, _)| *name).collect();
+    let domain: Vec<String> = ranges.iter().map(|(name, range)| format!("{name} in {range}")).collect();
+    let text = format!("for all {}: {}", domain.join(", "), text(clause, &names)?);
+    Some(Statement { variables: names.len(), text })
 }
 
 /// What is left open, in words.
@@ -107,34 +98,54 @@ fn told(open: &Open, first: Option<&Bindings>) -> String {
     first.map_or(text.clone(), |bindings| format!("{text} (a box: {bindings})"))
 }
 
-/// Boxes that are still looked at for a counterexample when a value is missing.
-const AFTER_MISSING: u64 = 1024;
-
-/// Most boxes where something is asked for that no box has.
-const POINTS_ONLY: u64 = 256;
-
 impl Division<'_> {
     /// Boxes first; what they leave open is decided where it is attained, as far as the property is one of numbers alone.
     pub fn decide(&self, whole: &Bindings) -> Result<Decided, QuestionError> {
-        let restriction = self.question.restriction.as_ref().map(|own| &own.node);
-        let Some(clauses) = clauses(whole, restriction, &self.expression.node) else {
-            return Ok(self.by_boxes(whole, self.most)?.0);
+        let Some(clauses) = self.clauses(whole) else {
+            if whole.has_line() {
+                let why = "over all reals only properties of numbers and functions of them are decided";
+                return Ok(Decided { truth: Truth::unknown(why, None), open: 1, boxes: 1, ..Decided::nothing() });
+            }
+            return self.by_boxes(whole, self.most);
         };
-        let (found, missing) = self.by_boxes(whole, self.most.min(FIRST_BOXES))?;
-        if missing || !matches!(found.truth, Truth::Unknown(_)) {
-            return if missing { Ok(self.by_boxes(whole, self.most)?.0) } else { Ok(found) };
+        if whole.has_line() {
+            return self.where_attained(whole, &clauses, Decided::nothing());
         }
-        self.where_attained(whole, &clauses, found)
+        match self.by_boxes(whole, self.most.min(FIRST_BOXES)) {
+            Ok(found) if matches!(found.truth, Truth::Unknown(_)) => self.where_attained(whole, &clauses, found),
+            // What boxes prove needs no certificate, but has one where there is one.
+            Ok(found) if found.truth == Truth::True && self.is_certified() => {
+                let again = self.where_attained(whole, &clauses, found.clone())?;
+                Ok(if matches!(again.truth, Truth::Unknown(_)) { Decided { uncertified: 1, ..found } } else { again })
+            }
+            // What is false somewhere is false, whatever has no value elsewhere.
+            Err(error @ QuestionError::At { .. }) => {
+                let found = self.where_attained(whole, &clauses, Decided::nothing());
+                found.ok().filter(|found| found.truth == Truth::False).ok_or(error)
+            }
+            decided => decided,
+        }
+    }
+
+    /// The property with what `where` says, as clauses of functions of the names that stand for many numbers.
+    fn clauses(&self, whole: &Bindings) -> Option<Vec<Clause>> {
+        let restriction = self.question.restriction.as_ref().map(|own| &own.node);
+        clauses(whole, restriction, &self.expression.node)
+    }
+
+    /// Whether certificates are wanted, which is of the property itself only.
+    fn is_certified(&self) -> bool {
+        let own = self.question.property.as_ref().is_some_and(|property| property.base == self.expression.base);
+        own && self.question.certified
     }
 
     /// Whether the property, one of numbers alone, holds on all of a box, with little effort.
     pub fn holds_where_attained(&self, whole: &Bindings) -> Result<bool, QuestionError> {
-        const EFFORT: Effort = Effort { boxes: 64, squares: false };
-        let restriction = self.question.restriction.as_ref().map(|own| &own.node);
-        let Some(clauses) = clauses(whole, restriction, &self.expression.node) else { return Ok(false) };
-        let domain: Vec<Side> = whole.boxes().into_iter().map(|(_, lo, hi)| Side::between(lo, hi)).collect();
+        let effort = Effort { boxes: 64, squares: false, certified: false };
+        let Some(clauses) = self.clauses(whole) else { return Ok(false) };
+        let domain: Vec<Side> = whole.sides().into_iter().map(|(_, side)| side).collect();
         for clause in &clauses {
-            let decision = polynomials::decide::decide(clause, &domain, EFFORT, self.progress)?;
+            let decision = polynomials::decide::decide(clause, &domain, effort, self.progress)?;
             if !matches!(decision, Decision::Holds(_)) {
                 return Ok(false);
             }
@@ -149,27 +160,29 @@ impl Division<'_> {
         clauses: &[Clause],
         mut found: Decided,
     ) -> Result<Decided, QuestionError> {
-        let places: Vec<(usize, Side)> =
-            whole.boxes().into_iter().map(|(place, lo, hi)| (place, Side::between(lo, hi))).collect();
-        let domain: Vec<Side> = places.iter().map(|(_, side)| side.clone()).collect();
+        let (places, domain): (Vec<usize>, Vec<Side>) = whole.sides().into_iter().unzip();
         let at = |point: &[Rational]| {
             let mut bindings = whole.clone();
-            places.iter().zip(point).for_each(|((place, _), q)| bindings.set(*place, Value::Number(q.clone())));
+            places.iter().zip(point).for_each(|(place, q)| bindings.set(*place, Value::Number(q.clone())));
             bindings
         };
-        let effort = Effort { boxes: self.most.min(MOST_SHARP), ..Effort::default() };
+        let effort = Effort { boxes: self.most.min(MOST_SHARP), certified: self.is_certified(), ..Effort::default() };
         let mut missing = Missing::default();
         let mut left: Option<Open> = None;
         (found.open, found.truth) = (0, Truth::True);
         for clause in clauses {
-            let decision = polynomials::decide::decide(clause, &domain, effort, self.progress)?;
-            match decision {
+            match polynomials::decide::decide(clause, &domain, effort, self.progress)? {
                 Decision::Holds(proof) => {
                     found.boxes += proof.boxes;
-                    found.certificates.extend(proof.certificates);
+                    found.uncertified += u64::from(proof.certificates.is_empty());
+                    let statement = statement(whole, clause);
+                    let stated = |own: Certificate| Certificate { statement: statement.clone(), ..own };
+                    found.certificates.extend(proof.certificates.into_iter().map(stated));
                     for zero in proof.zeros {
                         let point = at(&zero);
-                        self.fails_at(point.clone(), &mut found, &mut missing)?;
+                        if self.fails_at(point.clone(), &mut found, &mut missing)? {
+                            return Ok(found);
+                        }
                         if found.margin.hi == 0.0 && found.attained.is_none() {
                             found.attained = Some(point);
                         }
@@ -179,9 +192,6 @@ impl Division<'_> {
                     // The language itself has the last word.
                     if self.fails_at(at(&point), &mut found, &mut missing)? {
                         return Ok(found);
-                    }
-                    if let Some(error) = missing.first {
-                        return Err(error);
                     }
                     let at = at(&point);
                     left.get_or_insert_with(|| Open::at_point(format!("the two sides may be equal at {at}")));
@@ -193,6 +203,10 @@ impl Division<'_> {
                 }
             }
         }
+        if let Some(error) = missing.first {
+            return Err(error);
+        }
+        found.boxes = found.boxes.max(1);
         if let Some(open) = left {
             found.open = found.open.max(1);
             found.attained = None;
@@ -211,91 +225,6 @@ impl Division<'_> {
             found.inequalities.iter_mut().for_each(|own| *own = least(*own));
         }
         Ok(found)
-    }
-
-    /// Boxes until every one is decided, and whether a value was missing somewhere.
-    fn by_boxes(&self, whole: &Bindings, most: u64) -> Result<(Decided, bool), QuestionError> {
-        let original = whole.boxes();
-        let mut found = Decided::nothing();
-        let mut heap = BinaryHeap::new();
-        let mut queue = vec![whole.clone()];
-        let (mut number, mut probes, mut kept, mut most) = (0, 0u64, false, most);
-        let mut missing = Missing::default();
-        loop {
-            for bindings in queue.drain(..) {
-                self.progress.checkpoint()?;
-                found.boxes += 1;
-                number += 1;
-                let seen = Self::unless_missing(self.on_box(&bindings), &mut missing)?;
-                let fails = number == 1 && self.fails_at_a_corner(&bindings, &mut found, &mut missing)?;
-                if fails {
-                    return Ok((found, false));
-                }
-                // A single one without a value.
-                let Some(OnBox { truth, margin, inequalities, points_only }) = seen else { continue };
-                kept |= truth.is_some();
-                if points_only {
-                    most = most.min(POINTS_ONLY);
-                }
-                let doubt = match truth {
-                    None => continue,
-                    Some(Truth::True) => {
-                        found.margin = found.margin.least(margin);
-                        Margin::least_of_each(&mut found.inequalities, &inequalities);
-                        continue;
-                    }
-                    Some(Truth::False) => {
-                        if self.fails_at(bindings.middle(), &mut found, &mut missing)? {
-                            return Ok((found, false));
-                        }
-                        Doubt { why: "a box fails, but its middle is left out by `where`".to_string(), bits: None }
-                    }
-                    Some(Truth::Unknown(doubt)) => doubt,
-                };
-                heap.push(Undecided { bindings, margin: margin.lo, number, doubt, bounds: margin, inequalities });
-            }
-            if missing.first.is_some() {
-                most = most.min(found.boxes + AFTER_MISSING);
-            }
-            let Some(mut worst) = heap.pop() else {
-                found.excluded = !kept;
-                return missing.first.map_or(Ok((found, false)), Err);
-            };
-            probes += 1;
-            let before = missing.count;
-            if (probes <= PROBED || probes.is_multiple_of(PROBED_LATER))
-                && self.fails_at(worst.bindings.middle(), &mut found, &mut missing)?
-            {
-                return Ok((found, false));
-            }
-            // Around a point without a value boxes stay open; the others come first.
-            if missing.count > before && worst.margin < f64::INFINITY && !heap.is_empty() {
-                worst.margin = f64::INFINITY;
-                heap.push(worst);
-                continue;
-            }
-            let halves = if found.boxes < most { halved(&worst.bindings, &original) } else { None };
-            match halves {
-                Some(halves) => queue.extend(halves),
-                None => {
-                    if self.fails_at(worst.bindings.simplest(), &mut found, &mut missing)? {
-                        return Ok((found, false));
-                    }
-                    if let Some(missing) = missing.first {
-                        return Err(missing);
-                    }
-                    let open = heap.iter().fold(worst.bounds, |least, open| least.least(open.bounds));
-                    found.open = 1 + heap.len() as u64;
-                    found.margin = found.margin.least(open);
-                    let each = heap.iter().chain([&worst]);
-                    each.for_each(|open| Margin::least_of_each(&mut found.inequalities, &open.inequalities));
-                    let at = worst.bindings.to_string();
-                    let why = format!("{} (on the box {at})", worst.doubt.why);
-                    found.truth = Truth::Unknown(Doubt { why, bits: None });
-                    return Ok((found, missing.first.is_some()));
-                }
-            }
-        }
     }
 
     /// What was found, or nothing where a value is missing, which is kept; the first one is told.
@@ -340,46 +269,36 @@ impl Division<'_> {
         Ok(OnBox { truth: Some(truth), margin, inequalities, points_only: case.points_only.get() })
     }
 
-    /// Whether the property fails at a corner of the box, where extremes often are.
-    fn fails_at_a_corner(
-        &self,
-        bindings: &Bindings,
+    /// Whether the property fails at a point, exactly or by enclosure; its margin bounds the smallest one from above. A value that is missing there is kept.
+    fn fails_at(&self, point: Bindings, found: &mut Decided, missing: &mut Missing) -> Result<bool, QuestionError> {
+        let judged = self.judged_at(&point);
+        Self::fails(point, judged, found, missing)
+    }
+
+    /// The property at a point; nothing where `where` leaves it out.
+    fn judged_at(&self, point: &Bindings) -> Result<Option<Judged>, QuestionError> {
+        let kept = self.question.kept(point, self.progress);
+        match &kept {
+            Err(QuestionError::At { .. }) | Ok(Truth::True) => {}
+            _ => return kept.map(|_| None),
+        }
+        let decided = self.question.decide_point(self.expression, point, self.progress);
+        // Where the property is true it does not matter whether `where` keeps the point.
+        match (kept, decided) {
+            (Err(_), Ok(judged)) if judged.truth == Truth::True => Ok(None),
+            (Err(error), _) => Err(error),
+            (Ok(_), decided) => decided.map(Some),
+        }
+    }
+
+    /// Notes what is known at a point, and whether the property fails there.
+    fn fails(
+        point: Bindings,
+        judged: Result<Option<Judged>, QuestionError>,
         found: &mut Decided,
         missing: &mut Missing,
     ) -> Result<bool, QuestionError> {
-        const MOST_SIDES: usize = 4;
-        let boxes = bindings.boxes();
-        // A motion takes too long for that.
-        if boxes.len() > MOST_SIDES || self.question.subjects().contains(&Subject::Motion) {
-            return Ok(false);
-        }
-        for choice in 0..1usize << boxes.len() {
-            let mut corner = bindings.clone();
-            for (side, (place, lo, hi)) in boxes.iter().enumerate() {
-                corner.set(*place, Value::Number(if choice >> side & 1 == 1 { hi.clone() } else { lo.clone() }));
-            }
-            if self.fails_at(corner, found, missing)? {
-                return Ok(true);
-            }
-        }
-        Ok(false)
-    }
-
-    /// Whether the property fails at a point, exactly or by enclosure; its margin bounds the smallest one from above. A value that is missing there is kept.
-    fn fails_at(&self, point: Bindings, found: &mut Decided, missing: &mut Missing) -> Result<bool, QuestionError> {
-        let kept = self.question.kept(&point, self.progress);
-        match &kept {
-            Err(QuestionError::At { .. }) | Ok(Truth::True) => {}
-            _ => return kept.map(|_| false),
-        }
-        let decided = self.question.decide_point(self.expression, &point, self.progress);
-        // Where the property is true it does not matter whether `where` keeps the point.
-        let decided = match (kept, decided) {
-            (Err(_), Ok(judged)) if judged.truth == Truth::True => return Ok(false),
-            (Err(error), _) => Err(error),
-            (Ok(_), decided) => decided,
-        };
-        let Some(Judged { truth, margin, inequalities }) = Self::unless_missing(decided, missing)? else {
+        let Some(Some(Judged { truth, margin, inequalities })) = Self::unless_missing(judged, missing)? else {
             return Ok(false);
         };
         // Of the smallest margins these are upper bounds.
@@ -400,8 +319,13 @@ impl Division<'_> {
     }
 }
 
-/// Two halves of a box, across the side that is widest compared with its numbers; `None` where it has become too thin.
-pub(crate) fn halved(bindings: &Bindings, original: &[(usize, Rational, Rational)]) -> Option<[Bindings; 2]> {
+/// The place of a side and the two halves of a box across it: the side along which margins became narrowest (the shares, one for each side), and of equal ones
+/// the one that is widest compared with its numbers; `None` where all have become too thin.
+pub(crate) fn halved(
+    bindings: &Bindings,
+    original: &[(usize, Rational, Rational)],
+    shares: &[f64],
+) -> Option<(usize, [Bindings; 2])> {
     const THINNEST: f64 = 1e-12;
     let relative = |(place, lo, hi): &(usize, Rational, Rational)| {
         let width = (hi - lo).to_f64().unwrap_or(0.0);
@@ -411,6 +335,9 @@ pub(crate) fn halved(bindings: &Bindings, original: &[(usize, Rational, Rational
         if lo.is_positive() || hi.is_negative() { width / size } else { width / whole }
     };
     let boxes = bindings.boxes();
-    let widest = boxes.iter().max_by(|a, b| relative(a).total_cmp(&relative(b)))?;
-    if relative(widest) < THINNEST { None } else { bindings.halves(widest.0) }
+    let number = |side: &(usize, Rational, Rational)| original.iter().position(|(place, ..)| *place == side.0);
+    let share = |side: &(usize, Rational, Rational)| number(side).and_then(|k| shares.get(k)).copied().unwrap_or(0.5);
+    let wide = boxes.iter().filter(|side| relative(side) >= THINNEST);
+    let best = wide.max_by(|a, b| share(b).total_cmp(&share(a)).then(relative(a).total_cmp(&relative(b))))?;
+    Some((number(best)?, bindings.halves(best.0)?))
 }

@@ -45,6 +45,9 @@ pub(crate) enum Sort {
 /// Reads what a text ranges over; `files` gives the text of a file by its name.
 pub(crate) fn read_domain(text: &str, files: &dyn Fn(&str) -> Result<String, String>) -> Result<Domain, Located> {
     let trimmed = text.trim();
+    if trimmed == "any" {
+        return Ok(Domain::Given(Value::Any));
+    }
     let other = |message: String| (0, Problem::Other(message));
     if let Some(name) = trimmed.strip_prefix("file:") {
         let content = files(name).map_err(other)?;
@@ -140,7 +143,7 @@ impl Domain {
             Domain::Given(Value::Graph(_)) => Some(Sort::Graph),
             Domain::Given(Value::Matrices(_)) => Some(Sort::Matrices),
             Domain::Given(Value::Number(_)) => Some(Sort::Number),
-            Domain::Given(Value::Box(..) | Value::Integers(..)) => Some(Sort::Box),
+            Domain::Given(Value::Box(..) | Value::Integers(..) | Value::Any) => Some(Sort::Box),
             Domain::List(list) => {
                 let mut sorts = list.iter().map(|(_, domain)| domain.sort());
                 let first = sorts.next()??;

@@ -37,6 +37,13 @@ impl Question {
                         Some(parts) => (&hi - &lo) * rational(part as i64, parts as i64) + lo,
                     })
                 }
+                Some(Value::Any) => {
+                    // Up to 1, 4, 16, .., in parts of a 64th.
+                    let size = 64i64 << (2 * choose(6).min(5));
+                    let part = choose(2 * size as u64 + 1).min(2 * size as u64) as i64;
+                    // 0, 1, -1, 2, -2, ..
+                    Value::Number(rational(if part % 2 == 1 { (part + 1) / 2 } else { -part / 2 }, 64))
+                }
                 Some(Value::Integers(from, to)) => {
                     let count = (to - from) as u64 + 1;
                     Value::Number(rational(from + choose(count).min(count - 1) as i64, 1))

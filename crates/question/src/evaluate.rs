@@ -105,8 +105,17 @@ impl Evaluator<'_, '_> {
             let link = match (&left, &right) {
                 (Ok(a), Ok(b)) => Ok(match self.by_definition(before, *relation, node) {
                     Some(true) => self.certain(a, *relation, b),
-                    _ => self.compared(a, *relation, b),
+                    _ => match self.compared(a, *relation, b) {
+                        (Truth::Unknown(doubt), margin) => {
+                            (self.by_stability(before, *relation, node).unwrap_or(Truth::Unknown(doubt)), margin)
+                        }
+                        decided => decided,
+                    },
                 }),
+                (Err(Failure::Open(doubt)), Ok(_)) | (Ok(_), Err(Failure::Open(doubt))) => {
+                    let known = self.by_stability(before, *relation, node).ok_or_else(|| Failure::Open(doubt.clone()));
+                    known.map(|truth| (truth, Margin::ANY))
+                }
                 (Err(Failure::Open(_)), Err(failure)) | (Err(failure), _) | (_, Err(failure)) => Err(failure.clone()),
             };
             (left, before) = (right, node);
@@ -145,6 +154,32 @@ impl Evaluator<'_, '_> {
             return Some(integer(arguments)? <= integer(others)?);
         }
         None
+    }
+
+    /// The abscissa against 0: below it where the platoon is stable, at least 0 where it is not; nothing of other comparisons.
+    fn by_stability(&self, left: &Node, relation: Relation, right: &Node) -> Option<Truth> {
+        let is_abscissa = |node: &Node| matches!(&node.kind, Kind::Name { name, .. } if name == "abscissa");
+        let is_zero = |node: &Node| matches!(&node.kind, Kind::Number(q) if *q == rational(0, 1));
+        let relation = match (is_abscissa(left) && is_zero(right), is_zero(left) && is_abscissa(right)) {
+            (true, _) => relation,
+            (_, true) => match relation {
+                Relation::Less => Relation::Greater,
+                Relation::Greater => Relation::Less,
+                Relation::AtMost => Relation::AtLeast,
+                Relation::AtLeast => Relation::AtMost,
+                same => same,
+            },
+            _ => return None,
+        };
+        let quantity = self.case.quantity(None, "stable").ok()?;
+        let Ok(Measured::Truth(stable)) = self.case.measure(quantity, None, &[], self.precision) else { return None };
+        match (stable, relation) {
+            (true, Relation::Less | Relation::AtMost | Relation::Different) => Some(Truth::True),
+            (true, Relation::Greater | Relation::AtLeast | Relation::Equal) => Some(Truth::False),
+            (false, Relation::AtLeast) => Some(Truth::True),
+            (false, Relation::Less) => Some(Truth::False),
+            (false, _) => None,
+        }
     }
 
     /// A relation that is known to hold, with the margin that the numbers leave.
@@ -265,6 +300,7 @@ impl Evaluator<'_, '_> {
                     let interval = Interval::hull_of_rationals(&lo, &hi, self.precision);
                     return Ok(Measured::Number(Number::interval(interval)));
                 }
+                Some(Value::Any) => return Err(Failure::open(format!("`{name}` ranges over all reals"), None)),
                 Some(Value::Graph(_) | Value::Matrices(_)) => {
                     return Err(Failure::Refused(node.at, Problem::expected("a number", format!("`{name}`"))));
                 }

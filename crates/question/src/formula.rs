@@ -52,7 +52,6 @@ enum Term {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Formula {
     term: Arc<Term>,
-    arity: usize,
 }
 
 /// One of several literals is true.
@@ -63,10 +62,6 @@ const MOST_CLAUSES: usize = 64;
 const MOST_LITERALS: usize = 12;
 
 impl Function for Formula {
-    fn arity(&self) -> usize {
-        self.arity
-    }
-
     fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
         let like = at.first().ok_or(ArithmeticError::Domain("a variable"))?;
         self.term.value(at, like)
@@ -111,6 +106,44 @@ impl Term {
     }
 }
 
+impl Term {
+    /// A polynomial as a text; `None` of anything else.
+    fn text(&self, names: &[&str]) -> Option<String> {
+        let all = |terms: &[Term]| terms.iter().map(|term| term.text(names)).collect::<Option<Vec<String>>>();
+        Some(match self {
+            Term::Number(q) if q.is_negative() => format!("({q})"),
+            Term::Number(q) => q.to_string(),
+            Term::Variable(k) => (*names.get(*k)?).to_string(),
+            Term::Negated(body) => format!("(-{})", body.text(names)?),
+            Term::Sum(terms) => format!("({})", all(terms)?.join(" + ")),
+            Term::Product(terms) => all(terms)?.join("*"),
+            Term::Power(body, exponent) => match body.as_ref() {
+                Term::Variable(_) | Term::Sum(_) => format!("{}^{exponent}", body.text(names)?),
+                other => format!("({})^{exponent}", other.text(names)?),
+            },
+            _ => return None,
+        })
+    }
+}
+
+/// A clause of polynomials in words: `x*y + (-1) > 0 or x >= 0`; `None` of anything else, and of equations.
+pub(crate) fn text(clause: &Clause, names: &[&str]) -> Option<String> {
+    let literal = |literal: &Literal<Formula>| {
+        let relation = match literal.compared {
+            Compared::Positive => ">",
+            Compared::NotNegative => ">=",
+            Compared::NotZero => "!=",
+            Compared::Zero => return None,
+        };
+        let text = match literal.function.term.as_ref() {
+            Term::Sum(terms) => terms.iter().map(|term| term.text(names)).collect::<Option<Vec<_>>>()?.join(" + "),
+            term => term.text(names)?,
+        };
+        Some(format!("{text} {relation} 0"))
+    };
+    clause.iter().map(literal).collect::<Option<Vec<String>>>().map(|all| all.join(" or "))
+}
+
 /// Reads expressions in one case, and notes where they have values.
 struct Reader<'a> {
     bindings: &'a Bindings,
@@ -120,10 +153,8 @@ struct Reader<'a> {
 
 /// A property, and what `where` says, as clauses; `None` where they have not that form.
 pub(crate) fn clauses(bindings: &Bindings, restriction: Option<&Node>, property: &Node) -> Option<Vec<Clause>> {
-    let variables: Vec<&str> = bindings.iter().filter(|(_, value)| value.is_interval()).map(|(name, _)| name).collect();
-    if bindings.iter().any(|(_, value)| matches!(value, Value::Integers(..))) {
-        return None;
-    }
+    let several = |value: &Value| value.is_interval() || matches!(value, Value::Integers(..));
+    let variables: Vec<&str> = bindings.iter().filter(|(_, value)| several(value)).map(|(name, _)| name).collect();
     let reader = || Reader { bindings, variables: variables.clone(), conditions: Vec::new() };
     let mut all = reader().property(property, true)?;
     if let Some(restriction) = restriction {
@@ -198,12 +229,10 @@ impl Reader<'_> {
             Relation::Equal => (difference(a, b), Compared::Zero),
             Relation::Different => (difference(a, b), Compared::NotZero),
         };
-        let arity = self.variables.len();
         let conditions = std::mem::take(&mut self.conditions);
         let all = conditions.into_iter().chain([(term, compared)]);
-        let clause = |(term, compared)| {
-            vec![Literal { function: Formula { term: Arc::new(term), arity }, compared, guarded: true }]
-        };
+        let clause =
+            |(term, compared)| vec![Literal { function: Formula { term: Arc::new(term) }, compared, guarded: true }];
         Some(all.map(clause).collect())
     }
 

@@ -33,6 +33,7 @@ mod subject;
 mod syntax;
 mod timeline;
 mod truth;
+mod tube;
 
 pub use answer::{Answer, Verdict};
 pub use bindings::{Bindings, GraphValue, Value};
@@ -45,6 +46,8 @@ pub use number::Number;
 pub use outcome::{Decided, Outcome, Unsettled};
 /// Proofs by sums of squares.
 pub use polynomials::sums::Certificate;
-pub use question::{Files, Question};
+pub use question::Question;
 pub use regions::{Region, Standing};
+pub use scenario_file::Files;
 pub use truth::{Doubt, Margin, Truth};
+pub use tube::{Tube, Tubes};

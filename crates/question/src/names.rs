@@ -225,6 +225,7 @@ const fn family(form: &'static str, name: &'static str, least: usize, most: usiz
 pub const FAMILIES: &[Family] = &[
     family("a..b", "", 0, 0, "the integers from a to b"),
     family("[a, b]", "", 0, 0, "all real numbers from a to b: a continuum, covered by boxes"),
+    family("any", "", 0, 0, "all real numbers; for properties of numbers and functions of them alone"),
     family("integers(a, b)", "integers", 2, 2, "the integers from a to b, covered by boxes instead of one by one"),
     family("x", "", 0, 0, "one number, which may use earlier names"),
     family("[.., ..] (a TOML list)", "", 0, 0, "the members of all that are listed"),

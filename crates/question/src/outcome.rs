@@ -42,6 +42,8 @@ pub struct Decided {
     pub attained: Option<Bindings>,
     /// Sums of squares that the decision rests on.
     pub certificates: Vec<Certificate>,
+    /// Parts of the property that were proved without one.
+    pub uncertified: u64,
     /// Share of the volume that is open, with boxes of it, where boxes were not enough.
     pub unsettled: Option<Unsettled>,
 }
@@ -69,6 +71,8 @@ pub struct Outcome {
     pub attained: Option<Bindings>,
     /// Sums of squares that the decision rests on.
     pub certificates: Vec<Certificate>,
+    /// Parts of the property that were proved without one.
+    pub uncertified: u64,
     /// What is open of the first member that is.
     pub unsettled: Option<Unsettled>,
 }
@@ -86,6 +90,7 @@ impl Decided {
             counterexample: None,
             attained: None,
             certificates: Vec::new(),
+            uncertified: 0,
             unsettled: None,
         }
     }

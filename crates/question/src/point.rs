@@ -29,7 +29,7 @@ impl Question {
         match self.kept(bindings, progress)? {
             Truth::True => Ok(true),
             Truth::False => Ok(false),
-            Truth::Unknown(_) if !bindings.boxes().is_empty() => Ok(true),
+            Truth::Unknown(_) if !bindings.sides().is_empty() => Ok(true),
             Truth::Unknown(doubt) => {
                 let why = format!("`where` could not be decided for {bindings}: {}", doubt.why);
                 let base = self.restriction.as_ref().map_or(0, |restriction| restriction.base);

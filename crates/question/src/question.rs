@@ -17,9 +17,6 @@ use models::platoon::Communication;
 use std::fmt::Write;
 use std::sync::{Arc, OnceLock};
 
-/// Gives the text of a file that a question names, or why there is none.
-pub type Files<'a> = &'a dyn Fn(&str) -> Result<String, String>;
-
 /// An expression with the byte of the file where it starts.
 #[derive(Debug, Clone)]
 pub(crate) struct Expression {
@@ -55,6 +52,8 @@ pub struct Question {
     /// Members of the names that depend on no other.
     alone: Vec<OnceLock<Arc<Members>>>,
     starts: OnceLock<Vec<u64>>,
+    /// Whether sums of squares are looked for first, so that as much as possible has a certificate.
+    pub certified: bool,
 }
 
 impl Question {

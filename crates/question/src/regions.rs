@@ -60,7 +60,7 @@ impl Question {
                 Some(Truth::False) => Standing::Fails,
                 Some(Truth::Unknown(_)) => {
                     let room = (regions.len() + queue.len() + 2) as u64 <= most;
-                    if let Some(halves) = halved(&bindings, &whole).filter(|_| room) {
+                    if let Some((_, halves)) = halved(&bindings, &whole, &[]).filter(|_| room) {
                         queue.extend(halves);
                         continue;
                     }

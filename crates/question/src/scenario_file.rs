@@ -1,7 +1,6 @@
 //! The scenario of a question: a flock in JSON or a motion in TOML, with the bound numbers put in.
 
 use crate::bindings::{Bindings, Value};
-use crate::question::Files;
 use crate::subject::motion::Start as List;
 use arithmetic::{Rational, rational};
 use expressions::Law;
@@ -10,6 +9,9 @@ use models::averaging::read::{Model, flock_of};
 use scenario::{ConfigError, ExactMotion, OwnSteps, Path, Scenario, Source, Step, WithLaw, own_law, with_law};
 use serde_json::Value as Json;
 use std::sync::Arc;
+
+/// Gives the text of a file that a question names, or why there is none.
+pub type Files<'a> = &'a dyn Fn(&str) -> Result<String, String>;
 
 /// A scenario as its file has it.
 #[derive(Debug, Clone)]
@@ -179,7 +181,9 @@ impl ScenarioFile {
                     return Err("`seed` takes single integers, as in seed = \"1..1000\"".to_string());
                 }
                 value if is_place(name) => {
-                    let Some((lo, hi)) = value.ends() else { continue };
+                    let Some((lo, hi)) = value.ends() else {
+                        return Err(format!("`{name}` should be a number or an interval, not `{}`", value.text()));
+                    };
                     let path = self.place(name)?;
                     let (list, agent, coordinate) = start_place(&path).ok_or_else(|| {
                         format!("`{name}`: only positions, velocities and phases of [state] may range over an interval")

@@ -107,7 +107,11 @@ fn simpler_number(
     if let Some(Value::Integers(from, _)) = first {
         return smaller_integer(question, expression, &found, place, (from, current), progress);
     }
-    let Some((lo, hi)) = first.and_then(|value| value.ends()) else { return Ok(found) };
+    let ends = match first {
+        Some(Value::Any) => Some((-current.abs() - rational(1, 1), current.abs() + rational(1, 1))),
+        other => other.and_then(|value| value.ends()),
+    };
+    let Some((lo, hi)) = ends else { return Ok(found) };
     let mut radius = &hi - &lo;
     let reach = current.abs() * rational(1, 1 << 20);
     while radius > reach {

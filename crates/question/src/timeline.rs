@@ -4,8 +4,9 @@ use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::syntax::Node;
 use crate::truth::{Doubt, Margin, Truth};
-use arithmetic::Rational;
 use arithmetic::RealNumber as Number;
+use arithmetic::{Rational, rational};
+use num_bigint::BigInt;
 
 /// A quantity that was measured.
 #[derive(Debug, Clone)]
@@ -42,10 +43,30 @@ pub(crate) struct Covered {
     pub rest: Option<Doubt>,
 }
 
+/// From a step on, what is asked for at a step is what it was a period before.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Repeats {
+    pub from: BigInt,
+    /// At least 1.
+    pub period: BigInt,
+}
+
+impl Repeats {
+    /// How far a step can be moved back by whole periods so that it is at least `least`, which is not before all repeats; 0 for one before it.
+    pub fn whole_periods(&self, step: &BigInt, least: &BigInt) -> BigInt {
+        if step < least { BigInt::ZERO } else { (step - least) / &self.period * &self.period }
+    }
+}
+
 /// Something that moves, with its time cut into pieces.
 pub(crate) trait Timeline {
     /// The pieces that a stretch begins with; `moving` are the names of the moving quantities that are asked for.
     fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure>;
+
+    /// Whether these moving quantities are known to repeat for ever, where times up to `to` are asked for.
+    fn repeats(&self, _to: Option<&Rational>, _moving: &[&str]) -> Result<Option<Repeats>, Failure> {
+        Ok(None)
+    }
 
     /// Everything that is measured in a piece, enclosed for all its times at once.
     fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure>;
@@ -69,4 +90,56 @@ pub(crate) trait Timeline {
 pub(crate) fn clock(time: f64) -> String {
     let text = format!("{time:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+/// What steps through the whole numbers.
+pub(crate) trait Steps {
+    /// As [`Timeline::pieces`].
+    fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure>;
+
+    /// As [`Timeline::repeats`].
+    fn repeats(&self, _to: Option<&Rational>, _moving: &[&str]) -> Result<Option<Repeats>, Failure> {
+        Ok(None)
+    }
+
+    /// As [`Timeline::moment`].
+    fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure>;
+}
+
+impl<T: Steps> Timeline for T {
+    fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure> {
+        Steps::pieces(self, from, to, moving)
+    }
+
+    fn repeats(&self, to: Option<&Rational>, moving: &[&str]) -> Result<Option<Repeats>, Failure> {
+        Steps::repeats(self, to, moving)
+    }
+
+    fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure> {
+        Steps::moment(self, piece)
+    }
+
+    fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {
+        let to = piece.to.as_ref()?;
+        if *to <= piece.from {
+            return None;
+        }
+        let middle = ((&piece.from + to) * rational(1, 2)).floor();
+        Some([
+            Piece { from: piece.from.clone(), to: Some(middle.clone()) },
+            Piece { from: middle + rational(1, 1), to: Some(to.clone()) },
+        ])
+    }
+
+    fn prepare(&self, _: &Rational) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn is_discrete(&self) -> bool {
+        true
+    }
+
+    fn inside(&self, from: Rational, to: Option<Rational>) -> (Rational, Option<Rational>) {
+        (from.ceil(), to.map(|to| to.floor()))
+    }
 }

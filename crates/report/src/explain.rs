@@ -44,7 +44,11 @@ pub fn explain(entry: &Entry, ledger: &Ledger, width: usize) -> String {
                 (_, true) => "evidence on instances",
                 _ => "no evidence of its own",
             };
-            section(&mut text, width, &format!("clause {k}"), &format!("{clause} [{how}]"));
+            let verdict = match entry.clause_verdicts.get(k - 1) {
+                Some(Some(verdict)) => verdict.word(),
+                _ => "no verdict of its own",
+            };
+            section(&mut text, width, &format!("clause {k}"), &format!("{clause} [{verdict}; {how}]"));
         }
     }
     for e in &entry.evidence {

@@ -17,6 +17,10 @@ pub fn verdict_table(entries: &[Entry]) -> String {
         let (name, seconds) = (e.verdict.word(), e.seconds);
         // Writing to a string cannot fail, here and below.
         let _ = writeln!(text, "{:id$} {name:verdict$} {reach:>4} {controls:>5} {seconds:>5.2} {strongest}", e.id);
+        for k in e.clauses_that_hold() {
+            let clause = format!("  its clause {k}");
+            let _ = writeln!(text, "{clause:id$} {}", Verdict::Holds.word());
+        }
     }
     let held: Vec<(usize, usize)> = entries.iter().filter(|e| e.verdict == Verdict::Holds).map(Entry::reach).collect();
     let (whole, clauses) = held.iter().fold((0, 0), |(a, b), (c, d)| (a + c, b + d));

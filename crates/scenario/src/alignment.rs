@@ -1,10 +1,10 @@
 //! Heading and velocity alignment of Tanner and others, on fixed and distance-switched networks, as a configuration asks for it.
 
 use super::agents::{Agents, Alignment, PLANE, state_of};
+use super::described::{Built, Described};
 use super::error::{ConfigError, Problem, RunError};
 use super::exact::ExactMotion;
 use super::individual::{Individual, MOST_TOGETHER, sensing};
-use super::model::{Built, Described};
 use super::network::{Abilities, Network, TIMED};
 use super::potential::PairPotential;
 use super::simulation::{Continuous, Simulation};

@@ -1,11 +1,13 @@
 //! A scenario as its TOML describes it: which model, from which state, until when.
 
+use super::described::Described;
 use super::error::{ConfigError, Problem};
 use super::exact::ExactMotion;
-use super::model::{Described, MODELS, Row};
+use super::model::Model;
 use super::run::{End, Outcome, Schedule, run};
 use super::simulation::Simulation;
 use super::source::{Entry, Section, Source};
+use super::{alignment, fish, noisy, oscillator, own, platoon, vicsek};
 use arithmetic::num_bigint::BigInt;
 use arithmetic::{Progress, Rational};
 use num_traits::{ToPrimitive, Zero};
@@ -54,7 +56,7 @@ fn read_schedule(
         Some(entry) => entry.count(1, most)?,
         None => ROWS.min(most),
     };
-    let steps = step.and_then(|step| super::fish::steps_to(&until, step));
+    let steps = step.and_then(|step| steps_to(&until, step));
     if let Some(steps) = steps {
         rows = rows.min(steps.to_usize().unwrap_or(usize::MAX));
     }
@@ -126,9 +128,15 @@ fn bounded(section: &Section, until: &Entry, last: f64, step: Option<&Rational>)
     }
 }
 
+/// The number of steps to a time, where it is one.
+fn steps_to(time: &Rational, step: &Rational) -> Option<u64> {
+    let steps = time / step;
+    if steps.is_integer() { steps.to_integer().to_u64() } else { None }
+}
+
 fn on_grid(entry: &Entry, time: &Rational, step: Option<&Rational>) -> Result<(), ConfigError> {
     match step {
-        Some(step) if !time.is_zero() && super::fish::steps_to(time, step).is_none() => {
+        Some(step) if !time.is_zero() && steps_to(time, step).is_none() => {
             Err(entry.problem(Problem::OffGrid { time: time.to_string(), step: step.to_string() }))
         }
         _ => Ok(()),
@@ -162,9 +170,34 @@ fn tolerance(source: &Source) -> Result<f64, ConfigError> {
     }
 }
 
+/// What a file says of a model.
+fn described(model: Model, source: &Source) -> Result<Box<dyn Described>, ConfigError> {
+    Ok(match model {
+        Model::Phase => Box::new(oscillator::PhaseRun::read(source)?),
+        Model::Particles => Box::new(oscillator::ParticleRun::read(source)?),
+        Model::Fish => Box::new(fish::Fish::read(source)?),
+        Model::Headings => Box::new(alignment::Aligned::read(source, true)?),
+        Model::Velocities => Box::new(alignment::Aligned::read(source, false)?),
+        Model::Platoon => Box::new(platoon::PlatoonRun::read(source)?),
+        Model::Vicsek => Box::new(vicsek::Vicsek::read(source)?),
+        Model::Noisy => Box::new(noisy::Noisy::read(source)?),
+        // Averaging flocks have files of their own and no name here.
+        Model::Own | Model::Flock => Box::new(own::describe(source)?),
+    })
+}
+
+/// Keys of `[run]` that other models do not have.
+fn keys(model: Model) -> &'static [&'static str] {
+    match model {
+        Model::Particles | Model::Headings | Model::Velocities => &["step"],
+        Model::Own => &["step", "exact"],
+        _ => &[],
+    }
+}
+
 /// A model, and what the file says of the motion.
-pub(super) struct Description {
-    row: &'static Row,
+struct Description {
+    model: Model,
     motion: Box<dyn Described>,
 }
 
@@ -180,16 +213,32 @@ impl Description {
     fn of_member(source: &Source) -> Result<Self, ConfigError> {
         let top = source.top();
         top.allow(&["model", "graph", "state", "law", "run", "ensemble", "sweep"], "")?;
-        let names: [(&str, &'static Row); MODELS.len()] = const { &MODELS }.each_ref().map(|row| (row.name, row));
-        let row = top.need("model", &names.map(|(name, _)| name).join(", "))?.choice(&names)?;
+        let names = Model::named();
+        let model = top.need("model", &names.map(|(name, _)| name).join(", "))?.choice(&names)?;
         // Of two mistakes the one in [run] comes first.
         tolerance(source)?;
-        Ok(Description { row, motion: (row.read)(source)? })
+        Ok(Description { model, motion: described(model, source)? })
+    }
+}
+
+impl ExactMotion {
+    /// Reads a scenario.
+    ///
+    /// # Errors
+    /// [`ConfigError`] where it is none.
+    pub fn read(text: &str) -> Result<Self, ConfigError> {
+        ExactMotion::of(&Source::parse(text)?)
     }
 
-    /// The motion, for enclosures.
-    pub fn exact(&self) -> ExactMotion {
-        self.motion.exact()
+    /// The motion of a scenario that was parsed.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn of(source: &Source) -> Result<Self, ConfigError> {
+        let description = Description::read(source)?;
+        let exact = description.motion.exact();
+        Scenario::of_description(source, description, true)?;
+        Ok(exact)
     }
 }
 
@@ -229,17 +278,13 @@ impl Scenario {
         Scenario::of_description(source, Description::of_member(source)?, with_rows)
     }
 
-    pub(super) fn of_description(
-        source: &Source,
-        description: Description,
-        with_rows: bool,
-    ) -> Result<Self, ConfigError> {
-        let Description { row, motion } = description;
+    fn of_description(source: &Source, description: Description, with_rows: bool) -> Result<Self, ConfigError> {
+        let Description { model, motion } = description;
         let (simulation, step) = motion.simulation(source, tolerance(source)?)?;
         let agents = simulation.frame().agents();
-        let mut schedule = read_schedule(source, row.keys, step.as_ref(), agents, with_rows)?;
+        let mut schedule = read_schedule(source, keys(model), step.as_ref(), agents, with_rows)?;
         schedule.observables = wanted(source, simulation.as_ref())?;
-        Ok(Scenario { model: row.name, schedule, simulation, seed: seed(source)? })
+        Ok(Scenario { model: model.name(), schedule, simulation, seed: seed(source)? })
     }
 
     /// The seeds of what is drawn, where anything is.

@@ -1,13 +1,13 @@
 //! Motions with exact numbers, for enclosures.
 
-use super::config::{Description, Scenario};
-use super::error::ConfigError;
 use super::own::OwnMotion;
-use super::source::Source;
 use arithmetic::Rational;
 use models::double_integrator::{HeadingDifference, Pair, Potential};
 use models::oscillator::{Neighbours, Spacing};
 use models::platoon::CommunicationGraph;
+
+/// Why motions are not enclosed that are drawn, or follow rounded numbers.
+pub(super) const DRAWN: &str = "its time is discrete and its numbers are drawn or rounded";
 
 /// A motion whose law and start are known exactly.
 #[derive(Debug, Clone)]
@@ -77,25 +77,4 @@ pub enum ExactMotion {
     Own(Box<OwnMotion>),
     /// A motion that cannot be enclosed, and why.
     Other(&'static str),
-}
-
-impl ExactMotion {
-    /// Reads a scenario.
-    ///
-    /// # Errors
-    /// [`ConfigError`] where it is none.
-    pub fn read(text: &str) -> Result<Self, ConfigError> {
-        ExactMotion::of(&Source::parse(text)?)
-    }
-
-    /// The motion of a scenario that was parsed.
-    ///
-    /// # Errors
-    /// As [`Self::read`].
-    pub fn of(source: &Source) -> Result<Self, ConfigError> {
-        let description = Description::read(source)?;
-        let exact = description.exact();
-        Scenario::of_description(source, description, true)?;
-        Ok(exact)
-    }
 }

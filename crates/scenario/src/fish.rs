@@ -1,11 +1,13 @@
 //! The fish of Paley and others (26)-(28): discrete time, zones with a blind spot.
 
+use super::described::{Built, Described};
 use super::error::{ConfigError, RunError};
-use super::model::{Built, Model};
+use super::exact::{DRAWN, ExactMotion};
+use super::model::Model;
 use super::observables::{CLUSTERS, Observable, observe, places};
 use super::simulation::{Event, Frame, Simulation};
 use super::source::Source;
-use super::start::{Needs, Start};
+use super::start::{Needs, Start, float};
 use super::view::{Links, Rows, Sensing, View};
 use arithmetic::random::{generator, normal};
 use arithmetic::{ArithmeticError, Complex, Progress, Rational};
@@ -14,7 +16,6 @@ use models::oscillator::{
     write_rate,
 };
 use motion::CellList;
-use num_traits::ToPrimitive;
 use rand_chacha::ChaCha8Rng;
 use std::borrow::Cow;
 
@@ -28,7 +29,7 @@ enum Steering {
 }
 
 /// A school.
-struct Fish {
+pub(super) struct Fish {
     flight: Flight,
     zones: Zones<f64>,
     blind_angle: f64,
@@ -37,7 +38,7 @@ struct Fish {
     /// The standard deviation of the turning rates, with the seed and generator that they are drawn by.
     noise: Option<(f64, usize, ChaCha8Rng)>,
     steering: Steering,
-    step: f64,
+    step: Rational,
     steps: u64,
     drawn: Option<String>,
 }
@@ -57,78 +58,89 @@ const KEYS: [&str; 12] = [
     "seed",
 ];
 
-/// Reads the fish model; returns its time step too.
-pub(super) fn read(source: &Source) -> Result<Built, ConfigError> {
-    let start = Start::read(source, Needs { dimension: 2, velocities: false, phases: true })?;
-    if let Some(section) = source.section("graph")? {
-        section.allow(&[], " of the fish model, whose zones make the network")?;
+impl Described for Fish {
+    fn exact(&self) -> ExactMotion {
+        ExactMotion::Other(DRAWN)
     }
-    let law = source.needed("law")?;
-    law.allow(&KEYS, " of the fish model")?;
-    let entry = law.need("T", "the time step, a number above 0")?;
-    let (step, exact) = (entry.positive()?, entry.exact()?);
-    let radius = |key: &'static str, least: f64| {
-        let entry = law.need(key, "the outer radius of the zone")?;
-        let radius = entry.number()?;
-        if radius < least {
-            Err(entry.range(format!("at least {least}, the radius of the zone inside")))
-        } else {
-            Ok(radius)
-        }
-    };
-    let repulsion = radius("repulsion", 0.0)?;
-    let orientation = radius("orientation", repulsion)?;
-    let attraction = radius("attraction", orientation)?;
-    let blind_angle = match law.get("blind_angle") {
-        None => 0.0,
-        Some(entry) => {
-            let angle = entry.number()?;
-            if !(0.0..=180.0).contains(&angle) {
-                return Err(entry.range("an angle from 0 to 180 degrees"));
-            }
-            angle
-        }
-    };
-    let steering = [("behaviours", Steering::Behaviours), ("laplacians", Steering::Laplacians)];
-    let steering = law.get("steering").map_or(Ok(Steering::Behaviours), |entry| entry.choice(&steering))?;
-    if steering == Steering::Behaviours {
-        // Only they divide by distances.
-        start.refuse_coincident(source)?;
+
+    fn simulation(self: Box<Self>, _: &Source, _: f64) -> Result<Built, ConfigError> {
+        let step = self.step.clone();
+        Ok((self, Some(step)))
     }
-    let seed = law.get("seed").map(|entry| entry.count(0, usize::MAX)).transpose()?;
-    if let Some(entry) = law.get("seed").filter(|_| law.get("noise").is_none()) {
-        return Err(entry.range("left out: nothing is drawn without `noise`"));
-    }
-    let noise = match law.get("noise") {
-        None => None,
-        Some(entry) => {
-            let deviation = entry.positive()?;
-            let seed = seed.unwrap_or(1);
-            Some((deviation, seed, generator(&seed.to_string(), "fish.turning", source.replica)))
-        }
-    };
-    let half = (blind_angle / 2.0).to_radians().cos();
-    let positions = start.flat_positions().chunks_exact(2).map(|r| Complex::new(r[0], r[1])).collect();
-    let fish = Fish {
-        flight: Flight { positions, phases: start.flat_phases() },
-        zones: Zones { repulsion, orientation, attraction, blind_cosine_squared: half * half },
-        blind_angle,
-        gains: BehaviourGains {
-            repulsion: law.number_or("Krep", 0.0)?,
-            orientation: law.number_or("Kori", 0.0)?,
-            attraction: law.number_or("Katt", 0.0)?,
-        },
-        turning: law.number_or("omega0", 0.0)?,
-        noise,
-        steering,
-        step,
-        steps: 0,
-        drawn: start.drawn,
-    };
-    Ok((Box::new(fish), Some(exact)))
 }
 
 impl Fish {
+    /// Reads the fish model.
+    pub fn read(source: &Source) -> Result<Self, ConfigError> {
+        let start = Start::read(source, Needs { dimension: 2, velocities: false, phases: true })?;
+        if let Some(section) = source.section("graph")? {
+            section.allow(&[], " of the fish model, whose zones make the network")?;
+        }
+        let law = source.needed("law")?;
+        law.allow(&KEYS, " of the fish model")?;
+        let entry = law.need("T", "the time step, a number above 0")?;
+        entry.positive()?;
+        let step = entry.exact()?;
+        let radius = |key: &'static str, least: f64| {
+            let entry = law.need(key, "the outer radius of the zone")?;
+            let radius = entry.number()?;
+            if radius < least {
+                Err(entry.range(format!("at least {least}, the radius of the zone inside")))
+            } else {
+                Ok(radius)
+            }
+        };
+        let repulsion = radius("repulsion", 0.0)?;
+        let orientation = radius("orientation", repulsion)?;
+        let attraction = radius("attraction", orientation)?;
+        let blind_angle = match law.get("blind_angle") {
+            None => 0.0,
+            Some(entry) => {
+                let angle = entry.number()?;
+                if !(0.0..=180.0).contains(&angle) {
+                    return Err(entry.range("an angle from 0 to 180 degrees"));
+                }
+                angle
+            }
+        };
+        let steering = [("behaviours", Steering::Behaviours), ("laplacians", Steering::Laplacians)];
+        let steering = law.get("steering").map_or(Ok(Steering::Behaviours), |entry| entry.choice(&steering))?;
+        if steering == Steering::Behaviours {
+            // Only they divide by distances.
+            start.refuse_coincident(source)?;
+        }
+        let seed = law.get("seed").map(|entry| entry.count(0, usize::MAX)).transpose()?;
+        if let Some(entry) = law.get("seed").filter(|_| law.get("noise").is_none()) {
+            return Err(entry.range("left out: nothing is drawn without `noise`"));
+        }
+        let noise = match law.get("noise") {
+            None => None,
+            Some(entry) => {
+                let deviation = entry.positive()?;
+                let seed = seed.unwrap_or(1);
+                Some((deviation, seed, generator(&seed.to_string(), "fish.turning", source.replica)))
+            }
+        };
+        let half = (blind_angle / 2.0).to_radians().cos();
+        let positions = start.flat_positions().chunks_exact(2).map(|r| Complex::new(r[0], r[1])).collect();
+        Ok(Fish {
+            flight: Flight { positions, phases: start.flat_phases() },
+            zones: Zones { repulsion, orientation, attraction, blind_cosine_squared: half * half },
+            blind_angle,
+            gains: BehaviourGains {
+                repulsion: law.number_or("Krep", 0.0)?,
+                orientation: law.number_or("Kori", 0.0)?,
+                attraction: law.number_or("Katt", 0.0)?,
+            },
+            turning: law.number_or("omega0", 0.0)?,
+            noise,
+            steering,
+            step,
+            steps: 0,
+            drawn: start.drawn,
+        })
+    }
+
     /// Who senses whom, by cells a little wider than the zones; fish at one place sense each other in a zone of radius 0.
     fn networks(&self, state: &State<f64>) -> ZoneNetworks {
         let points: Vec<[f64; 2]> = state.positions.iter().map(|r| [r.re, r.im]).collect();
@@ -156,12 +168,13 @@ fn sensed(networks: &ZoneNetworks, fish: usize) -> Vec<(usize, usize)> {
 
 impl Simulation for Fish {
     fn advance(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
-        let last = (until / self.step).round() as u64;
+        let step = float(&self.step);
+        let last = (until / step).round() as u64;
         while self.steps < last {
             if progress.is_cancelled() {
                 return Ok(false);
             }
-            let time = self.steps as f64 * self.step;
+            let time = self.steps as f64 * step;
             let state = self.flight.state();
             let mut control = self.control(&state).map_err(|error| RunError::law(time, error))?;
             if let Some((deviation, _, random)) = &mut self.noise {
@@ -170,7 +183,7 @@ impl Simulation for Fish {
             let mut list = self.flight.to_list();
             let mut rate = vec![0.0; list.len()];
             write_rate(&state, &Complex::new(0.0, 0.0), &control, &mut rate);
-            list.iter_mut().zip(rate).for_each(|(x, rate)| *x += self.step * rate);
+            list.iter_mut().zip(rate).for_each(|(x, rate)| *x += step * rate);
             if list.iter().any(|x| !x.is_finite()) {
                 return Err(RunError::law(time, ArithmeticError::Domain("steps that stay finite")));
             }
@@ -215,7 +228,7 @@ impl Simulation for Fish {
         let mut lines = vec![
             format!(
                 "fish (26) of Paley and others: r_k += T e^(i theta_k), theta_k += T u_k, both with the time step T = {} (r_k is printed without it)",
-                self.step
+                float(&self.step)
             ),
             steering.to_string(),
             format!("omega0 = {}, Krep = {rep}, Kori = {ori}, Katt = {att}", self.turning),
@@ -232,10 +245,4 @@ impl Simulation for Fish {
         lines.extend(self.drawn.clone());
         lines
     }
-}
-
-/// The number of steps to a time, where it is one.
-pub(super) fn steps_to(time: &Rational, step: &Rational) -> Option<u64> {
-    let steps = time / step;
-    if steps.is_integer() { steps.to_integer().to_u64() } else { None }
 }

@@ -3,8 +3,7 @@
 use super::error::RunError;
 use super::known::{Known, told};
 use super::network::{Change, Network, Rule};
-use super::observables::Observable;
-use super::simulation::{Event, Frame, Law, Simulation};
+use super::simulation::{Event, Follower, Law};
 use arithmetic::{ArithmeticError, Progress};
 use motion::{FollowError, IndividualFlock, IndividualLaw, Moving, Pace, Sensing};
 
@@ -124,7 +123,7 @@ impl<S: Located<F>, L: IndividualLaw<F, M> + Clone, const F: usize, const M: usi
     }
 
     /// Goes on, one by one or together; `false` where `progress` told to stop before.
-    fn go(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
+    fn follow_on(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         loop {
             if let Some(went) = self.follow(until, events)? {
                 return Ok(went);
@@ -145,15 +144,17 @@ impl<S: Located<F>, L: IndividualLaw<F, M> + Clone, const F: usize, const M: usi
     }
 }
 
-impl<S: Located<F>, L: IndividualLaw<F, M> + Clone, const F: usize, const M: usize> Simulation
+impl<S: Located<F>, L: IndividualLaw<F, M> + Clone, const F: usize, const M: usize> Follower
     for Individual<S, L, F, M>
 {
+    type Law = S;
+
     fn plan(&mut self, times: &[f64], _: &dyn Progress) {
         self.times = times.to_vec();
     }
 
-    fn advance(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
-        if !self.go(until, events, progress)? {
+    fn go(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
+        if !self.follow_on(until, events, progress)? {
             return Ok(false);
         }
         if let Some(energy) = self.shown.energy(&self.list).map_err(|error| RunError::law(until, error))? {
@@ -163,25 +164,16 @@ impl<S: Located<F>, L: IndividualLaw<F, M> + Clone, const F: usize, const M: usi
         Ok(true)
     }
 
-    fn frame(&self) -> Frame {
-        self.shown.frame(self.time, &self.list)
+    fn at(&self) -> (&S, f64, &[f64]) {
+        (&self.shown, self.time, &self.list)
     }
 
-    fn links(&self) -> Vec<(usize, usize)> {
-        self.shown.links()
-    }
-
-    fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
-        self.shown.observe(self.time, &self.list)
-    }
-
-    fn declaration(&self) -> Vec<String> {
-        let mut lines = self.shown.declaration();
+    fn method(&self) -> Vec<String> {
         let angles = if F > 0 { format!(", and in the angle {:e}", self.tolerance) } else { String::new() };
-        lines.push(format!(
+        let mut lines = vec![format!(
             "integrator: individual steps, since the flock is large: the motion of each agent is made of power series in time of order 6, whose last terms in the velocity are at most {0:e} + {0:e} |v|{angles}",
             self.tolerance
-        ));
+        )];
         let switch = match self.sensing {
             Sensing::Within(_) => {
                 "every arrival of a pair at the radius is located to rounding on the series of the two, which then start"
@@ -195,7 +187,7 @@ impl<S: Located<F>, L: IndividualLaw<F, M> + Clone, const F: usize, const M: usi
         lines
     }
 
-    fn remarks(&self) -> Vec<String> {
+    fn special(&self) -> Vec<String> {
         let rise = format!(
             "the energy Q rose by up to {:.1e} from one written time to the next, which the exact motion never does",
             self.rise

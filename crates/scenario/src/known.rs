@@ -60,11 +60,6 @@ impl Known {
         self.end.is_ok() && self.sample.map_or(0, |k| k + 1) >= self.motion.samples.len()
     }
 
-    /// The sample where it is.
-    pub fn sample(&self) -> Option<&Sample> {
-        self.sample.and_then(|k| self.motion.samples.get(k))
-    }
-
     /// What was special about the motion, with its time.
     pub fn remarks(&self) -> Vec<(f64, String)> {
         let stays = self.motion.events.iter().filter_map(|event| {

@@ -6,6 +6,7 @@
 mod agents;
 mod alignment;
 mod config;
+mod described;
 mod document;
 mod ensemble;
 mod error;

@@ -1,6 +1,8 @@
 //! The noisy model of Vicsek and others in a periodic square, in floating point.
 
+use super::described::{Built, Described};
 use super::error::{ConfigError, RunError};
+use super::exact::ExactMotion;
 use super::model::Model;
 use super::observables::{Observable, observe};
 use super::simulation::{Event, Frame, Simulation};
@@ -8,11 +10,12 @@ use super::source::Source;
 use super::start::{Needs, Start};
 use super::view::{Links, Rows, View};
 use arithmetic::random::generator;
-use arithmetic::{ArithmeticError, Complex, Progress};
+use arithmetic::{ArithmeticError, Complex, Progress, rational};
 use models::averaging::NoisyFlock;
 use rand_chacha::ChaCha8Rng;
 
-struct Noisy {
+/// A flock with what its noise is drawn by.
+pub(super) struct Noisy {
     flock: NoisyFlock,
     random: ChaCha8Rng,
     seed: usize,
@@ -20,31 +23,43 @@ struct Noisy {
     drawn: Option<String>,
 }
 
-/// Reads the model.
-pub(super) fn read(source: &Source) -> Result<Box<dyn Simulation>, ConfigError> {
-    let start = Start::read(source, Needs { dimension: 2, velocities: false, phases: true })?;
-    if let Some(section) = source.section("graph")? {
-        section.allow(&[], " of the vicsek-noise model, whose `radius` in [law] makes the network")?;
+impl Described for Noisy {
+    fn exact(&self) -> ExactMotion {
+        ExactMotion::Other("its law is not among those that are enclosed")
     }
-    let law = source.needed("law")?;
-    law.allow(&["box", "radius", "speed", "noise", "seed"], " of the vicsek-noise model")?;
-    let side = law.need("box", "the side of the periodic square, a number above 0")?.positive()?;
-    let radius = law.get("radius").map_or(Ok(1.0), |entry| entry.positive())?;
-    if 2.0 * radius > side {
-        let entry = law.need("box", "the side of the periodic square")?;
-        return Err(entry.range(format!("at least twice the radius {radius}, so that no bird is its own neighbour")));
+
+    fn simulation(self: Box<Self>, _: &Source, _: f64) -> Result<Built, ConfigError> {
+        Ok((self, Some(rational(1, 1))))
     }
-    let speed = law.need("speed", "the distance of a step, a number above 0")?.positive()?;
-    let noise = law.get("noise").map_or(Ok(0.0), |entry| entry.not_negative())?;
-    let seed = law.get("seed").map_or(Ok(1), |entry| entry.count(0, usize::MAX))?;
-    let mut flock = NoisyFlock { positions: Vec::new(), headings: start.flat_phases(), side, radius, speed, noise };
-    flock.positions =
-        start.flat_positions().chunks_exact(2).map(|r| [flock.wrapped(r[0]), flock.wrapped(r[1])]).collect();
-    let random = generator(&seed.to_string(), "vicsek.noise", source.replica);
-    Ok(Box::new(Noisy { flock, random, seed, time: 0, drawn: start.drawn }))
 }
 
 impl Noisy {
+    /// Reads the model.
+    pub fn read(source: &Source) -> Result<Self, ConfigError> {
+        let start = Start::read(source, Needs { dimension: 2, velocities: false, phases: true })?;
+        if let Some(section) = source.section("graph")? {
+            section.allow(&[], " of the vicsek-noise model, whose `radius` in [law] makes the network")?;
+        }
+        let law = source.needed("law")?;
+        law.allow(&["box", "radius", "speed", "noise", "seed"], " of the vicsek-noise model")?;
+        let side = law.need("box", "the side of the periodic square, a number above 0")?.positive()?;
+        let radius = law.get("radius").map_or(Ok(1.0), |entry| entry.positive())?;
+        if 2.0 * radius > side {
+            let entry = law.need("box", "the side of the periodic square")?;
+            return Err(
+                entry.range(format!("at least twice the radius {radius}, so that no bird is its own neighbour"))
+            );
+        }
+        let speed = law.need("speed", "the distance of a step, a number above 0")?.positive()?;
+        let noise = law.get("noise").map_or(Ok(0.0), |entry| entry.not_negative())?;
+        let seed = law.get("seed").map_or(Ok(1), |entry| entry.count(0, usize::MAX))?;
+        let mut flock = NoisyFlock { positions: Vec::new(), headings: start.flat_phases(), side, radius, speed, noise };
+        flock.positions =
+            start.flat_positions().chunks_exact(2).map(|r| [flock.wrapped(r[0]), flock.wrapped(r[1])]).collect();
+        let random = generator(&seed.to_string(), "vicsek.noise", source.replica);
+        Ok(Noisy { flock, random, seed, time: 0, drawn: start.drawn })
+    }
+
     fn failed(&self) -> RunError {
         RunError::law(self.time as f64, ArithmeticError::Domain("places that stay finite"))
     }

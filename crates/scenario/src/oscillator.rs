@@ -1,10 +1,11 @@
 //! The phase model (6) and steered particles (1)-(2) of Paley and others.
 
+use super::described::{Built, Described};
 use super::error::{ConfigError, Problem};
 use super::exact::ExactMotion;
 use super::individual::{Individual, Located, MOST_TOGETHER, sensing};
 use super::links::Guard;
-use super::model::{Built, Described, Model};
+use super::model::Model;
 use super::network::{Abilities, Change, Kind, Network};
 use super::observables::{CLUSTERS, Observable, observe, places};
 use super::simulation::{Continuous, Frame, Law, Simulation};

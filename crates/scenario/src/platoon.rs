@@ -1,8 +1,9 @@
 //! Platoons on a line behind a leader (Veerman and others), on any fixed communication graph.
 
+use super::described::{Built, Described};
 use super::error::{ConfigError, Problem};
 use super::exact::ExactMotion;
-use super::model::{Built, Described, Model};
+use super::model::Model;
 use super::network::{Abilities, Network};
 use super::observables::{Observable, observe};
 use super::simulation::{Continuous, Frame, Law};

@@ -179,6 +179,61 @@ pub(super) trait Law {
     }
 }
 
+/// A law on its way: what is shown is what the law shows where it is.
+pub(super) trait Follower {
+    /// The law.
+    type Law: Law;
+
+    /// As [`Simulation::plan`].
+    fn plan(&mut self, _times: &[f64], _progress: &dyn Progress) {}
+
+    /// As [`Simulation::advance`].
+    fn go(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError>;
+
+    /// The law, the time and the state.
+    fn at(&self) -> (&Self::Law, f64, &[f64]);
+
+    /// How it is followed, in words.
+    fn method(&self) -> Vec<String>;
+
+    /// What was special about the run, in words.
+    fn special(&self) -> Vec<String> {
+        self.at().0.remarks()
+    }
+}
+
+impl<T: Follower> Simulation for T {
+    fn plan(&mut self, times: &[f64], progress: &dyn Progress) {
+        Follower::plan(self, times, progress);
+    }
+
+    fn advance(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
+        self.go(until, events, progress)
+    }
+
+    fn frame(&self) -> Frame {
+        let (law, time, state) = self.at();
+        law.frame(time, state)
+    }
+
+    fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
+        let (law, time, state) = self.at();
+        law.observe(time, state)
+    }
+
+    fn links(&self) -> Vec<(usize, usize)> {
+        self.at().0.links()
+    }
+
+    fn declaration(&self) -> Vec<String> {
+        [self.at().0.declaration(), self.method()].concat()
+    }
+
+    fn remarks(&self) -> Vec<String> {
+        self.special()
+    }
+}
+
 /// A law with its solution.
 pub(super) struct Continuous<L> {
     law: L,
@@ -230,8 +285,10 @@ impl<L: Law> Continuous<L> {
     }
 }
 
-impl<L: Law> Simulation for Continuous<L> {
-    fn advance(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
+impl<L: Law> Follower for Continuous<L> {
+    type Law = L;
+
+    fn go(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         while self.solution.time() < until {
             if progress.is_cancelled() {
                 return Ok(false);
@@ -252,28 +309,15 @@ impl<L: Law> Simulation for Continuous<L> {
         Ok(true)
     }
 
-    fn frame(&self) -> Frame {
-        self.law.frame(self.solution.time(), self.solution.state())
+    fn at(&self) -> (&L, f64, &[f64]) {
+        (&self.law, self.solution.time(), self.solution.state())
     }
 
-    fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
-        self.law.observe(self.solution.time(), self.solution.state())
-    }
-
-    fn links(&self) -> Vec<(usize, usize)> {
-        self.law.links()
-    }
-
-    fn remarks(&self) -> Vec<String> {
-        self.law.remarks()
-    }
-
-    fn declaration(&self) -> Vec<String> {
-        let mut lines = self.law.declaration();
-        lines.push(format!(
+    fn method(&self) -> Vec<String> {
+        let mut lines = vec![format!(
             "integrator: Dormand and Prince of order 8, error of a step at most {0:e} + {0:e} |y| in each component; steps end at every time that is written",
             self.tolerance.relative
-        ));
+        )];
         if self.law.switches() {
             lines.push("the links stay as they are between switches, and each switch is located to rounding; a pair at exactly the switching distance at the start is linked if it approaches".to_string());
         }

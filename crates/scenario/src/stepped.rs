@@ -3,11 +3,10 @@
 
 use super::error::{ConfigError, RunError};
 use super::network::Network;
-use super::observables::Observable;
-use super::simulation::{Event, Frame, Law, Simulation};
+use super::simulation::{Event, Follower, Law};
 use super::source::Source;
+use arithmetic::Progress;
 use arithmetic::threads::on_a_thread;
-use arithmetic::{ArithmeticError, Progress};
 use motion::{CellList, Rk4};
 use std::ops::Range;
 
@@ -81,6 +80,12 @@ pub(super) fn read_step(source: &Source, network: &Network) -> Result<Option<f64
     entry.positive().map(Some)
 }
 
+/// How many steps go from one time to another, and how long they are: at most `step`, but for a remainder of a hair's breadth.
+pub(super) fn steps_to(from: f64, until: f64, step: f64) -> (usize, f64) {
+    let steps = ((until - from) / step * (1.0 - 1e-12)).ceil().max(0.0);
+    (steps as usize, (until - from) / steps.max(1.0))
+}
+
 impl<L: Law> Stepped<L> {
     /// A law at its start, with its rate where the links are those of the positions.
     pub fn new(law: L, list: Vec<f64>, step: f64, rate: Rate<L>) -> Self {
@@ -131,15 +136,15 @@ impl<L: Law> Stepped<L> {
     }
 }
 
-impl<L: Law + Send> Simulation for Stepped<L> {
-    fn advance(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
+impl<L: Law + Send> Follower for Stepped<L> {
+    type Law = L;
+
+    fn go(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         let from = self.time;
-        // A remainder of a hair's breadth is taken along.
-        let steps = ((until - from) / self.step * (1.0 - 1e-12)).ceil().max(0.0);
-        let length = (until - from) / steps.max(1.0);
+        let (steps, length) = steps_to(from, until, self.step);
         let mut taken = 0;
-        while taken < steps as usize {
-            let until = (steps as usize).min(taken + ARRANGED_FOR);
+        while taken < steps {
+            let until = steps.min(taken + ARRANGED_FOR);
             let arranged = self.arrangement.and_then(|arrangement| Some((arrangement, arrangement.order(&self.list)?)));
             if let Some((arrangement, order)) = &arranged {
                 self.list = arrangement.renumbered(&self.list, order, false);
@@ -162,28 +167,14 @@ impl<L: Law + Send> Simulation for Stepped<L> {
         Ok(true)
     }
 
-    fn frame(&self) -> Frame {
-        self.law.frame(self.time, &self.list)
+    fn at(&self) -> (&L, f64, &[f64]) {
+        (&self.law, self.time, &self.list)
     }
 
-    fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
-        self.law.observe(self.time, &self.list)
-    }
-
-    fn links(&self) -> Vec<(usize, usize)> {
-        self.law.links()
-    }
-
-    fn remarks(&self) -> Vec<String> {
-        self.law.remarks()
-    }
-
-    fn declaration(&self) -> Vec<String> {
-        let mut lines = self.law.declaration();
-        lines.push(format!(
+    fn method(&self) -> Vec<String> {
+        vec![format!(
             "integrator: the classical method of Runge and Kutta of order 4, steps of {} or a little less, so that they end at every time that is written; links are read off the positions in every stage: switches are neither located nor listed, and the tolerance has no effect",
             self.step
-        ));
-        lines
+        )]
     }
 }

@@ -1,6 +1,8 @@
 //! Averaging with the weights `1/(d_i + 1)` (Chazelle): model D from velocities, exact; model K from phases, certified.
 
+use super::described::{Built, Described};
 use super::error::{ConfigError, Problem, RunError};
+use super::exact::{DRAWN, ExactMotion};
 use super::model::Model;
 use super::network::Change;
 use super::observables::{CLUSTERS, Observable, observe};
@@ -25,64 +27,11 @@ enum Birds {
 }
 
 /// A flock with its unit of length.
-struct Vicsek {
+pub(super) struct Vicsek {
     birds: Birds,
     radius: Rational,
     time: u64,
     drawn: Option<String>,
-}
-
-/// Reads the model.
-pub(super) fn read(source: &Source) -> Result<Box<dyn Simulation>, ConfigError> {
-    // Of a drawn start the speed tells that headings are meant.
-    let has_speed = source.section("law")?.is_some_and(|law| law.get("speed").is_some());
-    let state = source.needed("state")?;
-    let headings = state.get("phases").is_some() || state.get("random").is_some() && has_speed;
-    let start = Start::read(source, Needs { dimension: 2, velocities: !headings, phases: headings })?;
-    let radius = radius(source)?;
-    let law = source.section("law")?;
-    if let Some(law) = &law {
-        let keys: &[&str] = if headings { &["speed", "hysteresis"] } else { &["hysteresis"] };
-        law.allow(keys, " of the vicsek model")?;
-    }
-    let hysteresis = match law.and_then(|law| law.get("hysteresis")) {
-        None => Hysteresis::None,
-        Some(entry) if entry.word() == Ok("none") => Hysteresis::None,
-        Some(entry) if entry.word() == Ok("paper") => Hysteresis::Paper,
-        Some(entry) => {
-            let threshold = entry.exact()?;
-            if threshold.is_negative() {
-                return Err(entry.range("\"none\", \"paper\" or a number that is not negative"));
-            }
-            Hysteresis::Constant(threshold / &radius)
-        }
-    };
-    let scaled = |rows: &[Vec<Rational>]| -> Vec<Vec<Rational>> {
-        rows.iter().map(|row| row.iter().map(|x| x / &radius).collect()).collect()
-    };
-    let refuse = |error: models::averaging::FlockError| super::start::problem(source, "positions", error.into());
-    let birds = if headings {
-        let Some(law) = law else { return Err(ConfigError::MissingSection("law")) };
-        let entry = law.need("speed", "a number above 0")?;
-        entry.positive()?;
-        let points = scaled(&start.positions).into_iter().map(|row| Complex::new(row[0].clone(), row[1].clone()));
-        let start = KinematicStart {
-            speed: entry.exact()? / &radius,
-            positions: points.collect(),
-            headings: start.phases.clone(),
-            hysteresis,
-        };
-        Birds::K(Box::new(KinematicFlock::new(&start).map_err(refuse)?))
-    } else {
-        let start = FlockStart {
-            positions: scaled(&start.positions),
-            velocities: scaled(&start.velocities),
-            weights: Weights::Vicsek,
-            hysteresis,
-        };
-        Birds::D(Box::new(Flock::new(&start).map_err(refuse)?))
-    };
-    Ok(Box::new(Vicsek { birds, radius, time: 0, drawn: start.drawn }))
 }
 
 /// The radius of `[graph]`, 1 where it is left out.
@@ -103,7 +52,70 @@ fn radius(source: &Source) -> Result<Rational, ConfigError> {
     }
 }
 
+impl Described for Vicsek {
+    fn exact(&self) -> ExactMotion {
+        ExactMotion::Other(DRAWN)
+    }
+
+    fn simulation(self: Box<Self>, _: &Source, _: f64) -> Result<Built, ConfigError> {
+        Ok((self, Some(rational(1, 1))))
+    }
+}
+
 impl Vicsek {
+    /// Reads the model.
+    pub fn read(source: &Source) -> Result<Self, ConfigError> {
+        // Of a drawn start the speed tells that headings are meant.
+        let has_speed = source.section("law")?.is_some_and(|law| law.get("speed").is_some());
+        let state = source.needed("state")?;
+        let headings = state.get("phases").is_some() || state.get("random").is_some() && has_speed;
+        let start = Start::read(source, Needs { dimension: 2, velocities: !headings, phases: headings })?;
+        let radius = radius(source)?;
+        let law = source.section("law")?;
+        if let Some(law) = &law {
+            let keys: &[&str] = if headings { &["speed", "hysteresis"] } else { &["hysteresis"] };
+            law.allow(keys, " of the vicsek model")?;
+        }
+        let hysteresis = match law.and_then(|law| law.get("hysteresis")) {
+            None => Hysteresis::None,
+            Some(entry) if entry.word() == Ok("none") => Hysteresis::None,
+            Some(entry) if entry.word() == Ok("paper") => Hysteresis::Paper,
+            Some(entry) => {
+                let threshold = entry.exact()?;
+                if threshold.is_negative() {
+                    return Err(entry.range("\"none\", \"paper\" or a number that is not negative"));
+                }
+                Hysteresis::Constant(threshold / &radius)
+            }
+        };
+        let scaled = |rows: &[Vec<Rational>]| -> Vec<Vec<Rational>> {
+            rows.iter().map(|row| row.iter().map(|x| x / &radius).collect()).collect()
+        };
+        let refuse = |error: models::averaging::FlockError| super::start::problem(source, "positions", error.into());
+        let birds = if headings {
+            let Some(law) = law else { return Err(ConfigError::MissingSection("law")) };
+            let entry = law.need("speed", "a number above 0")?;
+            entry.positive()?;
+            let points = scaled(&start.positions).into_iter().map(|row| Complex::new(row[0].clone(), row[1].clone()));
+            let start = KinematicStart {
+                speed: entry.exact()? / &radius,
+                positions: points.collect(),
+                headings: start.phases.clone(),
+                hysteresis,
+            };
+            Birds::K(Box::new(KinematicFlock::new(&start).map_err(refuse)?))
+        } else {
+            let start = FlockStart {
+                positions: scaled(&start.positions),
+                velocities: scaled(&start.velocities),
+                weights: Weights::Vicsek,
+                hysteresis,
+            };
+            Birds::D(Box::new(Flock::new(&start).map_err(refuse)?))
+        };
+        Ok(Vicsek { birds, radius, time: 0, drawn: start.drawn })
+    }
+
     fn network(&self) -> &Graph {
         match &self.birds {
             Birds::D(flock) => flock.network(),

@@ -4,6 +4,7 @@ use super::model::Model;
 use arithmetic::{ArithmeticError, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed};
 use models::double_integrator::{self, Potential};
 use models::oscillator::{self, Everyone, Interaction, Neighbours, Steering};
+use motion::enclose::Expanded;
 use std::borrow::Cow;
 use std::cell::LazyCell;
 
@@ -14,7 +15,6 @@ type Made<'a, T> = Box<dyn FnOnce() -> Vec<Vec<T>> + 'a>;
 pub struct Rows<'a, T> {
     agents: usize,
     rows: LazyCell<Vec<Vec<T>>, Made<'a, T>>,
-    apart: Option<Box<dyn Fn(usize, usize) -> T + 'a>>,
 }
 
 impl<'a, T: Field + 'static> Rows<'a, T> {
@@ -25,12 +25,7 @@ impl<'a, T: Field + 'static> Rows<'a, T> {
 
     /// Of so many agents, made when they are needed.
     pub fn of(agents: usize, rows: impl FnOnce() -> Vec<Vec<T>> + 'a) -> Self {
-        Rows { agents, rows: LazyCell::new(Box::new(rows)), apart: None }
-    }
-
-    /// The same where the squared distances of two rows are known better than from the rows themselves, as along a step of an enclosed motion.
-    pub fn apart(self, square: impl Fn(usize, usize) -> T + 'a) -> Self {
-        Rows { apart: Some(Box::new(square)), ..self }
+        Rows { agents, rows: LazyCell::new(Box::new(rows)) }
     }
 
     /// The number of agents.
@@ -45,13 +40,8 @@ impl<'a, T: Field + 'static> Rows<'a, T> {
 
     /// The squared distance of two agents; nothing of rows without numbers.
     fn square(&self, i: usize, j: usize) -> Option<T> {
-        match &self.apart {
-            Some(apart) => Some(apart(i, j)),
-            None => {
-                let coordinates = self.list()[i].iter().zip(&self.list()[j]);
-                coordinates.map(|(x, y)| (x.clone() - y).square()).reduce(|sum, x| sum + x)
-            }
-        }
+        let coordinates = self.list()[i].iter().zip(&self.list()[j]);
+        coordinates.map(|(x, y)| (x.clone() - y).square()).reduce(|sum, x| sum + x)
     }
 
     /// The squared distances of all pairs.
@@ -59,13 +49,9 @@ impl<'a, T: Field + 'static> Rows<'a, T> {
         (0..self.agents).flat_map(move |j| (0..j).filter_map(move |i| self.square(i, j)))
     }
 
-    /// `sum |v_i - mean|²`; from the pairs, `N sum |v_i - mean|² = sum over pairs of |v_i - v_j|²`, where their distances are known better. Nothing for nobody.
+    /// `sum |v_i - mean|²`; nothing for nobody.
     pub fn scatter(&self) -> Option<T> {
         let count = i64::try_from(self.agents).ok()?;
-        if self.apart.is_some() {
-            let like = self.square(0, 0)?;
-            return Some(self.squares().fold(like.zero(), |sum, x| sum + x) * like.ratio(1, count));
-        }
         let like = self.list().first()?.first()?;
         let share = like.ratio(1, count);
         let total = |k: usize| self.list().iter().fold(like.zero(), |sum, row| sum + &row[k]);
@@ -320,6 +306,35 @@ impl Measurable for Interval {
         match headings.squares().reduce(Self::greater) {
             None => Amount::Unknown("one agent has no heading different from others"),
             Some(most) if (most.pi().square() - &most).is_certainly_positive() => Amount::Root(most),
+            Some(_) => Amount::Unknown("two agents may move in opposite directions"),
+        }
+    }
+}
+
+impl Measurable for Expanded {
+    fn lesser(self, other: Self) -> Self {
+        -(-self).greater(-other)
+    }
+
+    fn greater(self, other: Self) -> Self {
+        Expanded::greater(&self, &other)
+    }
+
+    fn size(&self) -> Self {
+        Expanded::size(self)
+    }
+
+    fn potential<'p>(potential: &'p Potential, like: &Self) -> Result<ValueAt<'p, Self>, ArithmeticError> {
+        let value = potential.value_over(like)?;
+        Ok(Box::new(move |s| value.at(s)))
+    }
+
+    /// As for intervals.
+    fn heading_spread(headings: &Rows<Self>) -> Amount<Self> {
+        let half_turn = |most: &Self| most.range().pi().square().lo();
+        match headings.squares().reduce(Measurable::greater) {
+            None => Amount::Unknown("one agent has no heading different from others"),
+            Some(most) if most.range().hi() < half_turn(&most) => Amount::Root(most),
             Some(_) => Amount::Unknown("two agents may move in opposite directions"),
         }
     }

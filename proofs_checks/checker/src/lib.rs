@@ -15,6 +15,7 @@ mod peak;
 mod product;
 mod read;
 mod sos;
+mod statement;
 
 use read::Reader;
 

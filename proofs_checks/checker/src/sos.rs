@@ -2,6 +2,7 @@
 
 use crate::Refusal;
 use crate::read::Reader;
+use crate::statement;
 use num_bigint::{BigInt, Sign};
 use std::collections::BTreeMap;
 
@@ -11,9 +12,10 @@ const MOST_SQUARES: usize = 1000;
 const MOST_EXPONENT: usize = 100;
 
 /// Exponents with integer coefficients, none of them 0.
-type Polynomial = BTreeMap<Vec<usize>, BigInt>;
+pub type Polynomial = BTreeMap<Vec<usize>, BigInt>;
 
 pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
+    let says = reader.value_if_any("says");
     let n = reader.count("variables", 1, MOST_VARIABLES)?;
     let constraints = list(reader, "constraints", "constraint", n)?;
     let equalities = list(reader, "equalities", "equality", n)?;
@@ -47,6 +49,11 @@ pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
     }
     reader.require(rest.is_empty(), "the two sides of the identity are not the same polynomial")?;
     reader.require(strict || relation == ">=", "no positive constant is left, so that the goal may be 0")?;
+    if let Some(text) = says {
+        reader.require(equalities.is_empty(), "a statement has no equalities")?;
+        statement::check(reader, text, n, &constraints, (&goal, relation))?;
+        return Ok(text.to_string());
+    }
     let names: Vec<String> = (1..=n).map(|k| format!("x{k}")).collect();
     let above = constraints.iter().map(|p| format!("{} >= 0", shown(p)));
     let assumed: Vec<String> = above.chain(equalities.iter().map(|p| format!("{} = 0", shown(p)))).collect();
@@ -103,7 +110,7 @@ fn squares(reader: &mut Reader, name: &str, n: usize) -> Result<(Polynomial, boo
     Ok((sum, positive))
 }
 
-fn add(sum: &mut Polynomial, exponents: Vec<usize>, c: BigInt) {
+pub fn add(sum: &mut Polynomial, exponents: Vec<usize>, c: BigInt) {
     let total = sum.remove(&exponents).unwrap_or_default() + c;
     if total.sign() != Sign::NoSign {
         sum.insert(exponents, total);
@@ -114,7 +121,7 @@ fn subtract(rest: &mut Polynomial, term: Polynomial) {
     term.into_iter().for_each(|(exponents, c)| add(rest, exponents, -c));
 }
 
-fn times(reader: &mut Reader, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Refusal> {
+pub fn times(reader: &mut Reader, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Refusal> {
     reader.pay(
         (a.len() * b.len()).saturating_mul(8) + 1,
         crate::budget::bits(a.values()),

@@ -18,7 +18,7 @@ pub struct Definition {
 }
 
 /// Words that open a definition.
-const DEFINE: [&str; 11] = [
+const DEFINE: [&str; 13] = [
     "Definition",
     "Fixpoint",
     "CoFixpoint",
@@ -30,6 +30,8 @@ const DEFINE: [&str; 11] = [
     "Structure",
     "Class",
     "Notation",
+    "Let",
+    "Instance",
 ];
 
 /// The definitions in these files that a text speaks of, and those that they speak of in turn, in the order of the files. A name that two files give is
@@ -52,7 +54,7 @@ pub fn definitions_of(text: &str, files: &[Source]) -> Vec<Definition> {
     all.into_iter().filter(|_| place.next().is_some_and(|place| wanted.contains(&place))).collect()
 }
 
-fn definitions_in(file: &Source) -> Vec<Definition> {
+pub(super) fn definitions_in(file: &Source) -> Vec<Definition> {
     let starts: Vec<usize> = std::iter::once(0).chain(file.text.match_indices('\n').map(|(at, _)| at + 1)).collect();
     let sentences = sentences(file.text);
     let begun = |k: usize| sentences.get(k).map_or(file.text.len(), |(line, _)| starts[line - 1]);
@@ -92,7 +94,7 @@ fn names_given(text: &str) -> Vec<&str> {
 }
 
 /// The names in a text, those of `file.name` by their last part.
-fn words(text: &str) -> Vec<&str> {
+pub(super) fn words(text: &str) -> Vec<&str> {
     text.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\''))
         .filter(|word| word.starts_with(|c: char| c.is_alphabetic() || c == '_'))
         .collect()

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 140] = sources![
+const SOURCES: [(&str, &str); 143] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -28,7 +28,9 @@ const SOURCES: [(&str, &str); 140] = sources![
     "chazelle_recurrent",
     "chazelle_agreement",
     "chazelle_reals",
+    "symmetric_spectra",
     "chazelle_spectral",
+    "chazelle_eigenvalues",
     "chazelle_stabilisers",
     "chazelle_contraction",
     "chazelle_count",
@@ -152,6 +154,7 @@ const SOURCES: [(&str, &str); 140] = sources![
     "audit_independent_motions",
     "audit_independent_lower",
     "audit_independent_limits",
+    "audit_independent_matrices",
 ];
 
 /// A file of the development.

@@ -1,7 +1,7 @@
 //! The table of theorems and what they say.
 
-use super::transcript::{AxiomSet, Transcript, recorded};
-use super::{Source, audited_row, audited_rows, files};
+use super::transcript::AxiomSet;
+use super::{Development, Source};
 use std::sync::OnceLock;
 
 /// How much of a claim a theorem proves.
@@ -67,27 +67,12 @@ impl Theorem {
 
     /// The statement as the audit writes it out again, and the audit it stands in.
     pub fn audited(&self) -> Option<(&'static Source, &'static str)> {
-        files().iter().filter(|file| file.name.starts_with("audit")).find_map(|audit| {
-            let statement = stated(audit.text, &self.path()).or_else(|| stated(audit.text, self.name))?;
-            audit.needs.contains(&self.file).then_some((audit, statement))
-        })
+        Development::own().audited(self)
     }
 
-    /// Whether the transcript holds it: for these sources, with these axioms; and whether its row in the table is the one that was audited.
+    /// Whether it counts ([`Development::is_checked`]).
     pub fn is_checked(&self) -> bool {
-        self.is_checked_by(recorded())
-    }
-
-    /// The same for another transcript.
-    pub fn is_checked_by(&self, transcript: &Transcript) -> bool {
-        let Some((audit, _)) = self.audited() else { return false };
-        let Some(file) = files().iter().find(|file| file.name == self.file) else { return false };
-        let known =
-            |source: &Source| transcript.digests.get(source.name).is_some_and(|digest| *digest == source.digest);
-        known(file)
-            && known(audit)
-            && transcript.theorems.get(&self.path()) == Some(&self.axioms)
-            && audited_rows().contains(audited_row(self).as_str())
+        Development::own().is_checked(self)
     }
 }
 
@@ -111,29 +96,4 @@ fn parse_row(line: &'static str) -> Option<Theorem> {
         _ => return None,
     };
     Some(Theorem { claim, file, name, axioms, covers, clauses, whole, part: part.to_string() })
-}
-
-/// The statement in `Check (name : statement).`
-fn stated(text: &'static str, name: &str) -> Option<&'static str> {
-    text.match_indices("Check").find_map(|(at, word)| {
-        let rest = text[at + word.len()..].trim_start().strip_prefix('(')?.trim_start().trim_start_matches('@');
-        let statement = rest.strip_prefix(name)?.trim_start().strip_prefix(':')?;
-        Some(statement[..closing(statement)?].trim())
-    })
-}
-
-/// Where the parenthesis closes that was opened before `text`.
-fn closing(text: &str) -> Option<usize> {
-    let mut open = 1usize;
-    for (at, c) in text.char_indices() {
-        match c {
-            '(' => open += 1,
-            ')' => open -= 1,
-            _ => {}
-        }
-        if open == 0 {
-            return Some(at);
-        }
-    }
-    None
 }

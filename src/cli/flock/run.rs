@@ -31,6 +31,9 @@ pub struct Arguments {
     /// Footprints, stabilisers and ergodicity coefficients of P(t, S) = P(t) ... P(S)
     #[arg(long, value_name = "S", default_value_t = 1)]
     from: u64,
+    /// Footprint and stabilisers of more than 1000 birds too: a digit for each pair of birds
+    #[arg(long)]
+    footprints: bool,
     /// Multiply the exact product P(t, S) too: tau_1 and tau_2 at S, S + 1, S + 3, S + 7, ...
     #[arg(long)]
     products: bool,
@@ -41,6 +44,12 @@ pub struct Arguments {
     #[arg(long, value_name = "OUT")]
     certificate: Option<PathBuf>,
 }
+
+/// Birds whose footprints are kept without being asked for.
+const FOOTPRINTS: usize = 1000;
+
+/// Birds moved between two looks at the bar.
+const TOLD: usize = 1 << 20;
 
 /// Most steps: about a day for three birds.
 const MOST_STEPS: u64 = 100_000_000_000;
@@ -71,7 +80,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let mut log = Log::new(arguments.log.as_deref())?;
     let watch = Watch::with(progress::styled("{bar:30} t = {pos} of {len}, {eta} left"));
     tell(arguments.json, &format!("{}\n", flock.declaration()))?;
-    let mut observer = Observer::new(flock.network().order(), arguments.from, arguments.products);
+    let birds = flock.network().order();
+    let kept = birds <= FOOTPRINTS || arguments.footprints || arguments.products;
+    let observer = Observer::new(birds, arguments.from, arguments.products);
+    let mut observer = if kept { observer } else { observer.without_footprints() };
+    let told = (TOLD / birds.max(1)).clamp(1, 1024) as u64;
     let mut switches = Vec::new();
     let mut line = SwitchLine::new(flock.network());
     let mut t = 0;
@@ -85,7 +98,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         if let Some(switch) = switch {
             let event = switch_json(&switch);
             log.write(&event)?;
-            watch.bar().suspend(|| tell(arguments.json, &line.of(&switch, flock.network())))?;
+            if !arguments.json {
+                watch.bar().suspend(|| tell(false, &line.of(&switch, flock.network())))?;
+            }
             switches.push(event);
         }
         match observed {
@@ -93,7 +108,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             Err(MatrixError::Cancelled(_)) => break,
             other => other.map_err(|error| CliError::file(&arguments.file, error))?,
         }
-        if t % 1024 == 0 {
+        if t % told == 0 {
             watch.tell("steps", t, Some(arguments.until));
         }
     }

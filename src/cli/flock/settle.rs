@@ -54,9 +54,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let mut found = |switch: &Switch| {
         switch.apply_to(&mut network);
         let event = switch_json(switch);
-        let text = line.of(switch, &network);
         if !arguments.json && !arguments.quiet {
-            interrupt::keep(&text);
+            interrupt::keep(&line.of(switch, &network));
         }
         let written = log.write(&event);
         switches.push(event);
@@ -76,8 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.json {
         output::print_json(&stamped(&input, &limits, document(&settled, switches, &declared)))?;
     } else {
-        let count = switches.len();
-        let head = format!("{count} switch{}", if count == 1 { "" } else { "es" });
+        let head = output::counted(switches.len(), "switch");
         let list = interrupt::kept();
         let tail = if list.is_empty() { format!("{head}\n") } else { format!("{head}:\n{list}") };
         output::print(&(closing(&settled) + &tail))?;

@@ -62,9 +62,9 @@ impl Certified {
     fn text(&self) -> String {
         let (m, [omega, amplitude], [first_omega, first_amplitude]) = (self.followers, self.ends(), &self.theorem1);
         let (omega, amplitude) = (enclosed("omega", omega), enclosed("amplitude", amplitude));
-        let word = if m == 1 { "follower" } else { "followers" };
+        let followers = output::counted(m, "follower");
         format!(
-            "main resonance of {m} {word}, front and back tracked, f = {}, g = {}\n\
+            "main resonance of {followers}, front and back tracked, f = {}, g = {}\n\
              {omega}{amplitude}\
              Theorem 1: omega ~ {first_omega}, amplitude ~ {first_amplitude}\n\
              No omega > 0 gives the last car a larger amplitude: notes/resonance.md.\n",

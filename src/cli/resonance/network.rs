@@ -283,8 +283,8 @@ pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode,
         return Ok(ExitCode::SUCCESS);
     }
     let (followers, graph) = (gains.len(), &arguments.graph);
-    let word = if followers == 1 { "follower" } else { "followers" };
-    let head = format!("{followers} {word} on {graph}, leader {}, car {}", platoon.leader, platoon.name);
+    let followers = output::counted(followers, "follower");
+    let head = format!("{followers} on {graph}, leader {}, car {}", platoon.leader, platoon.name);
     let mut text = found.text(&head, arguments.digits, stable);
     text += &margins.map_or(String::new(), |margins| margins.text());
     output::print_folded(&text)?;

@@ -135,7 +135,7 @@ impl Ending {
         } else {
             let (table, events) = (sample_table(outcome), outcome.events.len());
             let remarks = declared(&outcome.remarks);
-            let events = format!("{events} event{}", if events == 1 { "" } else { "s" });
+            let events = output::counted(events, "event");
             let files = written.map_or(String::new(), |(names, folder)| {
                 format!("{}in {}\n", declared(&[format!("written: {}", names.join(", "))]), folder.display())
             });

@@ -19,10 +19,11 @@ use crate::matrix::{Footprint, MatrixError, RationalMatrix};
 use arithmetic::{Rational, words};
 use num_bigint::BigInt;
 
-/// An undirected graph without loops on the vertices `0..order`.
+/// An undirected graph without loops on the vertices `0..order`. Memory: its vertices and edges.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Graph {
-    adjacency: Footprint,
+    /// The neighbours of each vertex, in order.
+    near: Vec<Vec<u32>>,
 }
 
 /// All choices among so many things, as binary numbers that count up, lowest bit first.
@@ -47,9 +48,23 @@ pub enum GraphError {
 }
 
 impl Graph {
-    /// The graph in which `i` and `j > i` are joined where `joined(i, j)`.
+    /// The graph in which `i` and `j > i` are joined where `joined(i, j)`; asks for all pairs.
     pub fn from_fn(order: usize, joined: impl Fn(usize, usize) -> bool) -> Self {
-        Graph { adjacency: Footprint::from_fn(order, order, |i, j| i != j && joined(i.min(j), i.max(j))) }
+        Graph::of_pairs(order, (0..order).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| joined(i, j)))
+    }
+
+    /// The graph that joins these pairs of different vertices.
+    fn of_pairs(order: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Self {
+        let mut near = vec![Vec::new(); order];
+        for (i, j) in pairs {
+            near[i].push(j as u32);
+            near[j].push(i as u32);
+        }
+        for list in &mut near {
+            list.sort_unstable();
+            list.dedup();
+        }
+        Graph { near }
     }
 
     /// The graph with these edges.
@@ -65,17 +80,17 @@ impl Graph {
                 return Err(GraphError::Loop(i));
             }
         }
-        Ok(Graph::from_fn(order, |i, j| edges.contains(&(i, j)) || edges.contains(&(j, i))))
+        Ok(Graph::of_pairs(order, edges.iter().copied()))
     }
 
     /// The graph without edges.
     pub fn empty(order: usize) -> Self {
-        Graph::from_fn(order, |_, _| false)
+        Graph::of_pairs(order, std::iter::empty())
     }
 
     /// The path `0 - 1 - ... - (order - 1)`.
     pub fn path(order: usize) -> Self {
-        Graph::from_fn(order, |i, j| j == i + 1)
+        Graph::of_pairs(order, (1..order).map(|j| (j - 1, j)))
     }
 
     /// The graph in which all are joined.
@@ -85,12 +100,13 @@ impl Graph {
 
     /// The ring `0 - 1 - ... - (order - 1) - 0`; on two vertices one edge, on one none.
     pub fn ring(order: usize) -> Self {
-        Graph::from_fn(order, |i, j| j == i + 1 || (i == 0 && j + 1 == order))
+        let closing = Some((0, order.saturating_sub(1))).filter(|_| order > 2);
+        Graph::of_pairs(order, (1..order).map(|j| (j - 1, j)).chain(closing))
     }
 
     /// The star: vertex 0 is joined to all others.
     pub fn star(order: usize) -> Self {
-        Graph::from_fn(order, |i, _| i == 0)
+        Graph::of_pairs(order, (1..order).map(|j| (0, j)))
     }
 
     /// All `2^(order (order - 1)/2)` labelled graphs; nobody lives to see the last of them for `order > 9`.
@@ -102,51 +118,71 @@ impl Graph {
 
     /// Joins two different vertices, or parts them where they are joined. What is no pair of vertices stays as it is.
     pub fn toggle(&mut self, i: usize, j: usize) {
-        if i != j && i.max(j) < self.order() {
-            self.adjacency.flip(i, j);
-            self.adjacency.flip(j, i);
+        if i == j || i.max(j) >= self.order() {
+            return;
+        }
+        for (own, other) in [(i, j as u32), (j, i as u32)] {
+            let list = &mut self.near[own];
+            match list.binary_search(&other) {
+                Ok(place) => drop(list.remove(place)),
+                Err(place) => list.insert(place, other),
+            }
         }
     }
 
     /// Number of vertices.
     pub fn order(&self) -> usize {
-        self.adjacency.rows()
+        self.near.len()
     }
 
     /// Whether `i` and `j` are joined; vertices that are not there are joined to none.
     pub fn has_edge(&self, i: usize, j: usize) -> bool {
-        self.adjacency.get(i, j)
+        u32::try_from(j).is_ok_and(|j| self.neighbours(i).binary_search(&j).is_ok())
     }
 
     /// The adjacency with ones on the diagonal: the footprint of every matrix `I - CL` with `0 < c_i d_i < 1`.
     pub fn closed_adjacency(&self) -> Footprint {
-        self.adjacency.closed()
+        let rows = self.near.iter().enumerate().map(|(i, list)| list.iter().map(|&j| j as usize).chain([i]));
+        Footprint::from_ones(self.order(), rows)
     }
 
     /// Number of neighbours of `i`.
     pub fn degree(&self, i: usize) -> usize {
-        if i < self.order() { self.adjacency.ones(i).count() } else { 0 }
+        self.neighbours(i).len()
     }
 
     /// The graph on these vertices, which become `0, 1, ...` in the order given, with all edges among them.
     pub fn induced(&self, vertices: &[usize]) -> Self {
-        Graph::from_fn(vertices.len(), |i, j| self.has_edge(vertices[i], vertices[j]))
+        let mut places: Vec<(u32, usize)> = vertices.iter().enumerate().map(|(place, &i)| (i as u32, place)).collect();
+        places.sort_unstable();
+        let place_of = |i: &u32| places.binary_search_by_key(i, |&(vertex, _)| vertex).ok().map(|k| places[k].1);
+        let pairs = vertices
+            .iter()
+            .enumerate()
+            .flat_map(|(place, &i)| self.neighbours(i).iter().filter_map(place_of).map(move |other| (place, other)));
+        Graph::of_pairs(vertices.len(), pairs)
     }
 
     /// The graph with more edges.
     pub fn with_edges(&self, more: &[(usize, usize)]) -> Self {
-        Graph::from_fn(self.order(), |i, j| self.has_edge(i, j) || more.contains(&(i, j)) || more.contains(&(j, i)))
+        let mut graph = self.clone();
+        for &(i, j) in more.iter().filter(|&&(i, j)| !self.has_edge(i, j)) {
+            if !graph.has_edge(i, j) {
+                graph.toggle(i, j);
+            }
+        }
+        graph
     }
 
     /// The neighbours of `i` in order.
-    pub fn neighbours(&self, i: usize) -> Vec<usize> {
-        // Symmetric: the row is the column.
-        if i < self.order() { self.adjacency.ones(i).collect() } else { Vec::new() }
+    pub fn neighbours(&self, i: usize) -> &[u32] {
+        self.near.get(i).map_or(&[], Vec::as_slice)
     }
 
     /// The edges `(i, j)` with `i < j`.
     pub fn edges(&self) -> Vec<(usize, usize)> {
-        (0..self.order()).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| self.has_edge(i, j)).collect()
+        let before = |j: usize| self.near[j].iter().map(|&i| i as usize).take_while(move |&i| i < j);
+        (0..self.order()).flat_map(|j| before(j).map(move |i| (i, j))).collect()
     }
 
     /// Whether there is a path between any two vertices (and at least one vertex).
@@ -154,13 +190,10 @@ impl Graph {
         self.components().len() == 1
     }
 
-    /// Whether it is connected and has no cycle: leaves can be taken away until one vertex is left.
+    /// Whether it is connected and has no cycle.
     pub fn is_tree(&self) -> bool {
-        let mut left: Vec<usize> = (0..self.order()).collect();
-        while let Some(leaf) = left.iter().position(|&i| left.iter().filter(|&&j| self.has_edge(i, j)).count() == 1) {
-            left.remove(leaf);
-        }
-        self.is_connected() && left.len() == 1
+        let ends: usize = self.near.iter().map(Vec::len).sum();
+        self.is_connected() && ends == 2 * (self.order() - 1)
     }
 
     /// Whether it is a path, in any order of the vertices; a single vertex is one.
@@ -201,8 +234,18 @@ impl Graph {
         RationalMatrix::new(order, order, (0..order * order).map(entry).collect(), BigInt::from(1))
     }
 
+    /// The number of the connected component of each vertex, in the order of their smallest vertex, and how many there are.
+    pub fn component_numbers(&self) -> (Vec<u32>, usize) {
+        let pairs = self.near.iter().enumerate().flat_map(|(i, near)| near.iter().map(move |&j| (i, j as usize)));
+        let (numbers, count) = component_numbers(self.order(), pairs.filter(|(i, j)| i < j));
+        (numbers.into_iter().map(|number| number as u32).collect(), count)
+    }
+
     /// The connected components, each sorted, in the order of their smallest vertex.
     pub fn components(&self) -> Vec<Vec<usize>> {
-        components(self.order(), &self.edges())
+        let (numbers, count) = self.component_numbers();
+        let mut components = vec![Vec::new(); count];
+        numbers.iter().enumerate().for_each(|(i, &number)| components[number as usize].push(i));
+        components
     }
 }

@@ -22,9 +22,14 @@ impl Footprint {
         Footprint { rows, cols, words, bits }
     }
 
-    /// Makes an entry inside the matrix the other.
-    pub(crate) fn flip(&mut self, i: usize, j: usize) {
-        self.bits[i * self.words + j / 64] ^= 1 << (j % 64);
+    /// The footprint with so many columns that has these ones in its rows.
+    pub(crate) fn from_ones(cols: usize, rows: impl ExactSizeIterator<Item = impl Iterator<Item = usize>>) -> Self {
+        let (count, words) = (rows.len(), cols.div_ceil(64));
+        let mut bits = vec![0; count * words];
+        for (i, row) in rows.enumerate() {
+            row.for_each(|j| bits[i * words + j / 64] |= 1 << (j % 64));
+        }
+        Footprint { rows: count, cols, words, bits }
     }
 
     /// The columns with a one in row `i`, in order.
@@ -40,11 +45,6 @@ impl Footprint {
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.rows
-    }
-
-    /// Number of columns.
-    pub fn cols(&self) -> usize {
-        self.cols
     }
 
     /// Whether entry `(i, j)`, counted from 0, is not zero; outside the matrix there are only zeros.
@@ -106,7 +106,7 @@ impl Footprint {
     }
 
     /// With ones on the diagonal too.
-    pub(crate) fn closed(&self) -> Self {
+    fn closed(&self) -> Self {
         let mut closed = self.clone();
         (0..self.rows.min(self.cols)).for_each(|i| closed.bits[i * self.words + i / 64] |= 1 << (i % 64));
         closed

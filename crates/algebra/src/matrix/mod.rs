@@ -3,6 +3,7 @@
 mod characteristic;
 mod digit_product;
 mod digits;
+mod elimination;
 mod ergodicity;
 mod families;
 pub mod floating;
@@ -22,6 +23,7 @@ mod stochastic;
 mod transfer;
 
 pub use characteristic::{CharacteristicPolynomial, characteristic_coefficients};
+pub use elimination::SparseLdl;
 pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_2_squared_watched, tau_infinity};
 pub use footprint::Footprint;
 pub use inertia::{Inertia, inertia};

@@ -112,13 +112,11 @@ impl SparseMatrix {
 
     /// The rows and columns with these numbers, which become `0, 1, ...` in the order given; those that are not there are zero.
     pub fn principal(&self, kept: &[usize]) -> Self {
-        let mut name = vec![None; self.order()];
-        for (new, &old) in kept.iter().enumerate() {
-            if let Some(name) = name.get_mut(old) {
-                *name = Some(new);
-            }
-        }
-        let entry = |i: usize, (j, value): &(usize, Rational)| name[*j].map(|column| (i, column, value.clone()));
+        // No list of all names: most blocks are small, and there may be many.
+        let mut names: Vec<(usize, usize)> = kept.iter().enumerate().map(|(new, &old)| (old, new)).collect();
+        names.sort_unstable();
+        let name = |old: usize| names.binary_search_by_key(&old, |&(old, _)| old).ok().map(|place| names[place].1);
+        let entry = |i: usize, (j, value): &(usize, Rational)| name(*j).map(|column| (i, column, value.clone()));
         let entries = kept.iter().enumerate();
         SparseMatrix::from_entries(
             kept.len(),

@@ -23,6 +23,8 @@ pub struct StabiliserStream {
     most_levels: usize,
     factors: usize,
     levels: Vec<Level>,
+    /// The levels that differ from the one before in domain or product, in order: the others change when those do.
+    heads: Vec<usize>,
     /// The last factor, where it changed nothing: pushed again, it changes nothing.
     idle: Option<Footprint>,
 }
@@ -61,7 +63,7 @@ fn first_column(domain: &[usize], product: &Footprint) -> Vec<usize> {
 impl StabiliserStream {
     /// An empty sequence of square footprints of this order, of which the first `most_levels` stabilisers are kept.
     pub fn new(order: usize, most_levels: usize) -> Self {
-        StabiliserStream { order, most_levels, factors: 0, levels: Vec::new(), idle: None }
+        StabiliserStream { order, most_levels, factors: 0, levels: Vec::new(), heads: Vec::new(), idle: None }
     }
 
     /// The next factor of the sequence, a square footprint of the order of the stream; outside of it there are only zeros.
@@ -71,10 +73,12 @@ impl StabiliserStream {
             return;
         }
         self.idle = None;
-        for k in 0..self.levels.len() {
+        for place in 0..self.heads.len() {
+            let k = self.heads[place];
             if self.levels[k].push(factor, self.factors) {
                 // What follows T_k starts again, with the next factor.
                 self.levels.truncate(k + 1);
+                self.heads.truncate(place + 1);
                 return;
             }
         }
@@ -86,13 +90,12 @@ impl StabiliserStream {
         if domain.is_empty() {
             self.idle = Some(factor.clone());
         } else {
-            self.levels.push(Level::started(domain, factor, self.factors));
+            let level = Level::started(domain, factor, self.factors);
+            if self.levels.last().is_none_or(|last| (&last.domain, &last.product) != (&level.domain, &level.product)) {
+                self.heads.push(self.levels.len());
+            }
+            self.levels.push(level);
         }
-    }
-
-    /// The number of factors so far.
-    pub fn factors(&self) -> usize {
-        self.factors
     }
 
     /// The stabilisers that the factors so far support, in order.

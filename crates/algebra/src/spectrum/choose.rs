@@ -13,7 +13,7 @@ use super::symmetric::symmetric_spectrum;
 use super::tridiagonal::tridiagonal_spectrum;
 use super::{Circulant, Eigenvalue, Method, Spectrum};
 use crate::graph::{LaplacianKind, NamedGraph, WeightedGraph};
-use crate::matrix::{MatrixError, SparseMatrix};
+use crate::matrix::{CharacteristicPolynomial, MatrixError, SparseMatrix};
 use arithmetic::{Rational, rational};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -138,10 +138,19 @@ fn check(digits: Option<u32>) -> Result<(), SpectrumError> {
 }
 
 fn exact_blocks(blocks: &[SparseMatrix], digits: u32) -> Result<Option<Vec<Eigenvalue>>, SpectrumError> {
-    let mut factors = Factors::default();
+    // Many blocks are often few different ones.
+    let mut places = BTreeMap::new();
+    let mut different: Vec<(CharacteristicPolynomial, usize)> = Vec::new();
     for block in blocks {
-        factors.multiply(&block.to_dense()?.characteristic_polynomial()?);
+        let polynomial = block.to_dense()?.characteristic_polynomial()?;
+        let place = *places.entry(polynomial.coefficients()).or_insert(different.len());
+        match different.get_mut(place) {
+            Some((_, count)) => *count += 1,
+            None => different.push((polynomial, 1)),
+        }
     }
+    let mut factors = Factors::default();
+    different.iter().for_each(|(polynomial, count)| factors.multiply(polynomial, *count));
     Ok(factors.roots(digits))
 }
 
@@ -166,7 +175,12 @@ fn certified_blocks(blocks: &[SparseMatrix], digits: Option<u32>) -> Result<Vec<
         let found = certified(block)?;
         let possible = certified_digits(&found);
         if let Some(asked) = digits.filter(|&asked| asked > possible) {
-            return Err(SpectrumError::TooManyDigits { asked, order: block.order(), possible });
+            let order = blocks.iter().map(SparseMatrix::order).max().unwrap_or(0);
+            return Err(if order > LARGEST_EXACT_ORDER {
+                SpectrumError::TooManyDigits { asked, order, possible }
+            } else {
+                SpectrumError::NotIsolated { asked, possible }
+            });
         }
         parts.extend(found);
     }

@@ -56,6 +56,17 @@ pub enum SpectrumError {
         /// What the certified enclosures give.
         possible: u32,
     },
+    /// The exact characteristic polynomials do not help.
+    #[error(
+        "{asked} digits need the roots of the exact characteristic polynomial apart from one another, and they were not isolated; \
+         {possible} digits are possible"
+    )]
+    NotIsolated {
+        /// Digits asked for.
+        asked: u32,
+        /// What the certified enclosures give.
+        possible: u32,
+    },
     /// No bounds could be proved.
     #[error("no enclosure of the eigenvalues could be proved: {0}")]
     Unproved(&'static str),

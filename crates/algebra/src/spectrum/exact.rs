@@ -14,7 +14,7 @@ use num_traits::Signed;
 /// [`MatrixError::NotSquare`].
 pub fn real_spectrum(matrix: &RationalMatrix, digits: u32) -> Result<Option<Vec<Eigenvalue>>, MatrixError> {
     let mut factors = Factors::default();
-    factors.multiply(&matrix.characteristic_polynomial()?);
+    factors.multiply(&matrix.characteristic_polynomial()?, 1);
     Ok(factors.real_roots(digits))
 }
 
@@ -36,8 +36,10 @@ pub(super) struct Factors {
 }
 
 impl Factors {
-    pub fn multiply(&mut self, polynomial: &CharacteristicPolynomial) {
+    /// Multiplies by so many of these.
+    pub fn multiply(&mut self, polynomial: &CharacteristicPolynomial, count: usize) {
         for (mut factor, times) in Polynomial::from_rationals(&polynomial.coefficients()).square_free_factors() {
+            let times = times * count;
             let mut refined = Vec::with_capacity(self.list.len() + 2);
             for (known, multiplicity) in self.list.drain(..) {
                 let common = known.gcd(&factor);

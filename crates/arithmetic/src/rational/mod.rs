@@ -32,15 +32,7 @@ enum Parts {
     Big(Box<(BigInt, BigInt)>),
 }
 
-/// The rational `p / q` for numbers that come from data.
-///
-/// # Errors
-/// [`ArithmeticError::DivisionByZero`] where `q` is zero.
-pub fn quotient(p: i64, q: i64) -> Result<Rational, ArithmeticError> {
-    if q == 0 { Err(ArithmeticError::DivisionByZero) } else { Ok(rational(p, q)) }
-}
-
-/// The rational `p / q` for constants of the code, where `q` is seen not to be zero; [`quotient`] is for all others.
+/// The rational `p / q` for constants of the code, where `q` is seen not to be zero.
 ///
 /// # Panics
 /// Where `q` is zero: another value would be a wrong constant in a proof.

@@ -117,7 +117,6 @@ proptest! {
         let (x, y) = (between(a.into(), b.into()), between(c.into(), d.into()));
         let ((a, b), (c, d)) = ((f64::from(a.min(b)), f64::from(a.max(b))), (f64::from(c.min(d)), f64::from(c.max(d))));
         prop_assert_eq!((x.lo(), x.hi(), y.lo(), y.hi()), (a, b, c, d));
-        prop_assert_eq!(x.encloses(&y), a <= c && d <= b);
         let hull = x.hull(&y);
         prop_assert_eq!((hull.lo(), hull.hi()), (a.min(c), b.max(d)));
         let meet = x.intersection(&y).map(|z| (z.lo(), z.hi()));

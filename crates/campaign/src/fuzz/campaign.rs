@@ -88,11 +88,6 @@ impl Fuzz {
         &self.seed
     }
 
-    /// Cases of each invariant.
-    pub fn cases_of_each(&self) -> u64 {
-        self.cases
-    }
-
     /// The invariant of a job and the first of its cases.
     fn job(&self, mut job: u64) -> Option<(&'static Invariant, u64)> {
         for invariant in &self.invariants {

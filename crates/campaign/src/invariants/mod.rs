@@ -5,6 +5,7 @@
 mod alignment;
 mod averaging;
 mod certificates;
+mod inequalities;
 mod matrices;
 mod motions;
 mod numbers;
@@ -85,6 +86,7 @@ pub fn table() -> impl Iterator<Item = &'static Invariant> {
         simulated::TABLE,
         readers::TABLE,
         questions::TABLE,
+        inequalities::TABLE,
         certificates::TABLE,
         traces::TABLE,
         systems::TABLE,

@@ -1,6 +1,7 @@
 //! The files of shards, line by line.
 
 use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::io::{self, Read, Write};
@@ -9,7 +10,7 @@ use std::str::FromStr;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The form of the files.
-const SCHEMA: &str = "flockproof.shard/1";
+const SCHEMA: &str = "flockproof.shard/2";
 
 /// Why a store cannot be written, resumed or merged. Files are named by their paths.
 #[derive(Debug, thiserror::Error)]
@@ -174,10 +175,15 @@ pub struct Header {
 impl Header {
     pub(super) fn line(&self) -> String {
         let shard = self.shard.map(|shard| shard.to_string());
-        json!({
+        let header = json!({
             "schema": SCHEMA, "version": self.version, "campaign": self.campaign, "cases": self.cases, "shard": shard
-        })
-        .to_string()
+        });
+        sealed(&header.to_string(), "")
+    }
+
+    /// What the lines belong to: the same for all shards.
+    fn salt(&self) -> String {
+        Header { shard: None, ..self.clone() }.line()
     }
 
     fn parse(line: &str) -> Result<Self, String> {
@@ -185,6 +191,7 @@ impl Header {
         if value["schema"] != SCHEMA {
             return Err(format!("it does not begin with the schema {SCHEMA}"));
         }
+        check_seal(line, "")?;
         let text = |name: &str| value[name].as_str().map(str::to_string).ok_or(format!("there is no `{name}`"));
         let shard = match &value["shard"] {
             Value::Null => None,
@@ -205,15 +212,54 @@ pub struct Row {
 }
 
 impl Row {
-    pub(super) fn line(&self) -> String {
-        json!({"case": self.case, "result": self.result}).to_string()
+    /// The line in a file with this header.
+    pub(super) fn line(&self, salt: &Salt) -> String {
+        sealed(&json!({"case": self.case, "result": self.result}).to_string(), &salt.0)
     }
 
-    fn parse(line: &str) -> Result<Self, String> {
+    fn parse(line: &str, salt: &Salt) -> Result<Self, String> {
         let mut value: Value = serde_json::from_str(line).map_err(|_| "it is not JSON".to_string())?;
         let case = value["case"].as_u64().ok_or("there is no `case`")?;
         let result = value.get_mut("result").map(Value::take).ok_or("there is no `result`")?;
+        check_seal(line, &salt.0)?;
         Ok(Row { case, result })
+    }
+}
+
+/// What the lines of a campaign have in common.
+pub(super) struct Salt(String);
+
+impl Salt {
+    pub(super) fn of(header: &Header) -> Self {
+        Salt(header.salt())
+    }
+}
+
+/// The name of the last field of a line: a digest of the text before it and of what the line belongs to, so that no altered line, nor one of
+/// another campaign, is taken for a result.
+const SEAL: &str = ",\"sha256\":\"";
+
+/// Digits of a seal.
+const SEAL_DIGITS: usize = 32;
+
+/// A JSON object with its digest.
+fn sealed(object: &str, salt: &str) -> String {
+    let open = object.strip_suffix('}').unwrap_or(object);
+    format!("{open}{SEAL}{}\"}}", seal(open, salt))
+}
+
+fn seal(text: &str, salt: &str) -> String {
+    let hash = Sha256::new().chain_update(salt).chain_update("\n").chain_update(text).finalize();
+    hash.iter().take(SEAL_DIGITS / 2).map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Whether a line is as it was written.
+fn check_seal(line: &str, salt: &str) -> Result<(), String> {
+    let parts = line.rsplit_once(SEAL).and_then(|(text, seal)| Some((text, seal.strip_suffix("\"}")?)));
+    match parts {
+        Some((text, found)) if found == seal(text, salt) => Ok(()),
+        Some(_) => Err("it was altered: it does not have its digest".to_string()),
+        None => Err("there is no digest, `sha256`, at its end".to_string()),
     }
 }
 
@@ -234,8 +280,9 @@ pub(super) fn read(path: &Path) -> Result<Contents, StoreError> {
     let mut lines = text.lines().enumerate().map(|(k, line)| (k + 1, line));
     let header = lines.next().map(|(_, line)| Header::parse(line).map_err(|what| wrong(1, what))).transpose()?;
     let mut rows = BTreeMap::new();
+    let salt = header.as_ref().map_or(Salt(String::new()), Salt::of);
     for (line, text) in lines {
-        let row = Row::parse(text).map_err(|what| wrong(line, what))?;
+        let row = Row::parse(text, &salt).map_err(|what| wrong(line, what))?;
         let header = header.as_ref();
         let is_there = header.is_some_and(|h| row.case < h.cases && h.shard.is_none_or(|shard| shard.has(row.case)));
         if !is_there {
@@ -251,8 +298,9 @@ pub(super) fn read(path: &Path) -> Result<Contents, StoreError> {
 /// The whole file: the header, then the rows by their cases.
 pub(super) fn text(header: &Header, rows: &BTreeMap<u64, Value>) -> String {
     let mut text = header.line() + "\n";
+    let salt = Salt::of(header);
     for (case, result) in rows {
-        text.push_str(&Row { case: *case, result: result.clone() }.line());
+        text.push_str(&Row { case: *case, result: result.clone() }.line(&salt));
         text.push('\n');
     }
     text

@@ -1,6 +1,6 @@
 //! Running the cases of one shard.
 
-use super::files::{Header, Row, Shard, StoreError, read, text, write_aside};
+use super::files::{Header, Row, Salt, Shard, StoreError, read, text, write_aside};
 use crate::VERSION;
 use crate::job::{Campaign, JobError, digest};
 use arithmetic::Progress;
@@ -81,8 +81,9 @@ pub fn run_shard(
     }
     let (mut file, mut rows) = open(&part, &header)?;
     let pending = Pending::new(shard, header.cases, rows.keys().copied().collect());
+    let salt = Salt::of(&header);
     let keep = |row: Row| {
-        file.write_all((row.line() + "\n").as_bytes()).map_err(StoreError::at(&part))?;
+        file.write_all((row.line(&salt) + "\n").as_bytes()).map_err(StoreError::at(&part))?;
         rows.insert(row.case, row.result);
         Ok(())
     };

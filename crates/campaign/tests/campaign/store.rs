@@ -2,6 +2,7 @@ use arithmetic::{Progress, Unwatched};
 use campaign::job::{Campaign, JobError};
 use campaign::store::{MERGED, Shard, StoreError, aside, merge, run_in_memory, run_shard};
 use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -91,11 +92,29 @@ fn other_campaigns_and_versions_are_refused() {
     let store = folder("versions");
     merged("versions", 10, &[1, 2], 2).unwrap();
     let path = Shard { index: 2, of: 2 }.path(&store);
-    let text = std::fs::read_to_string(&path).unwrap().replace("\"version\":\"", "\"version\":\"9");
-    std::fs::write(&path, text).unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, by_version_9(&text, "2/2")).unwrap();
     assert!(merge(&store).unwrap_err().to_string().contains("made by version 9"));
     let refused = run_shard(&squares(10), &store, Shard { index: 2, of: 2 }, true, &Unwatched);
     assert!(matches!(refused, Err(StoreError::Version { .. })));
+}
+
+/// A line with the digest that it should have, by hand: that of what it belongs to, a line's end and the text before it.
+fn sealed(open: &str, salt: &str) -> String {
+    let hash = Sha256::digest(format!("{salt}\n{open}"));
+    let digits: String = hash.iter().take(16).map(|byte| format!("{byte:02x}")).collect();
+    format!("{open},\"sha256\":\"{digits}\"}}")
+}
+
+/// A shard as another version of the program would have written it.
+fn by_version_9(text: &str, shard: &str) -> String {
+    let mut open = text.lines().map(|line| line.rsplit_once(",\"sha256\"").unwrap().0);
+    let header = open.next().unwrap();
+    let of_all = |header: &str| sealed(&header.replace(&format!("\"{shard}\""), "null"), "");
+    let again: String = open.clone().map(|row| sealed(row, &of_all(header)) + "\n").collect();
+    assert_eq!(sealed(header, "") + "\n" + &again, text);
+    let header = header.replace("\"version\":\"", "\"version\":\"9");
+    sealed(&header, "") + "\n" + &open.map(|row| sealed(row, &of_all(&header)) + "\n").collect::<String>()
 }
 
 #[test]
@@ -152,12 +171,51 @@ fn broken_lines_are_named() {
         merge(&store).unwrap_err().to_string()
     };
     assert!(with(good.replace("{\"case\":2", "{case")).contains("line 4: it is not JSON"));
-    assert!(with(good.replace("\"case\":2", "\"case\":77")).contains("line 4: case 77 is not one of this shard"));
-    assert!(with(good.replace("\"case\":2", "\"case\":1")).contains("line 4: case 1 comes twice"));
-    assert!(with(good.replace("flockproof.shard/1", "other")).contains("line 1"));
+    assert!(with(good.replace("flockproof.shard/2", "other")).contains("line 1: it does not begin"));
     assert!(with(String::new()).contains("it is empty"));
-    let lost = good.replace("{\"case\":2,\"result\":{\"square\":4}}\n", "");
+    let lines: Vec<&str> = good.lines().collect();
+    let of = |lines: &[&str]| lines.iter().map(|line| format!("{line}\n")).collect::<String>();
+    assert!(with(of(&[lines[0], lines[1], lines[2], lines[2]])).contains("line 4: case 1 comes twice"));
+    let lost = of(&[lines[0], lines[1], lines[2], lines[4], lines[5]]);
     assert!(with(lost).contains("1 of 5 cases are in no finished shard, the first is case 2"));
+    // A line of another campaign, and one of another shard of the same.
+    run_shard(&squares(6), &folder("other"), Shard::WHOLE, false, &Unwatched).unwrap();
+    let other = std::fs::read_to_string(Shard::WHOLE.path(&folder_of("other"))).unwrap();
+    let strange = of(&[lines[0], lines[1], other.lines().nth(2).unwrap()]);
+    assert!(with(strange).contains("line 3: it was altered"));
+    let half = Shard { index: 1, of: 2 };
+    let folder = folder("half");
+    run_shard(&squares(5), &folder, half, false, &Unwatched).unwrap();
+    let text = std::fs::read_to_string(half.path(&folder)).unwrap();
+    std::fs::write(half.path(&folder), text + lines[2] + "\n").unwrap();
+    assert!(merge(&folder).unwrap_err().to_string().contains("line 5: case 1 is not one of this shard"));
+}
+
+/// Whatever digit of a finished file is changed, it is noticed, by `merge` and by who goes on with the shard, and the line is named.
+#[test]
+fn altered_digits_are_noticed() {
+    let store = folder("altered");
+    run_shard(&squares(12), &store, Shard::WHOLE, false, &Unwatched).unwrap();
+    let path = Shard::WHOLE.path(&store);
+    let good = std::fs::read(&path).unwrap();
+    let (mut line, mut altered) = (1, 0);
+    for (place, byte) in good.iter().enumerate() {
+        line += usize::from(*byte == b'\n');
+        if byte.is_ascii_digit() {
+            let mut bad = good.clone();
+            bad[place] = b'0' + (byte - b'0' + 1) % 10;
+            std::fs::write(&path, bad).unwrap();
+            for error in [
+                merge(&store).unwrap_err(),
+                run_shard(&squares(12), &store, Shard::WHOLE, true, &Unwatched).unwrap_err(),
+            ] {
+                let said = error.to_string();
+                assert!(said.contains(&format!("shard-1-of-1.jsonl, line {line}: ")), "{place}: {said}");
+            }
+            altered += 1;
+        }
+    }
+    assert!(altered > 200, "{altered}");
 }
 
 #[test]

@@ -69,7 +69,7 @@ fn examine(variant: &Split, run: &mut Run) -> Result<Outcome, CheckError> {
     let number = |x: f64| format!("~{x:.6}");
     let evidence = certified(
         "all starts of the box",
-        "validated integration (Taylor of order 14, parallelepipeds), Filippov's solutions at the threshold",
+        "validated integration (Taylor expansions with parallelepipeds), Filippov's solutions at the threshold",
     )
     .on([1, 2])
     .for_all()

@@ -208,7 +208,7 @@ fn two_sums(graph: Graph, variant: &SumVariant) -> Identity<'_> {
         let like = &at[0];
         let (mut left, mut right) = (like.zero(), like.zero());
         for i in 0..count {
-            let linked = graph.neighbours(i).into_iter().fold(like.zero(), |sum, j| sum + pair(i, j));
+            let linked = graph.neighbours(i).iter().fold(like.zero(), |sum, &j| sum + pair(i, j as usize));
             left = left + (linked + &squares[i]) * like.ratio(1, 2);
             let all = (0..count).filter(|&j| j != i).fold(squares[i].clone(), |sum, j| sum + pair(i, j));
             let all = if variant.own { all + &own[i] } else { all };

@@ -2,6 +2,7 @@
 
 extern crate flockproof_claims as claims;
 
+mod attacked;
 mod attempted;
 mod attempts;
 mod motion_attempts;

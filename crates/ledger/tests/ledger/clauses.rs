@@ -211,3 +211,50 @@ fn cyclotomic_values_are_exact_or_enclosed() {
     assert_eq!(exact_value(&twice(2)).as_deref(), Ok("1"));
     assert_eq!(exact_value(&twice(1)).as_deref(), Ok("[1.73205080756, 1.73205080757]"));
 }
+
+/// What a record says of its clauses.
+fn clause_verdicts(record: Record<Says>) -> Vec<Option<Verdict>> {
+    entry(record).clause_verdicts
+}
+
+#[test]
+fn every_clause_has_a_verdict_where_one_is_known() {
+    use Verdict::{Holds, Misprint, NotCheckable, Undecided};
+    let holds = record(Says::Holds(&[(&[1], true), (&[2], false)])).clauses(TWO);
+    assert_eq!(clause_verdicts(holds), [Some(Holds); 2]);
+    // What refutes the first clause says nothing of the second; clauses of the correction hold.
+    let repaired = record(Says::Fails).clauses(TWO).repaired(Fault::Slip, "Third.", Says::Holds(&[(&[], true)]));
+    assert_eq!(clause_verdicts(repaired), [Some(Misprint), None, Some(Holds)]);
+    assert_eq!(clause_verdicts(record(Says::Fails).clauses(TWO)), [Some(Verdict::False), None]);
+    // On instances nothing is established of a statement that is not checkable as a whole.
+    assert_eq!(clause_verdicts(record(Says::Beyond).clauses(TWO)), [Some(NotCheckable); 2]);
+    assert_eq!(clause_verdicts(record(Says::Undecided).clauses(TWO)), [Some(Undecided); 2]);
+}
+
+/// A found entry with other evidence, and what becomes of its clauses.
+fn with_evidence(verdict: Verdict, evidence: Vec<Evidence>) -> (Vec<Option<Verdict>>, Vec<usize>) {
+    let mut found = entry(record(Says::Beyond).clauses(TWO));
+    (found.verdict, found.evidence) = (verdict, evidence);
+    found.clause_verdicts = found.verdicts_by_clause();
+    let held = found.clauses_that_hold();
+    (found.clause_verdicts, held)
+}
+
+#[test]
+fn a_clause_is_not_hidden_behind_its_neighbour_nor_carried_by_it() {
+    use Verdict::{False, Holds, NotCheckable};
+    let one = |clauses: &[usize]| Evidence::new(Grade::Kernel, "part", "theorem").on(clauses);
+    let proved = |clauses: &[usize]| one(clauses).for_all();
+    let refuted = |clauses: &[usize]| one(clauses).refuting();
+    let none: Vec<usize> = Vec::new();
+    assert_eq!(with_evidence(NotCheckable, vec![proved(&[1])]), (vec![Some(Holds), Some(NotCheckable)], vec![1]));
+    assert_eq!(with_evidence(False, vec![refuted(&[1]), proved(&[2])]), (vec![Some(False), Some(Holds)], vec![2]));
+    // Refuted together: nobody says which; instances establish nothing; what is refuted does not hold, whatever else is said.
+    assert_eq!(with_evidence(False, vec![refuted(&[1, 2])]), (vec![None, None], none.clone()));
+    assert_eq!(with_evidence(False, vec![refuted(&[1, 2]), proved(&[2])]), (vec![None, None], none.clone()));
+    assert_eq!(with_evidence(False, vec![refuted(&[1]), one(&[2])]), (vec![Some(False), None], none.clone()));
+    assert_eq!(with_evidence(False, vec![refuted(&[1]), proved(&[1])]), (vec![Some(False), None], none.clone()));
+    assert_eq!(with_evidence(False, vec![refuted(&[2]).for_all()]), (vec![None, Some(False)], none.clone()));
+    // Of what holds there is nothing to be said apart.
+    assert_eq!(with_evidence(Holds, vec![proved(&[1, 2])]), (vec![Some(Holds); 2], none));
+}

@@ -1,6 +1,9 @@
 //! What is run, in words: equations, order of updates, and how each ambiguous word of a rule is read.
 
-use super::{Flock, Hysteresis, KinematicFlock, Weights};
+use super::flock::Flock;
+use super::hysteresis::Hysteresis;
+use super::kinematic::KinematicFlock;
+use super::weights::Weights;
 use algebra::matrix::RationalMatrix;
 use arithmetic::Rational;
 

@@ -1,8 +1,9 @@
 //! Model D in any dimension, stepped exactly: integers over one common denominator.
 
-use super::hysteresis::Threshold;
+use super::boxes;
+use super::hysteresis::{Hysteresis, Threshold};
 use super::rule::Rule;
-use super::{FlockError, Hysteresis, Weights};
+use super::weights::{FlockError, Weights};
 use algebra::graph::Graph;
 use algebra::matrix::{IntegerRows, RationalMatrix};
 use arithmetic::{Cancelled, Progress, Rational, Ring, common_denominator, content};
@@ -456,7 +457,29 @@ impl Flock {
     /// The network that the distance rule alone gives now.
     pub fn distance_network(&mut self) -> Graph {
         self.look_through_windows();
-        Graph::from_fn(self.birds, |i, j| self.compare_with_one(i, j) != Ordering::Greater)
+        let mut edges = Vec::new();
+        let mut look = |i: usize, j: usize| {
+            if self.compare_with_one(i, j) != Ordering::Greater {
+                edges.push((i, j));
+            }
+        };
+        match self.floats() {
+            Some(positions) => {
+                let largest = positions.iter().fold(1.0f64, |most, x| most.max(x.abs()));
+                // Floats and windows err by less than 1e-14 relative, in as many coordinates as there are.
+                let reach = 1.0 + 1e-12 * largest * self.dimension as f64;
+                let boxes = boxes::of_points(self.dimension, &positions, (0..self.birds as u32).collect());
+                boxes.near_pairs(reach, |i, j| look(i as usize, j as usize));
+            }
+            None => (0..self.birds).for_each(|j| (0..j).for_each(|i| look(i, j))),
+        }
+        Graph::empty(self.birds).with_edges(&edges)
+    }
+
+    /// The positions in double precision, from the leading bits where these are noted.
+    fn floats(&self) -> Option<Vec<f64>> {
+        let (one, positions) = self.scratch.windows.split_last()?;
+        Some(positions.iter().map(|&x| x as f64 / *one as f64).collect())
     }
 
     /// Notes the leading bits of all positions and of the denominator, on one scale; none where one does not fit.

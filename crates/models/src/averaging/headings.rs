@@ -2,7 +2,7 @@
 
 use super::kinematic_start::KinematicStart;
 use super::rule::Rule;
-use super::{FlockError, Weights};
+use super::weights::{FlockError, Weights};
 use algebra::graph::Graph;
 use algebra::matrix::IntegerRows;
 use arithmetic::{Dyadic, Field, Interval, Rational, common_denominator, lcm};

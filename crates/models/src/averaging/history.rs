@@ -1,6 +1,7 @@
 //! Networks over time: all sequences of a length, random ones, and those of exact flocks, each constant at the end.
 
-use super::{Flock, FlockError, Start};
+use super::flock::{Flock, Start};
+use super::weights::FlockError;
 use algebra::graph::Graph;
 use algebra::matrix::{Footprint, Stabiliser, StabiliserStream};
 use arithmetic::words;

@@ -1,6 +1,6 @@
 //! The hysteresis rule: whether an edge stays although its ends are more than distance 1 apart.
 
-use super::FlockError;
+use super::weights::FlockError;
 use arithmetic::{Interval, Rational, Ring, Sign, sign_of_square_root_difference};
 use num_bigint::BigInt;
 use num_traits::{Pow, Signed, Zero};

@@ -1,10 +1,11 @@
 //! Model K in the plane: headings exact, positions enclosed and refined where a comparison needs it.
 
+use super::flock::Switch;
 use super::headings::{Headings, History, averaging};
-use super::hysteresis::Threshold;
+use super::hysteresis::{Hysteresis, Threshold};
 use super::kinematic_start::KinematicStart;
 use super::rule::Rule;
-use super::{FlockError, Hysteresis, Switch};
+use super::weights::FlockError;
 use algebra::graph::Graph;
 use arithmetic::{Complex, Field, Interval, Number, Rational, Ring, Sign, Signed};
 use num_bigint::BigInt;

@@ -1,6 +1,7 @@
 //! What a flock of model K starts from, and what is refused as a start.
 
-use super::{FlockError, Hysteresis};
+use super::hysteresis::Hysteresis;
+use super::weights::FlockError;
 use arithmetic::{Complex, Interval, Rational, Real, Sign, Signed};
 
 /// What a flock of model K starts from.

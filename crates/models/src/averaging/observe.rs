@@ -1,7 +1,7 @@
 //! What a run shows besides its network: footprints, stabilisers, ergodicity, lengths of numbers. One network at a time, in
 //! memory that does not grow with the run (but for the exact product, whose numbers grow).
 
-use super::{Weights, transition_matrix};
+use super::weights::{Weights, transition_matrix};
 use algebra::graph::Graph;
 use algebra::matrix::{Footprint, MatrixError, Stabiliser, StabiliserStream, StochasticMatrix, tau_2_squared_watched};
 use arithmetic::{Progress, Rational};
@@ -26,6 +26,7 @@ pub struct Decay {
 #[derive(Debug, Clone)]
 pub struct Observer {
     from: u64,
+    footprints: bool,
     footprint: Option<Footprint>,
     stream: StabiliserStream,
     product: Option<Option<StochasticMatrix>>,
@@ -36,7 +37,13 @@ impl Observer {
     /// For a number of birds, from `s` on; with the exact product and its ergodicity coefficients, or without.
     pub fn new(birds: usize, from: u64, products: bool) -> Self {
         let stream = StabiliserStream::new(birds, LEVELS);
-        Observer { from: from.max(1), footprint: None, stream, product: products.then_some(None), decay: Vec::new() }
+        let product = products.then_some(None);
+        Observer { from: from.max(1), footprints: true, footprint: None, stream, product, decay: Vec::new() }
+    }
+
+    /// The same without footprints and stabilisers, which need the square of the number of birds in bits.
+    pub fn without_footprints(self) -> Self {
+        Observer { footprints: false, ..self }
     }
 
     /// The network `G_t` of the next time. Coefficients are noted when `t - s + 1` is a power of two.
@@ -53,9 +60,12 @@ impl Observer {
         if time < self.from {
             return Ok(());
         }
-        let factor = network.closed_adjacency();
-        self.footprint = Some(self.footprint.as_ref().map_or_else(|| factor.clone(), |before| factor.times(before)));
-        self.stream.push(&factor);
+        if self.footprints {
+            let factor = network.closed_adjacency();
+            self.footprint =
+                Some(self.footprint.as_ref().map_or_else(|| factor.clone(), |before| factor.times(before)));
+            self.stream.push(&factor);
+        }
         let Some(product) = &mut self.product else { return Ok(()) };
         let factor = StochasticMatrix::try_from(&transition_matrix(network, weights)?)?;
         let next = match product.take() {
@@ -79,7 +89,7 @@ impl Observer {
         self.from
     }
 
-    /// The footprint of `P(t, s)`.
+    /// The footprint of `P(t, s)`, where it is kept.
     pub fn footprint(&self) -> Option<&Footprint> {
         self.footprint.as_ref()
     }

@@ -7,9 +7,11 @@
 //! `{"model": "K", "speed": "1/10", "headings": ["0", "1/2", ..], "positions": [["0", "0"], ..], "hysteresis": ..}`, headings in
 //! radians; `kappa` may give one number for each bird, as in equation (1.1).
 
-use super::{
-    Flock, FlockError, Hysteresis, KinematicFlock, KinematicStart, Start, Weights, check_control, check_kappa,
-};
+use super::flock::{Flock, Start, check_control};
+use super::hysteresis::Hysteresis;
+use super::kinematic::{KinematicFlock, check_kappa};
+use super::kinematic_start::KinematicStart;
+use super::weights::{FlockError, Weights};
 use algebra::matrix::{MatrixError, RationalMatrix};
 use arithmetic::{Complex, NumberError, Rational, parse_rational, shown};
 use num_traits::Signed;

@@ -1,6 +1,6 @@
 //! One averaging step as integers.
 
-use super::{FlockError, Weights};
+use super::weights::{FlockError, Weights};
 use algebra::graph::Graph;
 use algebra::matrix::AverageRow;
 use arithmetic::{Rational, Ring, lcm};
@@ -39,7 +39,7 @@ impl Rule {
         for (i, (c, share)) in factors.iter().enumerate() {
             let near = network.neighbours(i);
             for k in 0..dimension {
-                let near: Vec<usize> = near.iter().map(|&j| j * dimension + k).collect();
+                let near: Vec<usize> = near.iter().map(|&j| j as usize * dimension + k).collect();
                 rows.push(AverageRow::new(times(&(share.one() - share)), times(c), near));
             }
         }

@@ -1,6 +1,8 @@
 //! Starts that several statements are tried on: the example of the paper, and random ones.
 
-use super::{Hysteresis, Start, Weights};
+use super::flock::Start;
+use super::hysteresis::Hysteresis;
+use super::weights::Weights;
 use arithmetic::{Rational, rational};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;

@@ -1,6 +1,6 @@
 //! Where the velocities and the positions of a fixed connected network go (Chazelle, section 3).
 
-use super::Weights;
+use super::weights::Weights;
 use algebra::graph::Graph;
 use algebra::matrix::{MatrixError, RationalMatrix};
 use arithmetic::{Progress, Rational, Ring, Unwatched};

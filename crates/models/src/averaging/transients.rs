@@ -1,7 +1,8 @@
 //! What is left of the motion on a fixed network once the drift is taken away, mode by mode, and how the distance of
 //! two birds approaches its limit (Chazelle, equations (3.17) and (3.18)).
 
-use super::{Mode, Weights, rational_modes, transition_matrix};
+use super::modes::{Mode, rational_modes};
+use super::weights::{Weights, transition_matrix};
 use algebra::graph::Graph;
 use algebra::matrix::{MatrixError, RationalMatrix};
 use arithmetic::{Rational, Ring, rational};

@@ -1,9 +1,11 @@
 //! The critical points of `U_1` (8), and the flow (6) with (9) around them.
 
 use super::arrangement::{ExactPhasors, exact_phasors, in_turns, on_the_line, up_to_rotation};
+use super::laplacian::misalignment;
 use super::moments::{kind, moment, moment_gradient};
 use super::network::Interaction;
-use super::{gradient_control, misalignment, phase_jacobian, sine_of_difference};
+use super::steering::{gradient_control, sine_of_difference};
+use super::variation::phase_jacobian;
 use algebra::matrix::{Inertia, inertia};
 use arithmetic::{ArithmeticError, Complex, CosineField, Field, Rational, Ring, Signed};
 

@@ -1,6 +1,6 @@
 //! Derivatives with respect to the phases, by duals: exact wherever the scalar is.
 
-use super::State;
+use super::state::State;
 use arithmetic::{ArithmeticError, Complex, Dual, Ring};
 
 /// The phasors with derivatives: each phase moves at its rate. One rate for each phasor.

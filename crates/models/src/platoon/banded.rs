@@ -1,6 +1,8 @@
 //! The harmonic response of platoons whose cars track near cars only, in floating point: `O(M)` per frequency.
 
-use super::{CommunicationGraph, Gains, gamma_minus_one};
+use super::communication_graph::CommunicationGraph;
+use super::law::Gains;
+use super::response::gamma_minus_one;
 use arithmetic::{ArithmeticError, Complex, Field};
 use num_traits::ToPrimitive;
 

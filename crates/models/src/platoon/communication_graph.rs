@@ -1,7 +1,6 @@
 //! Which agents each follower keeps track of, for any communication graph on the line, and the matrices made from it.
 
-use super::law::accelerations_by;
-use super::{Communication, Gains};
+use super::law::{Communication, Gains, accelerations_by};
 use algebra::graph::WeightedGraph;
 use algebra::matrix::{MatrixError, RationalMatrix, solve_over_field};
 use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, Signed, rational};

@@ -4,9 +4,10 @@
 //! function of `P` is the power series in `N` of the same function of one mode with the eigenvalue `lambda = 1 - h`, and `N^M = 0`: the free
 //! motion is `e_k(t) = sum_j c_j e_(k-j)(0) + s_j e'_(k-j)(0)` with the coefficients of [`Mode::propagator`] over series in `h`.
 
+use super::law::Gains;
 use super::modes::{Mode, Roots};
+use super::response::gamma;
 use super::time_domain::Followers;
-use super::{Gains, gamma};
 use arithmetic::{ArithmeticError, Complex, Field, Number, Real, Ring, Series, Sign};
 
 /// The free motion of a one-sided platoon.

@@ -7,7 +7,7 @@
 //! Conversely, at the nearest positive zero of `R` the polynomial has roots `s` and `-s`, both not to the right of the axis: stability ends there. As
 //! `k^(M²)` divides `R`, and its degree is at most `M (2 M - 1)`, `M (M - 1) + 1` values determine the rest.
 
-use super::Gains;
+use super::law::Gains;
 use algebra::matrix::{MatrixError, RationalMatrix, SparseMatrix, transfer_function};
 use algebra::spectrum::{Nearest, Polynomial, matrix_spectrum};
 use arithmetic::{ArithmeticError, Field, Interval, Rational, Ring, Sign, Signed, common_denominator, rational};

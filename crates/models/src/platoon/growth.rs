@@ -1,8 +1,9 @@
 //! How the peak response grows with the number of cars, in floating point: an exploration, not a proof.
 
 use super::banded::{BandedPlatoon, modulus};
+use super::communication_graph::CommunicationGraph;
+use super::law::Gains;
 use super::observe::{Extreme, largest};
-use super::{CommunicationGraph, Gains};
 use arithmetic::ArithmeticError;
 
 /// Sizes stop growing once the peak is beyond this.

@@ -4,7 +4,7 @@
 //! `sin(j phi_k)`. With the weights 1 for j < M and 1/2 for j = M these are orthogonal with the squared norm M/2
 //! (`notes/veerman_platoons.md`).
 
-use super::Gains;
+use super::law::Gains;
 use arithmetic::{ArithmeticError, Dyadic, Interval, Number, Rational, Real, Sign, Signed};
 
 /// The angle `phi_k`, of the kind of `like`; `1 <= k <= followers`.

@@ -2,8 +2,8 @@
 //! on. Cars that are not there are left out and the other weights are scaled to the sum one, as equation (2) does for the last
 //! car.
 
-use super::communication_graph::check_count;
-use super::{CommunicationError, CommunicationGraph, Gains};
+use super::communication_graph::{CommunicationError, CommunicationGraph, check_count};
+use super::law::Gains;
 use arithmetic::{Complex, Rational, Ring, rational};
 use num_traits::{ToPrimitive, Zero};
 

@@ -5,7 +5,8 @@
 //! `w = w_0 (1 - a0² (1/12 + b²/8) + e_w)` and `A = A_0 (1 - a0² (1/12 - 3b²/8 + pi² b²/96) + e_A)`, where for
 //! `M >= 5 max(1, b)` the errors are at most `1.7` and `11` times `(a0 max(1, b))^4`.
 
-use super::{Gains, theorem1};
+use super::law::Gains;
+use super::theorem1;
 use arithmetic::{ArithmeticError, Real};
 
 /// The smallest size at which the bounds are proved, in units of `max(1, b)`.

@@ -1,7 +1,7 @@
 //! What is measured on a motion in time, in floating point: the amplitude that the last car shows, where it is largest, gaps and
 //! velocities.
 
-use super::Gains;
+use super::law::Gains;
 use super::time_domain::Modes;
 use arithmetic::ArithmeticError;
 use motion::golden;

@@ -5,8 +5,9 @@
 //! Hurwitz; then the squared response is a quotient with a positive denominator, whose largest value for `x >= 0` is enclosed by
 //! [`largest_quotient`] (`notes/resonance.md`).
 
+use super::communication_graph::CommunicationGraph;
+use super::law::Gains;
 use super::state_space::{StateSpace, StateSpaceError};
-use super::{CommunicationGraph, Gains};
 use algebra::matrix::MatrixError;
 use algebra::spectrum::{Largest, LargestError, Place, Polynomial, largest_quotient};
 use arithmetic::{ArithmeticError, Cancelled, Dyadic, Interval, Number, Progress, Rational};
@@ -74,7 +75,7 @@ pub fn peak_on_graph(
 /// # Errors
 /// [`PeakError`].
 pub fn peak_of_system(system: &StateSpace, digits: u32, progress: &dyn Progress) -> Result<Peak, PeakError> {
-    let transfer = system.transfer_watched(progress).map_err(|error| match error {
+    let transfer = system.transfer(progress).map_err(|error| match error {
         MatrixError::Cancelled(cancelled) => cancelled.into(),
         other => PeakError::Matrix(other),
     })?;

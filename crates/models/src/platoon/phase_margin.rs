@@ -8,8 +8,8 @@
 //! Where each car has its own gains there are no such loops. There all control is turned by one angle after the other, and
 //! stability is read off enclosed eigenvalues of `x' = A x`.
 
-use super::Gains;
 use super::gain_margin::MOST_MODES;
+use super::law::Gains;
 use super::vector_form::motion_rows_of_cars;
 use algebra::matrix::{RationalMatrix, SparseMatrix};
 use algebra::spectrum::matrix_spectrum;

@@ -9,9 +9,10 @@
 //! What is left to compute: one zero of `F'`, enclosed by interval Newton steps (which include the sign change), and that
 //! it lies in `(0, w_h]`. For `M = 1` there is no other zero.
 
-use super::response::positive_root;
-use super::shape::frequency_response_by;
-use super::{FrequencyResponse, Gains, chebyshev, theorem1};
+use super::law::Gains;
+use super::response::{chebyshev, positive_root};
+use super::shape::{FrequencyResponse, frequency_response};
+use super::theorem1;
 use arithmetic::{
     ArithmeticError, Ball, Complex, Dyadic, Field, Interval, Number, Rational, Ring, Sign, Signed, significant_digits,
 };
@@ -165,7 +166,7 @@ struct Platoon<'a> {
 impl Platoon<'_> {
     fn at(&self, w: &Interval) -> Result<FrequencyResponse<Interval>, ArithmeticError> {
         let gains = self.gains.map(|q| w.rational(q));
-        frequency_response_by(&gains, self.followers, w, |d| self.chain(d, w.precision()))
+        frequency_response(&gains, self.followers, w, |d| self.chain(d, w.precision()))
     }
 
     /// The Chebyshev chain in the smallest balls that hold the precision, or in intervals.

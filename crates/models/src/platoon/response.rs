@@ -1,6 +1,6 @@
 //! Harmonic response of the followers: `y_k = a_k e^{i w t}` with `a_0 = 1`.
 
-use super::Gains;
+use super::law::Gains;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, Real, Ring};
 
 /// `gamma = (f + i w g + w²)/(f + i w g) = 1 + w²/(f + i w g)` (Corollary 1).

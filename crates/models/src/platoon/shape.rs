@@ -1,7 +1,7 @@
 //! The inverse squared response `F(w) = |T_M(gamma(w))|²` of the last car with its first two derivatives.
 
+use super::law::Gains;
 use super::response::complex_gain;
-use super::{Gains, chebyshev};
 use arithmetic::{ArithmeticError, Complex, Field, Ring};
 
 /// `F`, `F'` and `F''` at one frequency.
@@ -15,7 +15,8 @@ pub struct FrequencyResponse<T> {
     pub curvature: T,
 }
 
-/// Evaluates `F` for `followers >= 1` cars at the frequency `w > 0`.
+/// Evaluates `F` for `followers >= 1` cars at the frequency `w > 0`, with `(T_M, U_{M-1})` at `gamma = 1 + d` computed by `chain(d)`: [`super::chebyshev`], or the
+/// same in a faster arithmetic.
 ///
 /// With `z = f + i w g` and `d = gamma - 1 = w²/z`: `d' = w (2 f + i w g)/z²` and `d'' = 2 f²/z³`;
 /// `T' = M U d'`, and `T''` by Chebyshev's equation `(gamma² - 1) T_gg = M² T - gamma M U`.
@@ -23,16 +24,6 @@ pub struct FrequencyResponse<T> {
 /// # Errors
 /// [`ArithmeticError::DivisionByZero`] where `w` may be zero.
 pub fn frequency_response<T: Field>(
-    gains: &Gains<T>,
-    followers: u64,
-    w: &T,
-) -> Result<FrequencyResponse<T>, ArithmeticError> {
-    frequency_response_by(gains, followers, w, |d| chebyshev(followers, d))
-}
-
-/// [`frequency_response`] with `(T_M, U_{M-1})` at `gamma = 1 + d` computed by `chain(d)`, which may do it in a faster
-/// arithmetic.
-pub(super) fn frequency_response_by<T: Field>(
     gains: &Gains<T>,
     followers: u64,
     w: &T,

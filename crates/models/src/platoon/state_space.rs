@@ -1,12 +1,13 @@
 //! The response of any linear system `x' = A x + B u, y = C x + D u` to a leader that swings, such as a platoon whose matrices were
 //! written by another program.
 
+use super::communication_graph::CommunicationGraph;
+use super::law::Gains;
 use super::observe::{Extreme, largest};
-use super::vector_form::{is_stable, motion_rows_of_cars};
-use super::{CommunicationGraph, Gains};
+use super::vector_form::motion_rows_of_cars;
 use algebra::matrix::{MatrixError, RationalMatrix, SparseMatrix, Transfer, transfer_function_watched};
 use algebra::spectrum::matrix_spectrum;
-use arithmetic::{ArithmeticError, Complex, Field, Progress, Rational, Ring, Unwatched};
+use arithmetic::{ArithmeticError, Complex, Field, Progress, Rational, Ring};
 
 /// Why matrices make no system.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -94,16 +95,8 @@ impl StateSpace {
     /// The response to a leader `e^{st}` as a quotient of polynomials in `s`, of which the denominator has the eigenvalues of `A` as its roots.
     ///
     /// # Errors
-    /// Does not fail for a system that could be made.
-    pub fn transfer(&self) -> Result<Transfer, MatrixError> {
-        self.transfer_watched(&Unwatched)
-    }
-
-    /// [`StateSpace::transfer`], which can be stopped.
-    ///
-    /// # Errors
     /// [`MatrixError::Cancelled`].
-    pub fn transfer_watched(&self, progress: &dyn Progress) -> Result<Transfer, MatrixError> {
+    pub fn transfer(&self, progress: &dyn Progress) -> Result<Transfer, MatrixError> {
         transfer_function_watched(&self.a.to_rows(), &self.b, &self.c, &self.d, progress)
     }
 
@@ -144,11 +137,6 @@ impl StateSpace {
     /// [`ArithmeticError`] where the response does not exist or cannot be separated from a pole.
     pub fn response<T: Field>(&self, w: &T) -> Result<Complex<T>, ArithmeticError> {
         self.response_by(w, algebra::matrix::solve_over_field)
-    }
-
-    /// Whether all motions without input die out, decided exactly.
-    pub fn is_stable(&self) -> Option<bool> {
-        is_stable(&self.a).ok()
     }
 
     /// The largest modulus of the response that a search meets, without proof, over frequencies `w > 0`, in floating point: 48 frequencies per factor of 10 from a tenth of the

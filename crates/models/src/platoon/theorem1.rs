@@ -1,6 +1,6 @@
 //! The leading-order resonance of system (2) as Theorem 1 prints it.
 
-use super::Gains;
+use super::law::Gains;
 use arithmetic::{ArithmeticError, Complex, Field, Real, Ring, Series};
 
 /// The number of followers in a scalar of the kind of `like`, exactly also where it has 64 bits.

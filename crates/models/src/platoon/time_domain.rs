@@ -7,8 +7,9 @@
 //! The last car costs `M` elementary functions, all cars `M²` products. Over intervals everything is enclosed; over floats the tests
 //! compare it with enclosures and with a naive integration.
 
+use super::law::Gains;
 use super::modes::{Mode, mode_eigenvalue};
-use super::{Gains, gamma_minus_one};
+use super::response::gamma_minus_one;
 use arithmetic::{ArithmeticError, Complex, Field, Real, Sign};
 
 /// One mode with its eigenvalue and its share in the last car.

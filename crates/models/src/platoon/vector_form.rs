@@ -1,6 +1,6 @@
 //! The equations of motion in vector form (Section 2, equation (3)).
 
-use super::Gains;
+use super::law::Gains;
 use algebra::matrix::{MatrixError, RationalMatrix};
 use arithmetic::{Field, Rational, Ring};
 

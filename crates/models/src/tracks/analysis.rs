@@ -7,19 +7,21 @@ use super::{
 };
 use arithmetic::{Cancelled, Progress};
 
-/// Why frames are not in what needs the headings of all fish; a frame counts once, at the first reason.
+/// Why frames are not in what needs the headings of all fish, or of as many as are asked for; a frame counts once, at the first reason.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LeftOut {
     /// Frames from the first to the last.
     pub recorded: u64,
-    /// A fish is missing.
+    /// Too few fish are there.
     pub missing: u64,
-    /// All are there, but the window of one meets a gap or an end of the recording.
+    /// Enough are there, but the windows of too many meet a gap or an end of the recording.
     pub window: u64,
-    /// All have a velocity, but one is at rest.
+    /// Enough have a velocity, but too many are at rest.
     pub still: u64,
     /// Frames that are used.
     pub used: u64,
+    /// Members of all their groups together.
+    pub members: u64,
 }
 
 /// What is said of one fish.
@@ -33,7 +35,7 @@ pub struct FishSummary {
     pub still: u64,
     /// Mean speed in units of the file per second, over the frames with a velocity.
     pub speed: Option<f64>,
-    /// Mean distance to the nearest neighbour in units of the file, over the frames with all fish.
+    /// Mean distance to the nearest neighbour in units of the file, over the frames with enough fish.
     pub distance: Option<f64>,
     /// Shares of frames with a neighbour in the zones of repulsion, orientation and attraction.
     pub zones: Option<[f64; 3]>,
@@ -121,14 +123,19 @@ pub fn analyse(tracks: &Tracks, choices: &Choices, progress: &dyn Progress) -> R
 }
 
 impl Analysis {
-    /// The frames with headings of all fish.
+    /// The frames with headings of all fish, or of as many as are asked for.
     pub fn groups(&self) -> impl Iterator<Item = (f64, &GroupState)> {
         self.frames.iter().filter_map(|frame| Some((frame.time, frame.group.as_ref()?)))
     }
 
-    /// The mean of a number over the frames with headings of all fish, of which there is at least one.
+    /// The mean of a number over the frames of [`Analysis::groups`], of which there is at least one.
     pub fn mean(&self, of: impl Fn(&GroupState) -> f64) -> f64 {
         self.groups().map(|(_, group)| of(group)).sum::<f64>() / self.left_out.used as f64
+    }
+
+    /// Frames with headings of all fish: those that null models can use.
+    pub fn whole_frames(&self) -> usize {
+        self.groups().filter(|(_, group)| group.members.len() == self.fish.len()).count()
     }
 
     /// All speeds, of all fish and frames that have one.
@@ -138,12 +145,14 @@ impl Analysis {
 
     /// All distances to nearest neighbours.
     pub fn distances(&self) -> impl Iterator<Item = f64> + '_ {
-        self.frames.iter().filter_map(|frame| frame.distances.as_ref()).flatten().copied()
+        self.frames.iter().flat_map(|frame| &frame.distances).flatten().copied()
     }
 
     /// Positions and headings of the frames with headings of all fish, for the null models.
     pub fn sample(&self) -> Sample {
-        let used: Vec<usize> = (0..self.frames.len()).filter(|&i| self.frames[i].group.is_some()).collect();
+        let whole = |group: &GroupState| group.members.len() == self.fish.len();
+        let used: Vec<usize> =
+            (0..self.frames.len()).filter(|&i| self.frames[i].group.as_ref().is_some_and(whole)).collect();
         let of = |rows: &[Vec<Option<Vector>>]| -> Vec<Vec<Vector>> {
             used.iter().map(|&i| rows.iter().filter_map(|row| row[i].clone()).collect()).collect()
         };
@@ -153,13 +162,17 @@ impl Analysis {
     fn count_left_out(&self, tracks: &Tracks) -> LeftOut {
         let mut counts = LeftOut { recorded: tracks.recorded_frames(), ..LeftOut::default() };
         counts.missing = counts.recorded - tracks.frames.len() as u64;
+        let least = self.choices.least_fish(tracks.fish());
         for (i, frame) in self.frames.iter().enumerate() {
-            let all_seen = tracks.positions.iter().all(|places| places[i].is_some());
-            let reason = match frame {
-                _ if !all_seen => &mut counts.missing,
-                frame if frame.group.is_some() => &mut counts.used,
-                frame if frame.moving == tracks.fish() && frame.distances.is_some() => &mut counts.still,
-                _ => &mut counts.window,
+            let seen = tracks.positions.iter().filter(|places| places[i].is_some()).count();
+            let reason = match &frame.group {
+                Some(group) => {
+                    counts.members += group.members.len() as u64;
+                    &mut counts.used
+                }
+                None if seen < least => &mut counts.missing,
+                None if frame.moving.min(frame.seen) >= least => &mut counts.still,
+                None => &mut counts.window,
             };
             *reason += 1;
         }
@@ -184,24 +197,25 @@ impl Analysis {
             missing: (tracks.recorded_frames() - seen, self.gaps.iter().filter(|gap| gap.fish == k).count()),
             still: (moving - headed) as u64,
             speed: mean(&mut velocities.iter().flatten().map(|v| v.norm_squared().sqrt())),
-            distance: mean(&mut self.frames.iter().filter_map(|frame| Some(frame.distances.as_ref()?[k]))),
+            distance: mean(&mut self.frames.iter().filter_map(|frame| frame.distances[k])),
             zones: presence(0).zip(presence(1)).zip(presence(2)).map(|((a, b), c)| [a, b, c]),
         }
     }
 
     fn why_nothing_is_left(&self, tracks: &Tracks) -> String {
         let LeftOut { recorded, missing, window, still, .. } = self.left_out;
+        let (who, too_many) = match self.choices.min_fish {
+            None => (format!("all {} fish", tracks.fish()), "a fish is"),
+            Some(least) => (format!("{least} of {} fish", tracks.fish()), "too many fish are"),
+        };
         let Some(rarest) = (0..tracks.fish()).min_by_key(|&k| self.fish[k].seen) else {
             return "there are no fish in the recording".to_string();
         };
         format!(
-            "no frame has a heading of all {} fish: of {recorded} frames, a fish is missing in {missing}, the window of {} \
-             frames meets a gap or an end in {window}, a fish is at rest in {still}; fish {} is seen least, in {} frames; \
-             choose a smaller --window or fewer fish with --ids",
-            tracks.fish(),
-            self.choices.window,
-            tracks.ids[rarest],
-            self.fish[rarest].seen
+            "no frame has a heading of {}: of {recorded} frames, {} missing in {missing}, the window of {} \
+             frames meets a gap or an end in {window}, {} at rest in {still}; fish {} is seen least, in {} frames; \
+             choose a smaller --window, bridge short gaps with --max-gap, count frames with --min-fish, or choose fish with --ids",
+            who, too_many, self.choices.window, too_many, tracks.ids[rarest], self.fish[rarest].seen
         )
     }
 }

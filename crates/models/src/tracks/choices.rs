@@ -40,6 +40,8 @@ pub struct Choices {
     pub rule: NearestRule,
     /// Other numbers of neighbours for which `W_1` is reported.
     pub nearest: Vec<usize>,
+    /// Frames count in which at least so many fish have a heading; all fish without it.
+    pub min_fish: Option<usize>,
 }
 
 /// Choices that make no sense.
@@ -71,6 +73,14 @@ pub enum ChoicesError {
         /// How many fish there are.
         fish: usize,
     },
+    /// A number of fish that no frame has, or with which nothing can be compared.
+    #[error("frames with at least {least} fish are asked for; of {fish} fish it can be between 2 and {fish}")]
+    LeastFish {
+        /// The number that was asked for.
+        least: usize,
+        /// How many fish there are.
+        fish: usize,
+    },
     /// A recording put together by hand whose parts do not fit.
     #[error("a recording of {fish} fish in {frames} frames needs as many positions of each fish")]
     Recording {
@@ -88,6 +98,9 @@ pub enum ChoicesError {
 }
 
 impl Choices {
+    /// The body length of the sidebar's fish in centimetres.
+    pub const BODY_LENGTH_OF_SIDEBAR: f64 = 5.3;
+
     /// The choices of the sidebar for frames of `step` seconds: velocities averaged over the odd number of frames that is closest to
     /// five seconds, `b = 5.3` (cm), zones to `1.4 b` and `2.4 b`, a blind spot of 60 degrees, and the second nearest neighbour where
     /// the nearest is in the zone of repulsion. The sidebar gives no outer radius of attraction: none here.
@@ -98,12 +111,13 @@ impl Choices {
         Choices {
             window: 2 * half + 1,
             positions: PositionsUsed::File,
-            body_length: 5.3,
+            body_length: Self::BODY_LENGTH_OF_SIDEBAR,
             zones: [1.4, 2.4, f64::INFINITY],
             blind: 60.0,
             still: 0.0,
             rule: NearestRule::SecondInRepulsion,
             nearest: Vec::new(),
+            min_fish: None,
         }
     }
 
@@ -140,10 +154,19 @@ impl Choices {
         if !(self.still >= 0.0 && self.still.is_finite()) {
             return Err(ChoicesError::Still(self.still));
         }
-        match self.nearest.iter().find(|&&n| n == 0 || n >= fish) {
-            Some(&n) => Err(ChoicesError::Neighbours { n, fish }),
+        let least = self.least_fish(fish);
+        if self.min_fish.is_some() && !(2..=fish).contains(&least) {
+            return Err(ChoicesError::LeastFish { least, fish });
+        }
+        match self.nearest.iter().find(|&&n| n == 0 || n >= least) {
+            Some(&n) => Err(ChoicesError::Neighbours { n, fish: least }),
             None => Ok(()),
         }
+    }
+
+    /// How many fish a frame needs, of so many.
+    pub fn least_fish(&self, fish: usize) -> usize {
+        self.min_fish.unwrap_or(fish)
     }
 
     /// The zones in the unit of the file.

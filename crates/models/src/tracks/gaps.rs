@@ -7,6 +7,8 @@ use super::Tracks;
 pub struct Gap {
     /// Number of the fish in [`Tracks::ids`].
     pub fish: usize,
+    /// Number of the first missing frame on the grid of times.
+    pub first: u64,
     /// Time of the first missing frame.
     pub from: f64,
     /// Time of the last missing frame.
@@ -30,6 +32,7 @@ pub fn gaps(tracks: &Tracks) -> Vec<Gap> {
             if number > next {
                 found.push(Gap {
                     fish,
+                    first: next,
                     from: tracks.time_of(next),
                     to: tracks.time_of(number - 1),
                     frames: number - next,

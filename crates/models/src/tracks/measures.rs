@@ -1,27 +1,29 @@
 //! What is measured in one frame: distances, zones, order, momentum, potentials.
 
 use super::potential::{complete_potential, mean, partner_potential};
-use super::{Choices, Vector};
+use super::{Choices, Scale, Vector};
 use crate::oscillator::{Neighbours, State, Zone, moment, phase_potential, quarter_turn};
 use arithmetic::{ArithmeticError, Complex};
 
 /// Whether a fish senses another one in the zones of repulsion, orientation and attraction.
 pub type ZonePresence = [bool; 3];
 
-/// What needs the headings of all fish.
+/// What needs the headings of a group: all fish, or as many as are asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroupState {
+    /// The fish with a heading, by number.
+    pub members: Vec<usize>,
     /// `|p_1|` and `|p_2|` of (23); the latter is at most 1/2.
     pub order: [f64; 2],
     /// Modulus of the mean velocity.
     pub momentum: f64,
     /// Mean of `<i e_k, z_k>` with `e_k` the unit vector from the centre of mass to fish `k`: 1 where all circle to the left.
     pub rotation: f64,
-    /// The neighbour of each fish for `n = 1`.
+    /// The neighbour of each member for `n = 1`, as a place among the members.
     pub partners: Vec<usize>,
     /// `W_1` for `n = 1`.
     pub single: f64,
-    /// `W_1` for `n = N - 1`.
+    /// `W_1` for `n = N - 1`, where `N` is the number of members.
     pub complete: f64,
     /// `W_1` for each of the other `n` that are asked for.
     pub others: Vec<f64>,
@@ -29,6 +31,23 @@ pub struct GroupState {
     pub orientation: f64,
     /// Arcs of that network.
     pub orientation_arcs: usize,
+}
+
+impl GroupState {
+    /// `W_1` for `n = 1`, scaled.
+    pub fn single(&self, scale: Scale) -> f64 {
+        scale.factor(1) * self.single
+    }
+
+    /// `W_1` for `n = N - 1`, scaled.
+    pub fn complete(&self, scale: Scale) -> f64 {
+        scale.factor(self.members.len().saturating_sub(1)) * self.complete
+    }
+
+    /// The second less the first.
+    pub fn difference(&self, scale: Scale) -> f64 {
+        scale.difference(self.members.len(), self.complete, self.single)
+    }
 }
 
 /// What is measured in one frame.
@@ -42,11 +61,11 @@ pub struct FrameMeasures {
     pub moving: usize,
     /// Fish with a heading.
     pub headed: usize,
-    /// Distance to the nearest neighbour, of each fish; `None` where a fish is missing.
-    pub distances: Option<Vec<f64>>,
-    /// Zones of each fish; `None` where it has no heading or a fish is missing.
+    /// Distance to the nearest neighbour, of each fish; `None` where it is missing, or too many others are.
+    pub distances: Vec<Option<f64>>,
+    /// Zones of each fish; `None` where it has no heading, or too many fish are missing.
     pub zones: Vec<Option<ZonePresence>>,
-    /// What needs all headings.
+    /// What needs the headings of a group.
     pub group: Option<GroupState>,
 }
 
@@ -80,10 +99,6 @@ pub(super) struct Moment<'a> {
     pub headings: Vec<Option<&'a Vector>>,
 }
 
-fn all(of: &[Option<&Vector>]) -> Option<Vec<Vector>> {
-    of.iter().map(|x| x.cloned()).collect()
-}
-
 impl FrameMeasures {
     pub(super) fn new(frame: &Moment, choices: &Choices) -> Result<FrameMeasures, ArithmeticError> {
         let count = |of: &[Option<&Vector>]| of.iter().flatten().count();
@@ -92,33 +107,42 @@ impl FrameMeasures {
             seen: count(&frame.positions),
             moving: count(&frame.velocities),
             headed: count(&frame.headings),
-            distances: None,
+            distances: vec![None; frame.positions.len()],
             zones: vec![None; frame.positions.len()],
             group: None,
         };
-        let Some(positions) = all(&frame.positions) else { return Ok(measures) };
-        let distance = |k: usize| {
-            let j = nearest_neighbour(&positions, k, None);
-            (positions[j].clone() - &positions[k]).norm_squared().sqrt()
-        };
-        measures.distances = Some((0..positions.len()).map(distance).collect());
+        let least = choices.least_fish(frame.positions.len());
+        if measures.seen < least {
+            return Ok(measures);
+        }
+        let there = frame.positions.iter().enumerate();
+        let (numbers, positions): (Vec<usize>, Vec<Vector>) =
+            there.filter_map(|(k, r)| Some((k, (*r)?.clone()))).unzip();
         let zones = choices.zones();
-        for (k, presence) in measures.zones.iter_mut().enumerate() {
+        for (place, &k) in numbers.iter().enumerate() {
+            let j = nearest_neighbour(&positions, place, None);
+            measures.distances[k] =
+                (j != place).then(|| (positions[j].clone() - &positions[place]).norm_squared().sqrt());
             let Some(heading) = frame.headings[k] else { continue };
             let senses = |zone: Zone| {
-                let others = positions.iter().enumerate().filter(|&(j, _)| j != k);
-                others.into_iter().any(|(_, r)| zones.senses(zone, heading, &(r.clone() - &positions[k])))
+                let others = positions.iter().enumerate().filter(|&(j, _)| j != place);
+                others.into_iter().any(|(_, r)| zones.senses(zone, heading, &(r.clone() - &positions[place])))
             };
-            *presence = Some([Zone::Repulsion, Zone::Orientation, Zone::Attraction].map(senses));
+            measures.zones[k] = Some([Zone::Repulsion, Zone::Orientation, Zone::Attraction].map(senses));
         }
-        if let (Some(headings), Some(velocities)) = (all(&frame.headings), all(&frame.velocities)) {
-            measures.group = Some(group(positions, headings, &velocities, choices)?);
+        let members: Vec<usize> = numbers.into_iter().filter(|&k| frame.headings[k].is_some()).collect();
+        if members.len() >= least {
+            let of = |x: &[Option<&Vector>]| members.iter().filter_map(|&k| x[k].cloned()).collect::<Vec<Vector>>();
+            let (positions, headings) = (of(&frame.positions), of(&frame.headings));
+            let velocities = of(&frame.velocities);
+            measures.group = Some(group(members, positions, headings, &velocities, choices)?);
         }
         Ok(measures)
     }
 }
 
 fn group(
+    members: Vec<usize>,
     positions: Vec<Vector>,
     headings: Vec<Vector>,
     velocities: &[Vector],
@@ -131,6 +155,7 @@ fn group(
     let (positions, headings) = (&state.positions, &state.phasors);
     let others = choices.nearest.iter().map(|&n| phase_potential(&Neighbours::nearest(positions, n), headings, 1));
     Ok(GroupState {
+        members,
         order: [modulus(&moment(headings, 1)?), modulus(&moment(headings, 2)?)],
         momentum: modulus(&mean(velocities)),
         rotation: rotation(positions, headings),

@@ -2,10 +2,12 @@
 //! Sepulchre, Grünbaum and Parrish: headings, nearest neighbours, zones, scaled phase potentials, and what their values mean
 //! under null models without interaction.
 //!
-//! Nothing is filled in: a frame in which a fish is missing is left out of what needs that fish, and the gaps are listed.
+//! Nothing is filled in unless bridges over short gaps are asked for ([`Tracks::bridge`]): what needs a fish leaves out the frames in
+//! which it is missing, and the gaps are listed.
 //! `notes/tracks.md` has the file format, the formulas and the choices.
 
 mod analysis;
+mod bridge;
 mod choices;
 mod gaps;
 mod histogram;
@@ -27,7 +29,7 @@ pub use null::{
 };
 pub use potential::{Scale, complete_potential, partner_potential};
 pub use read::csv_field;
-pub use read::{Frame, Tracks, TracksError};
+pub use read::{Format, FormatError, Frame, Tracks, TracksError};
 pub use synthetic::{School, Setting, synthetic_school};
 
 use arithmetic::Complex;

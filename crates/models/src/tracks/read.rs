@@ -1,11 +1,64 @@
-//! Reading trajectories: CSV with the columns `t,id,x,y`, rows and columns in any order, other columns ignored.
+//! Reading trajectories: CSV with the columns `t,id,x,y` or others by name, rows and columns in any order, other columns ignored.
 
-use super::Vector;
+use super::{Gap, Vector};
 use arithmetic::Complex;
 use std::collections::{BTreeMap, HashMap};
 
-/// The columns that are needed.
+/// The columns that are needed: time, name of the fish, position.
 const COLUMNS: [&str; 4] = ["t", "id", "x", "y"];
+
+/// How a table is read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Format {
+    /// What the columns of time, name, x and y are called in the header.
+    columns: [String; 4],
+    /// Frames per second: then the column of time holds numbers of frames. Seconds without it.
+    fps: Option<f64>,
+}
+
+/// Why a format cannot be used.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FormatError {
+    /// Not `NAME=t` or the like.
+    #[error("`{0}` is not NAME=t, NAME=id, NAME=x or NAME=y, where NAME is a column of the header")]
+    Column(String),
+    /// One of the four is said twice.
+    #[error("two columns are to be {0}")]
+    Twice(&'static str),
+    /// Not a positive number.
+    #[error("{0} frames per second are not a positive number")]
+    Rate(f64),
+}
+
+impl Default for Format {
+    fn default() -> Self {
+        Format { columns: COLUMNS.map(str::to_string), fps: None }
+    }
+}
+
+impl Format {
+    /// Columns by name, such as `frame=t` and `particle=id`, and frames per second where times are numbers of frames.
+    ///
+    /// # Errors
+    /// [`FormatError`].
+    pub fn new<S: AsRef<str>>(columns: &[S], fps: Option<f64>) -> Result<Format, FormatError> {
+        let mut format = Format { fps, ..Format::default() };
+        let mut said = [false; 4];
+        for text in columns {
+            let wrong = || FormatError::Column(text.as_ref().to_string());
+            let (name, meaning) = text.as_ref().rsplit_once('=').ok_or_else(wrong)?;
+            let place = COLUMNS.iter().position(|column| *column == meaning.trim()).ok_or_else(wrong)?;
+            if std::mem::replace(&mut said[place], true) {
+                return Err(FormatError::Twice(COLUMNS[place]));
+            }
+            format.columns[place] = name.trim().to_string();
+        }
+        match fps {
+            Some(rate) if !(rate > 0.0 && rate.is_finite()) => Err(FormatError::Rate(rate)),
+            _ => Ok(format),
+        }
+    }
+}
 /// Numbers beyond are refused, so that no square overflows.
 const LARGEST: f64 = 1e100;
 /// How far, as a share of the frame step, a step may be from a multiple of it: times are often written with three decimals.
@@ -22,16 +75,18 @@ pub enum TracksError {
     #[error("there are no rows in it; a header with t,id,x,y and a row for each fish in each frame are expected")]
     Empty,
     /// A column is missing.
-    #[error("line 1: the header has no column `{column}`; t, id, x and y are needed, and it has {found}")]
+    #[error(
+        "line 1: the header has no column `{column}`; t, id, x and y are needed, or others by name, and it has {found}"
+    )]
     NoColumn {
         /// The column.
-        column: &'static str,
+        column: String,
         /// The header.
         found: String,
     },
     /// A column is there twice.
     #[error("line 1: the header has the column `{0}` twice")]
-    ColumnTwice(&'static str),
+    ColumnTwice(String),
     /// A row of another length than the header.
     #[error("line {line}: there are {found} fields where the header has {expected}")]
     Fields {
@@ -48,7 +103,7 @@ pub enum TracksError {
         /// The line.
         line: u64,
         /// The column.
-        column: &'static str,
+        column: String,
         /// The field.
         found: String,
     },
@@ -58,7 +113,7 @@ pub enum TracksError {
         /// The line.
         line: u64,
         /// The column.
-        column: &'static str,
+        column: String,
         /// The field.
         found: String,
     },
@@ -135,6 +190,8 @@ pub struct Tracks {
     pub step: f64,
     /// `positions[fish][frame]`; `None` where the fish has no row.
     pub positions: Vec<Vec<Option<Vector>>>,
+    /// The gaps that were bridged; none in what is read.
+    pub bridged: Vec<Gap>,
 }
 
 /// A row of the table.
@@ -151,7 +208,15 @@ impl Tracks {
     /// # Errors
     /// [`TracksError`], with the line.
     pub fn from_csv(text: &str) -> Result<Tracks, TracksError> {
-        Tracks::from_rows(&rows(text)?)
+        Tracks::from_table(text, &Format::default())
+    }
+
+    /// Reads a table with columns of other names, or times in frames.
+    ///
+    /// # Errors
+    /// [`TracksError`], with the line.
+    pub fn from_table(text: &str, format: &Format) -> Result<Tracks, TracksError> {
+        Tracks::from_rows(&rows(text, format)?)
     }
 
     fn from_rows(rows: &[Row]) -> Result<Tracks, TracksError> {
@@ -177,7 +242,7 @@ impl Tracks {
             return Err(TracksError::OneFish(only.clone()));
         }
         let (frames, step) = grid(&starts)?;
-        Ok(Tracks { ids, frames, step, positions })
+        Ok(Tracks { ids, frames, step, positions, bridged: vec![] })
     }
 
     /// Number of fish.
@@ -222,6 +287,14 @@ impl Tracks {
             frames: self.frames.clone(),
             step: self.step,
             positions: kept.iter().map(|&k| self.positions.get(k).cloned().unwrap_or_default()).collect(),
+            bridged: kept
+                .iter()
+                .enumerate()
+                .flat_map(|(fish, k)| {
+                    let of_fish = self.bridged.iter().filter(move |gap| gap.fish == *k);
+                    of_fish.map(move |gap| Gap { fish, ..gap.clone() })
+                })
+                .collect(),
         })
     }
 
@@ -248,7 +321,7 @@ impl Tracks {
 }
 
 /// The rows, in the order of the file.
-fn rows(text: &str) -> Result<Vec<Row>, TracksError> {
+fn rows(text: &str, format: &Format) -> Result<Vec<Row>, TracksError> {
     let broken = |error: &csv::Error| TracksError::Csv {
         line: error.position().map_or(0, csv::Position::line),
         what: "it cannot be read as CSV".to_string(),
@@ -259,30 +332,30 @@ fn rows(text: &str) -> Result<Vec<Row>, TracksError> {
         return Err(TracksError::Empty);
     }
     let mut columns = [0; 4];
-    for (place, column) in columns.iter_mut().zip(COLUMNS) {
-        let mut found = header.iter().enumerate().filter(|(_, name)| *name == column).map(|(i, _)| i);
+    for (place, column) in columns.iter_mut().zip(&format.columns) {
+        let mut found = header.iter().enumerate().filter(|(_, name)| name == column).map(|(i, _)| i);
         let found_header = || shown(&header.iter().collect::<Vec<_>>().join(","), 60);
-        *place = found.next().ok_or_else(|| TracksError::NoColumn { column, found: found_header() })?;
+        *place = found.next().ok_or_else(|| TracksError::NoColumn { column: column.clone(), found: found_header() })?;
         if found.next().is_some() {
-            return Err(TracksError::ColumnTwice(column));
+            return Err(TracksError::ColumnTwice(column.clone()));
         }
     }
     let mut rows = Vec::new();
     let mut record = csv::StringRecord::new();
     while reader.read_record(&mut record).map_err(|error| broken(&error))? {
-        rows.push(row(&record, &columns, header.len())?);
+        rows.push(row(&record, format, &columns, header.len())?);
     }
     if rows.is_empty() { Err(TracksError::Empty) } else { Ok(rows) }
 }
 
-fn row(record: &csv::StringRecord, columns: &[usize; 4], expected: usize) -> Result<Row, TracksError> {
+fn row(record: &csv::StringRecord, format: &Format, columns: &[usize; 4], expected: usize) -> Result<Row, TracksError> {
     let line = record.position().map_or(0, csv::Position::line);
     if record.len() != expected {
         return Err(TracksError::Fields { line, found: record.len(), expected });
     }
     let field = |c: usize| record.get(columns[c]).unwrap_or_default();
     let number = |c: usize| {
-        let (column, found) = (COLUMNS[c], shown(field(c), 40));
+        let (column, found) = (format.columns[c].clone(), shown(field(c), 40));
         match field(c).parse::<f64>() {
             // Without the negative zero, which is another time for a hash.
             Ok(x) if x.abs() <= LARGEST => Ok(x + 0.0),
@@ -294,7 +367,8 @@ fn row(record: &csv::StringRecord, columns: &[usize; 4], expected: usize) -> Res
     if id.is_empty() || id.contains(char::is_control) {
         return Err(TracksError::NoId(line));
     }
-    Ok(Row { line, time: number(0)?, id, place: Complex::new(number(2)?, number(3)?) })
+    let time = number(0)? / format.fps.unwrap_or(1.0);
+    Ok(Row { line, time, id, place: Complex::new(number(2)?, number(3)?) })
 }
 
 /// A name as a field of CSV.

@@ -58,6 +58,21 @@ impl Cascade {
         (0..self.size).map(|i| self.terms.iter().fold(ZERO, |sum, term| term.add_to(sum, i)).hi()).collect()
     }
 
+    /// A parallelepiped, by its edges and their half lengths.
+    pub fn of_edges(columns: Vec<Vec<f64>>, radii: Vec<f64>) -> Self {
+        Cascade { size: radii.len(), terms: vec![Term { level: 0, columns, radii }] }
+    }
+
+    /// A parallelepiped around all sums of the set and of the columns times numbers from -1 to 1: its edges, each as a column of at most unit length and its
+    /// half length.
+    pub fn around(&self, columns: Vec<Vec<f64>>, radii: &[f64]) -> (Vec<Vec<f64>>, Vec<f64>) {
+        let mut terms = self.terms.clone();
+        let lengths = vec![1.0; columns.len()];
+        terms.extend([Term { level: 0, columns, radii: lengths }, Term::of_box(radii)]);
+        let term = united(0, &terms);
+        (term.columns, term.radii)
+    }
+
     /// All `derivative x + y` for `x` in the set and `|y_i| <= added_i`. `None` where a bound is not finite.
     pub fn mapped(&self, derivative: &IntervalMatrix, added: &[f64]) -> Option<Self> {
         let mut added: IntervalVector = added.iter().map(|x| point(*x)).collect();

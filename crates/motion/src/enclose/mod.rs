@@ -4,7 +4,10 @@
 //! solutions in the time and in the start, in floats, bounds what that leaves out, and carries those along by the derivative of the flow. The
 //! right-hand side, written once over the scalar, is written down as a list of operations, so that an expansion to order `n` costs `n²`.
 
+mod bound;
 mod cascade;
+mod errors;
+mod expanded;
 mod expansion;
 mod linear;
 mod rough;
@@ -14,6 +17,7 @@ mod step;
 mod tape;
 mod variation;
 
+pub use expanded::Expanded;
 pub use rough::box_of_step;
 pub use set::Set;
 pub use step::{Flow, Step};

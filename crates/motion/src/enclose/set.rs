@@ -1,7 +1,9 @@
 //! Sets of states: a polynomial image of a cube, and what lies around it.
 
 use super::IntervalVector;
+use super::bound::{Bound, values};
 use super::cascade::Cascade;
+use super::expanded::{Expanded, MOST_VARIABLES, degree_of};
 use super::expansion::range;
 use super::shape::Shape;
 use arithmetic::FloatInterval;
@@ -17,54 +19,27 @@ pub struct Set {
     pub(super) rest: Cascade,
 }
 
-/// Intervals narrower than this, relative to the number, are no variables of their own.
-const NARROW: f64 = 1e-12;
+/// The part of the radius of a set that the rest may have before the set gets new variables.
+const LARGEST_REST: f64 = 0.2;
 
-/// Most variables; further numbers go to the rest.
-const MOST_VARIABLES: usize = 12;
+/// A rest below this, relative to the state, is none to care for.
+const TINY_REST: f64 = 1e-9;
 
-/// The degree of the polynomials in so many variables that is the best bargain.
-fn degree_of(variables: usize) -> usize {
-    match variables {
-        0 => 0,
-        1 | 2 => 8,
-        3 => 6,
-        4 => 5,
-        5..=8 => 4,
-        _ => 2,
-    }
-}
+/// Edges shorter than this part of the longest one are no variables.
+const SHORT_EDGE: f64 = 1e-3;
 
 impl Set {
     /// A box.
     pub fn of_box(state: &[FloatInterval]) -> Self {
-        let is_wide = |x: &FloatInterval| x.width() > NARROW * x.magnitude().max(1e-300) && x.is_bounded();
-        let wide = state.iter().filter(|x| is_wide(x)).count().min(MOST_VARIABLES);
-        Set::with_degree(state, degree_of(wide))
+        Set::of_numbers(&Expanded::of_start(state))
     }
 
-    /// A box, with polynomials of this degree in its variables.
-    pub fn with_degree(state: &[FloatInterval], degree: usize) -> Self {
-        let is_wide = |x: &FloatInterval| x.width() > NARROW * x.magnitude().max(1e-300) && x.is_bounded();
-        let mut wide: Vec<usize> = (0..state.len()).filter(|&i| is_wide(&state[i])).collect();
-        wide.sort_by(|i, j| state[*j].width().total_cmp(&state[*i].width()).then(i.cmp(j)));
-        wide.truncate(MOST_VARIABLES);
-        let shape = Shape::new(wide.len(), degree);
-        let (mut polynomials, mut rest) = (Vec::new(), Vec::new());
-        for (i, x) in state.iter().enumerate() {
-            let mut polynomial = vec![0.0; shape.size()];
-            polynomial[0] = x.midpoint();
-            let own = *x - FloatInterval::point(polynomial[0]);
-            match wide.iter().position(|k| *k == i) {
-                Some(variable) => {
-                    polynomial[1 + variable] = own.magnitude();
-                    rest.push(0.0);
-                }
-                None => rest.push(own.magnitude()),
-            }
-            polynomials.push(polynomial);
-        }
-        Set { shape: Arc::new(shape), polynomials, rest: Cascade::of_box(&rest) }
+    /// All states whose numbers these are, of the same start each.
+    pub fn of_numbers(numbers: &[Expanded]) -> Self {
+        let shape = numbers.first().map_or_else(|| Arc::new(Shape::new(0, 0)), |number| number.parts().0.clone());
+        let polynomials = numbers.iter().map(|number| number.parts().1.to_vec()).collect();
+        let errors: Vec<f64> = numbers.iter().map(|number| number.parts().2).collect();
+        Set { shape, polynomials, rest: Cascade::of_box(&errors) }
     }
 
     /// The numbers of a state.
@@ -82,6 +57,63 @@ impl Set {
     /// How far the polynomials are from the set, at most.
     pub fn rest_radius(&self) -> f64 {
         self.rest.radii().into_iter().fold(0.0, f64::max)
+    }
+
+    /// The variables of the polynomials: the numbers of the start that are wide, the widest first, each from -1 to 1 on its interval; or new ones, where the
+    /// set was [renewed](super::Flow::step).
+    pub fn variables(&self) -> usize {
+        self.shape.variables
+    }
+
+    /// Encloses the states of the set for one value of the variables.
+    pub fn at(&self, variables: &[f64]) -> IntervalVector {
+        let around = |r: &f64| FloatInterval::between(-r, *r);
+        let value = |p: &Vec<f64>| self.shape.value(p, variables);
+        self.polynomials.iter().zip(&self.rest.radii()).map(|(p, r)| value(p) + around(r)).collect()
+    }
+
+    /// A set around it in variables of its own, the longest edges of a parallelepiped, where the rest has become a large part of a set that is not tiny.
+    pub(super) fn renewed(&self) -> Option<Self> {
+        let radius = |p: &Vec<f64>| Bound::total(p[1..].iter().copied()).value();
+        let own = self.polynomials.iter().map(radius).fold(0.0, f64::max);
+        let size = self.polynomials.iter().fold(1.0, |most: f64, p| most.max(p[0].abs()));
+        let rest = self.rest_radius();
+        if self.shape.variables == 0 || rest <= LARGEST_REST * own || rest <= TINY_REST * size {
+            return None;
+        }
+        let (mut middles, mut radii) = (Vec::new(), Vec::new());
+        for p in &self.polynomials {
+            // What is not linear is a box around its middle.
+            let mut curved = p.clone();
+            curved[..=self.shape.variables].fill(0.0);
+            let around = self.shape.range(&curved) + FloatInterval::point(p[0]);
+            let middle = around.midpoint();
+            radii.push((around - FloatInterval::point(middle)).magnitude());
+            middles.push(middle);
+        }
+        let columns = (1..=self.shape.variables).map(|k| self.polynomials.iter().map(|p| p[k]).collect()).collect();
+        let (frame, mut lengths) = self.rest.around(columns, &radii);
+        // The longest edges are the variables.
+        let mut order: Vec<usize> = (0..frame.len()).collect();
+        order.sort_by(|i, j| lengths[*j].total_cmp(&lengths[*i]));
+        let longest = order.first().map_or(0.0, |k| lengths[*k]);
+        order.retain(|k| lengths[*k] > SHORT_EDGE * longest);
+        order.truncate(MOST_VARIABLES);
+        let shape = Shape::new(order.len(), degree_of(order.len()));
+        let mut rounded = vec![Bound::ZERO; middles.len()];
+        let mut polynomials = vec![vec![0.0; shape.size()]; middles.len()];
+        for (i, polynomial) in polynomials.iter_mut().enumerate() {
+            polynomial[0] = middles[i];
+            for (variable, k) in order.iter().enumerate() {
+                let exact = FloatInterval::point(frame[*k][i]) * FloatInterval::point(lengths[*k]);
+                let near = exact.midpoint();
+                polynomial[1 + variable] = near;
+                rounded[i] = rounded[i] + Bound::of((exact - FloatInterval::point(near)).magnitude());
+            }
+        }
+        order.iter().for_each(|k| lengths[*k] = 0.0);
+        let rest = Cascade::of_edges(frame, lengths).plus(&values(&rounded))?;
+        Some(Set { shape: Arc::new(shape), polynomials, rest })
     }
 
     /// The set plus a box; `None` where it is not bounded.

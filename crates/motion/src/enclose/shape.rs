@@ -1,9 +1,14 @@
 //! Polynomials in several variables from -1 to 1, cut at a total degree: which monomials there are, and how they multiply.
 
-use arithmetic::FloatInterval;
+use super::bound::Bound;
+use arithmetic::{FloatInterval, Ring};
+use std::sync::{Arc, OnceLock};
+
+/// The degree in the time of what is measured on a single motion.
+const DEGREE_OF_POINTS: usize = 10;
 
 /// The monomials of so many variables up to a total degree, by degree. A polynomial is the list of its coefficients in this order.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct Shape {
     pub variables: usize,
     pub degree: usize,
@@ -15,6 +20,17 @@ pub(super) struct Shape {
     products: Vec<Vec<(u32, u32)>>,
     /// Whether a monomial is a square, and so not negative.
     is_even: Vec<bool>,
+    /// For each monomial and variable the monomial with one power less, where there is one.
+    lower: Vec<Vec<u32>>,
+    /// With the time as one more variable, the last one.
+    timed: OnceLock<Timed>,
+}
+
+/// A shape, and where it has the monomials of another one.
+#[derive(Debug, Clone)]
+pub(super) struct Timed {
+    pub shape: Arc<Shape>,
+    pub places: Vec<usize>,
 }
 
 impl Shape {
@@ -44,7 +60,42 @@ impl Shape {
         };
         let products = exponents.iter().map(row).collect();
         let is_even = exponents.iter().map(|e| e.iter().all(|k| k % 2 == 0)).collect();
-        Shape { variables, degree, starts, products, is_even, exponents }
+        let less = |e: &Vec<u8>, k: usize| {
+            let mut less = e.clone();
+            less[k] = less[k].saturating_sub(1);
+            place[&less] as u32
+        };
+        let lower = exponents.iter().map(|e| (0..variables).map(|k| less(e, k)).collect()).collect();
+        Shape { variables, degree, starts, products, is_even, lower, timed: OnceLock::new(), exponents }
+    }
+
+    /// The shape with the time as one more variable.
+    pub fn timed(&self) -> &Timed {
+        self.timed.get_or_init(|| {
+            let shape =
+                Shape::new(self.variables + 1, if self.variables == 0 { DEGREE_OF_POINTS } else { self.degree });
+            let places: std::collections::HashMap<&[u8], usize> =
+                shape.exponents.iter().zip(0..).map(|(e, place)| (&e[..], place)).collect();
+            let place = |e: &Vec<u8>| places[&[&e[..], &[0]].concat()[..]];
+            let places = self.exponents.iter().map(place).collect();
+            Timed { shape: Arc::new(shape), places }
+        })
+    }
+
+    /// The polynomial on the half of the cube on one side of a variable, in a variable from -1 to 1 again: `s = (side + t)/2`, `side` -1 or 1.
+    pub fn half(&self, a: &[f64], variable: usize, side: f64) -> Vec<f64> {
+        let mut sum = vec![0.0; a.len()];
+        for (place, (c, exponents)) in a.iter().zip(&self.exponents).enumerate().filter(|(_, (c, _))| **c != 0.0) {
+            let power = i32::from(exponents[variable]);
+            let (mut place, scaled, mut binomial) = (place, c * 0.5f64.powi(power), 1.0);
+            // From the highest power of t; binomial coefficients are exact, so that each term is rounded once.
+            for j in (0..=power).rev() {
+                sum[place] += scaled * binomial;
+                place = self.lower[place][variable] as usize;
+                binomial = side * binomial * f64::from(j) / f64::from(power - j + 1);
+            }
+        }
+        sum
     }
 
     /// The number of monomials.
@@ -65,9 +116,19 @@ impl Shape {
         2f64.powi(self.degree as i32)
     }
 
-    /// The sums of the absolute coefficients of each degree, not rounded up.
-    pub fn norms(&self, a: &[f64]) -> impl Iterator<Item = f64> {
-        self.starts.windows(2).map(|w| a[w[0]..w[1]].iter().fold(0.0, |sum, x| sum + x.abs()))
+    /// The sums of the absolute coefficients of each degree.
+    pub fn norms(&self, a: &[f64]) -> impl Iterator<Item = Bound> {
+        self.starts.windows(2).map(|w| Bound::total(a[w[0]..w[1]].iter().copied()))
+    }
+
+    /// Encloses the value of a polynomial at a point.
+    pub fn value(&self, a: &[f64], at: &[f64]) -> FloatInterval {
+        let mut sum = FloatInterval::ZERO;
+        for (x, exponents) in a.iter().zip(&self.exponents).filter(|(x, _)| **x != 0.0) {
+            let powers = exponents.iter().zip(at).map(|(e, s)| FloatInterval::point(*s).power(u64::from(*e)));
+            sum = sum + powers.fold(FloatInterval::point(*x), |product, power| product * power);
+        }
+        sum
     }
 
     /// Encloses the values of a polynomial on the whole box.

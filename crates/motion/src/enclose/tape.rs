@@ -280,10 +280,16 @@ impl Traced {
         Traced::minus(&a.constant(FloatInterval::point(0.0)), a)
     }
 
+    /// The values of a function, and whether they are one constant. On intervals it may have none where the expansion shows that it has: then they are not known.
+    fn applied(&self, kind: Kind) -> Result<(FloatInterval, bool), ArithmeticError> {
+        let constant = lock(&self.writer).constant(self.id).is_some();
+        let value = value_of(kind, &self.value);
+        Ok((if constant { value? } else { value.unwrap_or(FloatInterval::LINE) }, constant))
+    }
+
     /// A function whose derivative is made of itself alone.
     fn alone(&self, kind: Kind) -> Result<Self, ArithmeticError> {
-        let value = value_of(kind, &self.value)?;
-        let constant = lock(&self.writer).constant(self.id).is_some();
+        let (value, constant) = self.applied(kind)?;
         if constant {
             return Ok(self.constant(value));
         }
@@ -295,10 +301,10 @@ impl Traced {
 
     /// Two functions whose derivatives are made of each other.
     fn both(&self, kinds: [Kind; 2]) -> Result<(Self, Self), ArithmeticError> {
-        let values = [value_of(kinds[0], &self.value)?, value_of(kinds[1], &self.value)?];
-        let constant = lock(&self.writer).constant(self.id).is_some();
+        let [(first, constant), (second, _)] = [self.applied(kinds[0])?, self.applied(kinds[1])?];
+        let values = [first, second];
         if constant {
-            return Ok((self.constant(values[0]), self.constant(values[1])));
+            return Ok((self.constant(first), self.constant(second)));
         }
         let mut writer = lock(&self.writer);
         let place = writer.ops.len();
@@ -311,8 +317,7 @@ impl Traced {
 
     /// A function whose derivative is another one.
     fn from(&self, kind: Kind, slope: &Self) -> Result<Self, ArithmeticError> {
-        let value = value_of(kind, &self.value)?;
-        let constant = lock(&self.writer).constant(self.id).is_some();
+        let (value, constant) = self.applied(kind)?;
         Ok(if constant { self.constant(value) } else { self.with(Op::Function(kind, self.id, slope.id), value) })
     }
 }

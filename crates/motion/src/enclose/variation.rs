@@ -1,6 +1,8 @@
 //! The derivative of the flow on a step, as a polynomial in time and start with a bound of what that leaves out.
 
-use super::expansion::{Expansion, TINY, UNIT, UP, beyond, rounding, weights};
+use super::bound::Bound;
+use super::errors::{TINY, UNIT, beyond, rounding, weights};
+use super::expansion::Expansion;
 use super::linear::IntervalMatrix;
 use super::shape::Shape;
 use super::tape::Derivatives;
@@ -16,7 +18,7 @@ pub(super) struct Variation<'a> {
     expansion: &'a Expansion<'a>,
     derivatives: &'a Derivatives,
     length: f64,
-    slack: f64,
+    slack: Bound,
 }
 
 impl<'a> Variation<'a> {
@@ -25,7 +27,7 @@ impl<'a> Variation<'a> {
         shape: &'a Shape,
         order: usize,
         (expansion, derivatives): (&'a Expansion<'a>, &'a Derivatives),
-        (length, slack): (f64, f64),
+        (length, slack): (f64, Bound),
     ) -> Self {
         let size = derivatives.len();
         let block = size * size * shape.size();
@@ -66,47 +68,55 @@ impl<'a> Variation<'a> {
     }
 
     /// Encloses the derivative of the flow at the end of the step: `errors` are bounds for the operations, `growth` bounds what `e^(h |A|)` makes of a vector.
-    pub fn enclosed(&self, errors: &[f64], growth: impl Fn(&[f64]) -> Option<Vec<f64>>) -> Option<IntervalMatrix> {
-        let (size, monomials, degrees) = (self.size, self.shape.size(), self.shape.degree + 1);
-        // The sums of the absolute coefficients of V, by entries, powers and degrees.
-        let entry = |i: usize, j: usize| -> Vec<f64> {
-            (0..self.order)
-                .flat_map(|k| self.shape.norms(self.of(k, i, j)).map(|x| x * UP).collect::<Vec<_>>())
-                .collect()
-        };
-        let norms: Vec<Vec<f64>> = (0..size * size).map(|k| entry(k / size, k % size)).collect();
-        let tails: Vec<Vec<f64>> = norms.iter().map(|own| beyond(own, self.order, self.shape.degree)).collect();
-        let weighed: Vec<[f64; 2]> = norms.iter().map(|own| weights(own, degrees)).collect();
-        // V' - h A V: the last power, what is cut off and rounded, and the distance of A.
-        let last = self.rate(self.order - 1, self.length);
-        let sum = |list: &[f64]| list.iter().fold(0.0, |sum, x| sum + x.abs());
-        let mut left = vec![0.0; size * size];
-        for (i, row) in self.derivatives.iter().enumerate() {
-            for j in 0..size {
-                let mut own = sum(&last[(i * size + j) * monomials..][..monomials]) * UP;
-                for &(c, id) in row {
-                    let (place, a) = (c * size + j, self.expansion.norms(id));
-                    let cut = a.iter().zip(&tails[place]).fold(0.0, |sum, (x, y)| sum + x * y);
-                    let rounded = rounding(weights(a, degrees), weighed[place]) * row.len().max(2) as f64;
-                    let whole: f64 = norms[place].iter().sum();
-                    let far = self.length * (cut + rounded + errors[id] * whole);
-                    own += (far + self.slack * (a.iter().sum::<f64>() + errors[id]) * whole) * UP + TINY;
-                }
-                // Of k V_k, which was multiplied with the length and divided by k.
-                let turned = 4.0 * self.order as f64 * UNIT;
-                left[i * size + j] = (own + turned * norms[i * size + j].iter().sum::<f64>()) * UP;
-            }
-        }
-        let mut matrix: IntervalMatrix = vec![vec![FloatInterval::point(0.0); size]; size];
+    pub fn enclosed(
+        &self,
+        errors: &[Bound],
+        growth: impl Fn(&[Bound]) -> Option<Vec<Bound>>,
+    ) -> Option<IntervalMatrix> {
+        let left = self.defects(errors);
+        let size = self.size;
+        let mut matrix: IntervalMatrix = vec![vec![FloatInterval::ZERO; size]; size];
         for j in 0..size {
-            let column: Vec<f64> = (0..size).map(|i| left[i * size + j]).collect();
+            let column: Vec<Bound> = (0..size).map(|i| left[i * size + j]).collect();
             let far = growth(&column)?;
             for i in 0..size {
                 let parts = (0..self.order).map(|k| self.shape.range(self.of(k, i, j)));
-                let value = parts.fold(FloatInterval::point(0.0), |sum, x| sum + x);
-                matrix[i][j] = value + FloatInterval::between(-far[i], far[i]);
+                let value = parts.fold(FloatInterval::ZERO, |sum, x| sum + x);
+                matrix[i][j] = value + FloatInterval::between(-far[i].value(), far[i].value());
             }
         }
         Some(matrix)
+    }
+
+    /// Bounds of `V' - h A V` on the whole step, by rows and columns: the last power, what is cut off and rounded, and the distance of A.
+    fn defects(&self, errors: &[Bound]) -> Vec<Bound> {
+        let (size, monomials, degrees) = (self.size, self.shape.size(), self.shape.degree + 1);
+        // The sums of the absolute coefficients of V, by entries, powers and degrees.
+        let entry = |place: usize| -> Vec<Bound> {
+            (0..self.order).flat_map(|k| self.shape.norms(self.of(k, place / size, place % size))).collect()
+        };
+        let norms: Vec<Vec<Bound>> = (0..size * size).map(entry).collect();
+        let tails: Vec<Vec<Bound>> = norms.iter().map(|own| beyond(own, self.order, self.shape.degree)).collect();
+        let weighed: Vec<[Bound; 2]> = norms.iter().map(|own| weights(own, degrees)).collect();
+        let wholes: Vec<Bound> = norms.iter().map(|own| own.iter().copied().sum()).collect();
+        let last = self.rate(self.order - 1, self.length);
+        let mut left = vec![Bound::ZERO; size * size];
+        for (i, row) in self.derivatives.iter().enumerate() {
+            for j in 0..size {
+                let mut own = Bound::total(last[(i * size + j) * monomials..][..monomials].iter().copied());
+                for &(c, id) in row {
+                    let (place, a) = (c * size + j, self.expansion.norms(id));
+                    let cut = Bound::dot(a, &tails[place]);
+                    // Every coefficient is a sum over the row.
+                    let rounded = rounding(weights(a, degrees), weighed[place]) * row.len() as f64;
+                    let error = errors[id] * wholes[place];
+                    let size_of = (self.expansion.norm(id) + errors[id]) * wholes[place];
+                    own = own + (cut + rounded + error) * self.length + self.slack * size_of + TINY;
+                }
+                // Of k V_k, which was multiplied with the length and divided by k.
+                left[i * size + j] = own + wholes[i * size + j] * (4.0 * self.order as f64 * UNIT);
+            }
+        }
+        left
     }
 }

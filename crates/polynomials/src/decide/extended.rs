@@ -64,6 +64,16 @@ impl Extended {
         Extended::between(lo, hi)
     }
 
+    /// Between the least and the largest of rounded results with their errors: outward, unless nothing was rounded.
+    fn of_results(results: &[(f64, f64)]) -> Self {
+        let down = |(x, e): &(f64, f64)| if *e >= 0.0 { *x } else { x.next_down() };
+        let up = |(x, e): &(f64, f64)| if *e <= 0.0 { *x } else { x.next_up() };
+        // An error that is not a number is not known.
+        let lo = results.iter().map(|r| if r.1.is_nan() { Extended::outward(r.0, r.0).lo } else { down(r) });
+        let hi = results.iter().map(|r| if r.1.is_nan() { Extended::outward(r.0, r.0).hi } else { up(r) });
+        Extended::between(lo.fold(f64::INFINITY, f64::min), hi.fold(f64::NEG_INFINITY, f64::max))
+    }
+
     fn empty() -> Self {
         Extended { lo: f64::INFINITY, hi: f64::NEG_INFINITY, defined: false }
     }
@@ -76,7 +86,10 @@ impl Extended {
         Extended::joined(a, b, || match (a.is_zero(), b.is_zero()) {
             (true, _) => *b,
             (_, true) => *a,
-            _ => Extended::outward(a.lo + b.lo, a.hi + b.hi),
+            _ => {
+                let (least, most) = (sum(a.lo, b.lo), sum(a.hi, b.hi));
+                Extended { lo: Extended::of_results(&[least]).lo, ..Extended::of_results(&[most]) }
+            }
         })
     }
 
@@ -93,12 +106,12 @@ impl Extended {
             if a.is_zero() || b.is_zero() {
                 return Extended::between(0.0, 0.0);
             }
-            // Zero times an infinite end is zero: the end is not a value.
-            let product = |x: f64, y: f64| if x == 0.0 || y == 0.0 { 0.0 } else { x * y };
-            let all = [product(a.lo, b.lo), product(a.lo, b.hi), product(a.hi, b.lo), product(a.hi, b.hi)];
-            let least = all.into_iter().fold(f64::INFINITY, f64::min);
-            let most = all.into_iter().fold(f64::NEG_INFINITY, f64::max);
-            let whole = Extended::outward(least, most);
+            let whole = Extended::of_results(&[
+                product(a.lo, b.lo),
+                product(a.lo, b.hi),
+                product(a.hi, b.lo),
+                product(a.hi, b.hi),
+            ]);
             // A product of numbers that are not negative is not negative, whatever rounding says.
             let same = a.lo >= 0.0 && b.lo >= 0.0 || a.hi <= 0.0 && b.hi <= 0.0;
             let other = a.lo >= 0.0 && b.hi <= 0.0 || a.hi <= 0.0 && b.lo >= 0.0;
@@ -127,6 +140,35 @@ impl Extended {
     }
 }
 
+/// The rounded sum and its error, which is a float (Knuth, Moeller); not a number where that is not known.
+fn sum(x: f64, y: f64) -> (f64, f64) {
+    let s = x + y;
+    let t = s - x;
+    (s, (x - (s - t)) + (y - t))
+}
+
+/// The rounded product and its error (Dekker, Veltkamp); not a number where that is not known.
+fn product(x: f64, y: f64) -> (f64, f64) {
+    /// Beyond these parts of numbers may overflow, or errors be too small for floats.
+    const LARGE: f64 = 1e140;
+    const SMALL: f64 = 1e-120;
+    // Zero times an infinite end is zero: the end is not a value.
+    if x == 0.0 || y == 0.0 {
+        return (0.0, 0.0);
+    }
+    let p = x * y;
+    if ![x, y].iter().all(|x| (SMALL..LARGE).contains(&x.abs())) {
+        return (p, f64::NAN);
+    }
+    let split = |x: f64| {
+        let c = 134_217_729.0 * x;
+        let high = c - (c - x);
+        (high, x - high)
+    };
+    let ((a, b), (c, d)) = (split(x), split(y));
+    (p, ((a * c - p) + a * d + b * c) + b * d)
+}
+
 operators!([] Extended, Extended::plus, Extended::minus, Extended::times, Extended::negated);
 
 impl Ring for Extended {
@@ -138,9 +180,8 @@ impl Ring for Extended {
         if self.is_empty() || self.is_zero() {
             return *self;
         }
-        let (a, b) = (self.lo * self.lo, self.hi * self.hi);
         let contains = self.lo <= 0.0 && self.hi >= 0.0;
-        let square = Extended::outward(a.min(b), a.max(b));
+        let square = Extended::of_results(&[product(self.lo, self.lo), product(self.hi, self.hi)]);
         Extended { lo: if contains { 0.0 } else { square.lo.max(0.0) }, hi: square.hi, defined: self.defined }
     }
 
@@ -178,8 +219,13 @@ impl Field for Extended {
             return Ok(LINE.and(false));
         }
         // An end at zero is no value: the other side of it has no end.
-        let lo = if self.hi == 0.0 { f64::NEG_INFINITY } else { (1.0 / self.hi).next_down() };
-        let hi = if self.lo == 0.0 { f64::INFINITY } else { (1.0 / self.lo).next_up() };
+        let inverse = |x: f64| {
+            let q = 1.0 / x;
+            // Exact where the product is.
+            if product(q, x) == (1.0, 0.0) { Extended::between(q, q) } else { Extended::outward(q, q) }
+        };
+        let lo = if self.hi == 0.0 { f64::NEG_INFINITY } else { inverse(self.hi).lo };
+        let hi = if self.lo == 0.0 { f64::INFINITY } else { inverse(self.lo).hi };
         let whole = Extended { lo, hi, defined };
         Ok(if self.lo >= 0.0 {
             Extended { lo: whole.lo.max(0.0), ..whole }
@@ -214,7 +260,9 @@ impl Number for Extended {
             if x.is_infinite() {
                 None
             } else {
-                Some((if x == 0.0 { 0.0 } else { x.sqrt().next_down().max(0.0) }, x.sqrt().next_up()))
+                let root = x.sqrt();
+                let exact = product(root, root) == (x, 0.0);
+                Some(if exact { (root, root) } else { (root.next_down().max(0.0), root.next_up()) })
             }
         };
         Ok(inside.monotone(|x| if x == 0.0 { Some((0.0, 0.0)) } else { root(x) }))
@@ -294,6 +342,16 @@ impl Signed for Extended {
 
     fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
         Ok(Extended::joined(self, other, || Extended::between(self.lo.min(other.lo), self.hi.min(other.hi))))
+    }
+
+    fn side(&self) -> Option<Sign> {
+        let known = self.sign();
+        match (self.is_empty(), self.lo >= 0.0, self.hi <= 0.0) {
+            _ if known.is_some() => known,
+            (false, true, _) => Some(Sign::Positive),
+            (false, _, true) => Some(Sign::Negative),
+            _ => None,
+        }
     }
 
     fn sign(&self) -> Option<Sign> {

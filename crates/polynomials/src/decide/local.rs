@@ -59,6 +59,8 @@ pub(super) fn at_point<F: Function>(clause: &[Literal<F>], point: &[Rational]) -
 pub(super) enum Local {
     /// It has its sign at all points.
     True { method: Method, zero: Option<Vec<Rational>> },
+    /// It has its sign at all points but this one, at which it is 0.
+    TrueBut(Vec<Rational>),
     /// At this point it has not.
     FailsAt(Vec<Rational>),
     /// It has its sign at no point.
@@ -117,7 +119,20 @@ impl<F: Function> Sided<'_, F> {
             return Local::False;
         }
         // What follows needs derivatives at all points.
-        if value.defined { self.by_slopes(sides) } else { Local::Open(Vec::new()) }
+        if !value.defined {
+            return Local::Open(Vec::new());
+        }
+        match self.by_slopes(sides) {
+            found @ (Local::FailsAt(_) | Local::Open(_)) if self.strict => self.but_at_zero(sides).unwrap_or(found),
+            found => found,
+        }
+    }
+
+    /// In one number, above 0 but for one zero.
+    fn but_at_zero(&self, sides: &[Side]) -> Option<Local> {
+        let mut free = (0..sides.len()).filter(|&k| sides[k].as_point().is_none());
+        let (only, None) = (free.next()?, free.next()) else { return None };
+        self.by_expansion(sides, only).filter(|found| matches!(found, Local::TrueBut(_)))
     }
 
     /// Variables along which the function only grows, or only falls, are put to their ends; what is left is looked at anew.
@@ -165,7 +180,11 @@ impl<F: Function> Sided<'_, F> {
             return Local::True { method: Method::Slopes, zero: None };
         }
         let found = self.by_convexity(&left, &free).or_else(|| match free[..] {
-            [only] => self.by_expansion(&left, only),
+            // The zero of the side that is left need not be the only one of the box.
+            [only] => self.by_expansion(&left, only).map(|found| match found {
+                Local::TrueBut(point) => Local::FailsAt(point),
+                found => found,
+            }),
             _ => None,
         });
         found.unwrap_or(Local::Open(slopes))
@@ -303,10 +322,10 @@ impl<F: Function> Sided<'_, F> {
             })
             .collect();
         let exact = self.value(&at).ok()?;
-        let mut zero = true;
+        let (mut zero, mut above, mut looked) = (true, false, false);
         for (m, exact) in exact.coefficients().iter().enumerate() {
             // The remainder after the first m coefficients, all of which speak for the sign.
-            let rest = remainders.get(m)?;
+            let Some(rest) = remainders.get(m) else { break };
             let fits = match (at_lo, at_hi, m % 2) {
                 (true, _, _) | (_, _, 0) => rest.lo >= 0.0,
                 (_, true, _) => rest.hi <= 0.0,
@@ -316,7 +335,11 @@ impl<F: Function> Sided<'_, F> {
                 let zero = zero.then_some(point);
                 return Some(Local::True { method: Method::Expansion, zero });
             }
-            let sign = exact.sign()?;
+            // A term before the remainder, or the remainder itself, is above 0 wherever `h` is not 0.
+            if m > 0 && fits && (above || rest.lo > 0.0 || rest.hi < 0.0) {
+                return Some(Local::TrueBut(point));
+            }
+            let Some(sign) = exact.sign() else { break };
             let speaks = matches!(
                 (sign, at_lo, at_hi, m % 2),
                 (Sign::Zero, ..)
@@ -325,16 +348,14 @@ impl<F: Function> Sided<'_, F> {
                     | (Sign::Negative, _, true, 1)
             );
             if m == 0 {
-                if !self.is_true(sign) {
-                    return Some(Local::FailsAt(point));
-                }
-                zero = sign == Sign::Zero;
+                (zero, looked) = (sign == Sign::Zero, true);
             }
             if !speaks {
-                return None;
+                return (m == 0 || self.strict && zero).then_some(Local::FailsAt(point));
             }
+            above |= sign != Sign::Zero;
         }
-        None
+        (looked && zero && self.strict).then_some(Local::FailsAt(point))
     }
 }
 

@@ -1,10 +1,13 @@
 //! The decision of "at every point of a domain one of these functions has its sign": points first, then boxes with derivatives, then polynomials.
 
 mod bernstein;
+mod elimination;
 mod extended;
 mod goals;
 mod local;
 mod points;
+mod prover;
+mod reduction;
 mod roots;
 mod subdivision;
 
@@ -103,11 +106,13 @@ pub struct Effort {
     pub boxes: u64,
     /// Whether sums of squares are looked for.
     pub squares: bool,
+    /// Whether sums of squares come first, so that there is a certificate wherever there can be one.
+    pub certified: bool,
 }
 
 impl Default for Effort {
     fn default() -> Self {
-        Effort { boxes: 20_000, squares: true }
+        Effort { boxes: 20_000, squares: true, certified: false }
     }
 }
 
@@ -124,10 +129,66 @@ pub fn decide<F: Function>(
     effort: Effort,
     progress: &dyn Progress,
 ) -> Result<Decision, Cancelled> {
+    let (equations, used) = reduction::equations(clause, domain);
+    if equations.is_empty() {
+        return on_rest(clause, domain, effort, progress);
+    }
+    let (literals, sides) = reduction::reduced(clause, domain, &equations, &used);
+    let restored = |point: Vec<Rational>| reduction::restored(&point, &equations);
+    Ok(match on_rest(&literals, &sides, effort, progress)? {
+        Decision::Holds(mut proof) => {
+            proof.zeros = proof.zeros.into_iter().map(restored).collect();
+            Decision::Holds(proof)
+        }
+        Decision::Fails(point) => Decision::Fails(restored(point)),
+        Decision::Undecided(mut open) => {
+            for sides in &mut open.boxes {
+                equations.iter().for_each(|(variable, _)| sides[*variable] = domain[*variable].clone());
+            }
+            Decision::Undecided(Open { share: None, ..open })
+        }
+    })
+}
+
+/// Where no literal in one variable is true.
+fn on_rest<F: Function>(
+    clause: &[Literal<F>],
+    domain: &[Side],
+    effort: Effort,
+    progress: &dyn Progress,
+) -> Result<Decision, Cancelled> {
+    let Some(rest) = reduction::narrowed(clause, domain) else {
+        return Ok(Decision::Holds(Proof { methods: vec![Method::Enclosures], ..Proof::default() }));
+    };
+    let decision = on_box(clause, &rest, effort, progress)?;
+    let same = rest.iter().zip(domain).all(|(part, whole)| part.as_point().is_some() == whole.as_point().is_some());
+    let whole = subdivision::volume(domain).filter(|whole| same && *whole > 0.0);
+    let volumes = subdivision::volume(&rest).zip(whole);
+    Ok(match decision {
+        Decision::Undecided(open) => {
+            let share = open.share.zip(volumes).map(|(share, (part, whole))| share * (part / whole).min(1.0));
+            Decision::Undecided(Open { share, ..open })
+        }
+        decided => decided,
+    })
+}
+
+fn on_box<F: Function>(
+    clause: &[Literal<F>],
+    domain: &[Side],
+    effort: Effort,
+    progress: &dyn Progress,
+) -> Result<Decision, Cancelled> {
     let found = points::search(clause, domain, progress)?;
     if let Some(at) = found.counterexample {
         return Ok(Decision::Fails(at));
     }
+    if effort.certified
+        && let goals::Outcome::Proved(proof) = goals::prove(clause, domain, effort, progress)?
+    {
+        return Ok(with_zeros(Decision::Holds(proof), found.zeros));
+    }
+    let effort = Effort { certified: false, ..effort };
     let first = Effort { boxes: FIRST_BOXES.min(effort.boxes), ..effort };
     let open = match subdivision::divide(clause, domain, first, progress)? {
         Decision::Undecided(open) => open,

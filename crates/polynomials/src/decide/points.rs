@@ -56,6 +56,7 @@ const LOOKS: u32 = 600;
 impl<F: Function> Search<'_, F> {
     /// Looks exactly where floats have a doubt; whether the search is over.
     fn look(&mut self, point: Vec<Rational>) -> bool {
+        let point: Vec<Rational> = point.into_iter().zip(self.domain).map(|(q, side)| side.nearest(q)).collect();
         let slack = clause_slack(self.clause, &floats(&point));
         let doubtful = slack.is_none_or(|slack| slack <= NEAR);
         if !doubtful || self.looked >= LOOKS {

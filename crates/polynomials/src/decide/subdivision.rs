@@ -3,7 +3,7 @@
 use super::local::{Local, Sided, Signs, at_point};
 use super::{Decision, Effort, Extended, Method, Open, Proof};
 use crate::function::{Compared, Function, Literal, Side};
-use arithmetic::{Cancelled, Progress, Rational, rational};
+use arithmetic::{Cancelled, Progress, Rational, rational, simplest_between};
 use num_traits::ToPrimitive;
 use rayon::prelude::*;
 
@@ -34,10 +34,10 @@ fn one<F: Function>(literal: &Literal<F>, sides: &[Side]) -> Local {
     match literal.compared {
         Compared::Positive | Compared::NotNegative => sided(literal, false).on_box(sides),
         Compared::NotZero => match sided(literal, false).on_box(sides) {
-            found @ Local::True { .. } => found,
+            found @ (Local::True { .. } | Local::TrueBut(_)) => found,
             _ => match sided(literal, true).on_box(sides) {
                 // Neither sign everywhere says nothing about zero.
-                found @ (Local::True { .. } | Local::Open(_)) => found,
+                found @ (Local::True { .. } | Local::TrueBut(_) | Local::Open(_)) => found,
                 Local::False | Local::FailsAt(_) => Local::Open(Vec::new()),
             },
         },
@@ -52,15 +52,24 @@ fn one<F: Function>(literal: &Literal<F>, sides: &[Side]) -> Local {
 }
 
 fn look<F: Function>(clause: &[Literal<F>], cell: &Cell) -> Standing {
+    let admitted = |point: &Vec<Rational>| cell.sides.iter().zip(point).all(|(side, q)| side.contains(q));
     let mut slopes = Vec::new();
     let mut open = false;
     let mut candidates = Vec::new();
     for literal in clause {
         match one(literal, &cell.sides) {
             Local::True { method, zero } => {
-                let zero = zero.filter(|_| literal.compared == Compared::NotNegative);
+                let zero = zero.filter(|zero| literal.compared == Compared::NotNegative && admitted(zero));
                 return Standing::Closed(vec![method], zero);
             }
+            // Another literal may be true at that point.
+            Local::TrueBut(point) => match at_point(clause, &point) {
+                Signs::Holds { .. } => return Standing::Closed(vec![Method::Expansion], None),
+                _ => {
+                    open = true;
+                    candidates.push(point);
+                }
+            },
             Local::False => {}
             Local::FailsAt(point) => {
                 open = true;
@@ -77,7 +86,7 @@ fn look<F: Function>(clause: &[Literal<F>], cell: &Cell) -> Standing {
     if !open {
         candidates.push(cell.sides.iter().map(Side::middle).collect());
     }
-    match candidates.into_iter().find(|point| at_point(clause, point) == Signs::Fails) {
+    match candidates.into_iter().find(|point| admitted(point) && at_point(clause, point) == Signs::Fails) {
         Some(point) => Standing::Fails(point),
         None => Standing::Split(slopes),
     }
@@ -93,7 +102,12 @@ fn direction(cell: &Cell, slopes: &[Extended], domain: &[Side]) -> Option<usize>
         }
         let whole = if (b - a).is_finite() { b - a } else { 1.0 };
         let size = if lo > 0.0 || hi < 0.0 { lo.abs().max(hi.abs()).min(whole) } else { whole };
-        if (hi - lo).is_finite() { (hi - lo) / size } else { f64::INFINITY }
+        match (hi - lo) / size {
+            // Integers are apart, however large they are.
+            width if width.is_finite() && cell.sides[k].integer => width.max(2.0 * THINNEST),
+            width if (hi - lo).is_finite() => width,
+            _ => f64::INFINITY,
+        }
     };
     let smear = |k: usize| {
         let (lo, hi) = cell.sides[k].floats();
@@ -117,17 +131,37 @@ fn halves(cell: &Cell, k: usize) -> [Cell; 2] {
         (None, Some(_)) => rational(-1, 1).min(side.hi.clone().unwrap_or_default() - rational(1, 1)),
         (None, None) => rational(0, 1),
     };
+    parted(cell, k, at)
+}
+
+fn parted(cell: &Cell, k: usize, at: Rational) -> [Cell; 2] {
     let with = |side: Side| {
         let mut sides = cell.sides.clone();
         sides[k] = side;
         Cell { sides, depth: cell.depth + 1 }
     };
-    [with(Side { lo: side.lo.clone(), hi: Some(at.clone()) }), with(Side { lo: Some(at), hi: side.hi.clone() })]
+    let side = &cell.sides[k];
+    let (at, after) = if side.integer { (at.floor(), at.floor() + rational(1, 1)) } else { (at.clone(), at) };
+    let (lower, upper) = (side.clone(), side.clone());
+    [with(Side { hi: Some(at), ..lower }), with(Side { lo: Some(after), ..upper })]
 }
 
-fn volume(sides: &[Side]) -> Option<f64> {
+/// A box that is too thin to be halved, parted at the simplest number of a side: kinks of `abs`, `min` and `max` at such numbers are never reached by halves.
+fn at_kink(cell: &Cell) -> Option<[Cell; 2]> {
+    let inside = |k: usize| {
+        let (lo, hi) = cell.sides[k].lo.as_ref().zip(cell.sides[k].hi.as_ref())?;
+        let at = simplest_between(lo, hi);
+        (at != *lo && at != *hi && !cell.sides[k].integer).then_some((k, at))
+    };
+    let (k, at) = (0..cell.sides.len()).find_map(inside)?;
+    Some(parted(cell, k, at))
+}
+
+/// The product of the widths, where all are bounded; a side that is a number counts as 1.
+pub(super) fn volume(sides: &[Side]) -> Option<f64> {
     let width = |side: &Side| match (&side.lo, &side.hi) {
         (Some(lo), Some(hi)) if lo == hi => Some(1.0),
+        (Some(lo), Some(hi)) if side.integer => (hi - lo + rational(1, 1)).to_f64(),
         (Some(lo), Some(hi)) => (hi - lo).to_f64(),
         _ => None,
     };
@@ -163,7 +197,10 @@ pub(super) fn divide<F: Function>(
                 }
                 Standing::Split(slopes) => match direction(&cell, &slopes, domain) {
                     Some(k) => next.extend(halves(&cell, k)),
-                    None => thin.push(cell),
+                    None => match at_kink(&cell) {
+                        Some(halves) => next.extend(halves),
+                        None => thin.push(cell),
+                    },
                 },
             }
         }

@@ -9,13 +9,22 @@ type Polynomial = Multivariate<Rational>;
 /// `d l²`, with `d >= 0`.
 pub type Square = (Rational, Polynomial);
 
+/// An inequality in somebody's own names.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Statement {
+    /// How many names it has, in the order of the variables.
+    pub variables: usize,
+    /// Its text.
+    pub text: String,
+}
+
 /// Wherever all `constraints` are at least 0 and all `equalities` are 0, the goal is at least 0 (above 0 where `strict`), because
 ///
 /// `(sum of multiplier) goal = sum over terms of (product of the constraints of the term) (sum of its squares) + sum of cofactor equality`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Certificate {
-    /// Names of the variables.
-    pub names: Vec<String>,
+    /// What it says in the words of who asked, which the checker reads: `for all x in [0, 1]: x >= x^2`.
+    pub statement: Option<Statement>,
     /// At least 0 by assumption.
     pub constraints: Vec<Polynomial>,
     /// 0 by assumption.

@@ -9,7 +9,7 @@ mod gram;
 mod semidefinite;
 mod text;
 
-pub use certificate::{Certificate, Square};
+pub use certificate::{Certificate, Square, Statement};
 
 use crate::multivariate::{Monomial, Multivariate, total_degree};
 use arithmetic::{Cancelled, Progress, Rational, rational};
@@ -57,8 +57,6 @@ impl Relation {
 /// `goal >= 0` (or `> 0`) to be proved from constraints and relations.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// Names of the variables.
-    pub names: Vec<String>,
     /// What should be at least 0.
     pub goal: Polynomial,
     /// Or above 0.
@@ -291,7 +289,7 @@ impl Problem {
             }
         }
         let mut certificate = Certificate {
-            names: self.names.clone(),
+            statement: None,
             constraints: self.constraints.clone(),
             equalities: self.relations.iter().map(Relation::equality).collect(),
             goal: self.goal.clone(),

@@ -34,6 +34,9 @@ fn words(p: &Polynomial, variables: usize) -> String {
 impl Certificate {
     /// How many variables there are.
     fn variables(&self) -> usize {
+        if let Some(statement) = &self.statement {
+            return statement.variables;
+        }
         let all = self.constraints.iter().chain(&self.equalities).chain(&self.cofactors).chain([&self.goal]);
         let squares = self.terms.iter().flat_map(|(_, squares)| squares).chain(&self.multiplier).map(|(_, l)| l);
         all.chain(squares).map(Multivariate::arity).max().unwrap_or(0).max(1)
@@ -41,6 +44,9 @@ impl Certificate {
 
     /// What is certified, in words that the checker composes again.
     pub fn claim(&self) -> String {
+        if let Some(statement) = &self.statement {
+            return statement.text.clone();
+        }
         let shown = |p: &Polynomial| primitive(p).1.to_string();
         let names: Vec<String> = (1..=self.variables()).map(|k| format!("x{k}")).collect();
         let above = self.constraints.iter().map(|p| format!("{} >= 0", shown(p)));
@@ -77,7 +83,9 @@ impl Certificate {
         let numbers: Vec<Rational> =
             weights.chain(cofactors.iter().flat_map(|p| p.terms().map(|(_, c)| c.clone()))).collect();
         let whole = Rational::from_integer(common_denominator(&numbers));
-        let mut text = format!("flockproof-certificate 1 sos\nclaim {}\nvariables {n}\n", self.claim());
+        let mut text = format!("flockproof-certificate 1 sos\nclaim {}\n", self.claim());
+        let _ = self.statement.iter().try_for_each(|statement| writeln!(text, "says {}", statement.text));
+        let _ = writeln!(text, "variables {n}");
         let listed = |text: &mut String, name: &str, own: &str, list: &[(Rational, Polynomial)]| {
             let _ = writeln!(text, "{name} {}", list.len());
             list.iter().for_each(|(_, p)| {

@@ -366,11 +366,6 @@ impl RealRoot {
         (self.lo == self.hi).then_some(&self.lo)
     }
 
-    /// The float in the middle, for display.
-    pub fn to_f64(&self) -> f64 {
-        self.enclosure(64).to_f64()
-    }
-
     /// A lower bound.
     pub fn lo(&self) -> &Rational {
         &self.lo

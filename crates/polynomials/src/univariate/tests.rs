@@ -89,9 +89,6 @@ fn values_signs_and_enclosures_are_sums_of_powers() {
             let naive: Rational = terms.sum();
             assert_eq!(p.at(&x), naive);
             assert_eq!(p.sign_at(&x), naive.cmp(&rational(0, 1)) as i8);
-            // Dyadic numbers this short are exact.
-            let enclosed = p.enclose(&Interval::from_rational(&x, 64));
-            assert_eq!(enclosed.to_rationals(), (naive.clone(), naive));
         }
     }
 }
@@ -225,7 +222,7 @@ fn refined_enclosures_are_as_narrow_as_asked_for() {
                 if &wide.hi - &wide.lo <= width {
                     assert_eq!(root, wide);
                 }
-                assert!((root.to_f64() - exact).abs() < 1e-3 || bits < 10);
+                assert!((root.enclosure(64).to_f64() - exact).abs() < 1e-3 || bits < 10);
             }
         }
     }
@@ -281,7 +278,7 @@ fn ends_and_enclosures_of_roots() {
     let root = RealRoot { lo: rational(1, 4), hi: rational(3, 4) };
     assert_eq!((root.lo(), root.hi(), root.exact()), (&rational(1, 4), &rational(3, 4), None));
     assert_eq!(root.enclosure(64).to_rationals(), (rational(1, 4), rational(3, 4)));
-    assert_eq!((root.enclosure(64).precision(), root.to_f64()), (64, 0.5));
+    assert_eq!((root.enclosure(64).precision(), root.enclosure(64).to_f64()), (64, 0.5));
 }
 
 /// The leading bits of a value at a dyadic number: `m 2^e` is the value cut off after at least as many bits as asked for.

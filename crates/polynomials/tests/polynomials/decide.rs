@@ -15,14 +15,6 @@ enum Known {
 }
 
 impl Function for Known {
-    fn arity(&self) -> usize {
-        match self {
-            Known::Valley(_) => 2,
-            Known::Sum => 40,
-            _ => 1,
-        }
-    }
-
     fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
         let x = &at[0];
         Ok(match self {
@@ -45,7 +37,12 @@ impl Function for Known {
 
 fn asked(function: Known, compared: Compared, lo: (i64, i64), hi: (i64, i64)) -> Decision {
     let side = Side::between(rational(lo.0, lo.1), rational(hi.0, hi.1));
-    let domain = vec![side; function.arity()];
+    let arity = match function {
+        Known::Valley(_) => 2,
+        Known::Sum => 40,
+        _ => 1,
+    };
+    let domain = vec![side; arity];
     decide(&[Literal { function, compared, guarded: false }], &domain, Effort::default(), &Unwatched).unwrap()
 }
 

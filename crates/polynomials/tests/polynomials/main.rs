@@ -3,5 +3,7 @@
 extern crate flockproof_polynomials as polynomials;
 
 mod decide;
+mod expression;
+mod hostile;
 mod random;
 mod sums;

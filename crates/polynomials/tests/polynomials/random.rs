@@ -7,13 +7,9 @@ use rand_chacha::rand_core::Rng;
 
 type P = Multivariate<Rational>;
 
-struct Plain(P, usize);
+struct Plain(P);
 
 impl Function for Plain {
-    fn arity(&self) -> usize {
-        self.1
-    }
-
     fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
         Ok(self.0.at(at, &at[0], |c| at[0].rational(c)))
     }
@@ -53,9 +49,8 @@ fn random_polynomials_get_no_wrong_answer() {
         let dip = sum.clone() - P::of(rational(1, 1_000_000));
         let domain = vec![Side::between(rational(-1, 1), rational(1, 1)); variables];
         let decided = |p: &P| {
-            let literal =
-                Literal { function: Plain(p.clone(), variables), compared: Compared::NotNegative, guarded: false };
-            decide(&[literal], &domain, Effort { boxes: 1000, squares: true }, &Unwatched).unwrap()
+            let literal = Literal { function: Plain(p.clone()), compared: Compared::NotNegative, guarded: false };
+            decide(&[literal], &domain, Effort { boxes: 1000, ..Effort::default() }, &Unwatched).unwrap()
         };
         match decided(&sum) {
             Decision::Holds(_) => {}
@@ -92,7 +87,7 @@ fn polynomials_that_are_no_sums_of_squares_are_decided() {
         + x.power(2) * y.power(2) * P::of(rational(3, 1));
     let line = vec![Side::line(); 2];
     for domain in [line, vec![Side::between(rational(-2, 1), rational(2, 1)); 2]] {
-        let literal = |p: P, compared| [Literal { function: Plain(p, 2), compared, guarded: false }];
+        let literal = |p: P, compared| [Literal { function: Plain(p), compared, guarded: false }];
         let found = decide(&literal(robinson.clone(), Compared::NotNegative), &domain, Effort::default(), &Unwatched);
         assert!(!matches!(found.unwrap(), Decision::Fails(_)));
         let dip = robinson.clone() - P::of(rational(1, 1_000_000));

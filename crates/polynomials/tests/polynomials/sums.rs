@@ -12,7 +12,7 @@ fn c(p: i64, q: i64) -> P {
 }
 
 fn search(goal: P, strict: bool, constraints: Vec<P>) -> Option<Certificate> {
-    let problem = Problem { names: Vec::new(), goal, strict, constraints, relations: Vec::new(), zeros: Vec::new() };
+    let problem = Problem { goal, strict, constraints, relations: Vec::new(), zeros: Vec::new() };
     match problem.search(&Unwatched).unwrap() {
         Search::Found(found) => {
             checked(&found);

@@ -1,17 +1,18 @@
 //! Time operators in discrete time: every property is constant on stretches of steps, and its truth at a step is that of its parts at the steps
 //! that are meant. Nothing is divided, and nothing is evaluated before it is needed.
 
-use super::time::{Span, moving_names, now};
+use super::time::{Span, horizon, moving_names, now};
 use super::{Evaluator, Judged};
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::syntax::{Kind, Node};
-use crate::timeline::{Measured, Moment, Piece, Timeline};
+use crate::timeline::{Measured, Moment, Piece, Repeats, Timeline};
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::Rational;
 use arithmetic::RealNumber as Number;
 use num_bigint::BigInt;
+use num_traits::ToPrimitive;
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
@@ -21,8 +22,7 @@ const MOST_FOR_MARGIN: usize = 2000;
 /// A property with a time operator at the first time of the evaluator's piece.
 pub(super) fn over_steps(timeline: &dyn Timeline, evaluator: &Evaluator, node: &Node) -> Judged {
     let start = evaluator.piece.map_or_else(now, Clone::clone).from.ceil().to_integer();
-    let range = Stretch { from: start.clone(), to: Some(start.clone()) };
-    Operator::read(timeline, evaluator, node, &range)?.at(&start)
+    outermost(timeline, evaluator, node, &start)?.at(&start)
 }
 
 /// Goes through the stretches of a part of a time operator in order, with its truth there, as long as it is told to go on.
@@ -34,8 +34,7 @@ pub(super) fn each_stretch(
     visit: &mut dyn FnMut(&Piece, Truth, Margin) -> bool,
 ) -> Result<(), Failure> {
     let start = evaluator.piece.map_or_else(now, Clone::clone).from.ceil().to_integer();
-    let range = Stretch { from: start.clone(), to: Some(start.clone()) };
-    let operator = Operator::read(timeline, evaluator, node, &range)?;
+    let operator = outermost(timeline, evaluator, node, &start)?;
     let Some(body) = operator.bodies.get(part) else { return Ok(()) };
     // Of `until` the first part is asked for from now on.
     let is_first = operator.meaning == Meaning::Until && part == 0;
@@ -48,6 +47,58 @@ pub(super) fn each_stretch(
         }
     }
     Ok(())
+}
+
+/// A time operator that stands in no other one, at a step.
+fn outermost<'a, 'c, 'q>(
+    timeline: &'a dyn Timeline,
+    evaluator: &'a Evaluator<'c, 'q>,
+    node: &'a Node,
+    start: &BigInt,
+) -> Result<Operator<'a, 'c, 'q>, Failure> {
+    let mut is_endless = false;
+    node.visit(&mut |part| is_endless |= matches!(part.kind, Kind::Infinity));
+    let end = if is_endless { None } else { Some(horizon(evaluator, node)? + Rational::from_integer(start.clone())) };
+    // Of all quantities or of none: next to others nothing repeats.
+    let repeats = timeline.repeats(end.as_ref(), &moving_names(evaluator, node))?;
+    let place = Place { timeline, evaluator, repeats };
+    Operator::read(&place, node, &Stretch { from: start.clone(), to: Some(start.clone()) })
+}
+
+/// Where properties are read.
+#[derive(Clone)]
+struct Place<'a, 'c, 'q> {
+    timeline: &'a dyn Timeline,
+    evaluator: &'a Evaluator<'c, 'q>,
+    /// Then the truth of every property repeats, since it looks at later steps only.
+    repeats: Option<Repeats>,
+}
+
+/// Steps of a range before which a property that repeats is told apart one by one.
+const MOST_SINGLE: i64 = 100_000;
+
+/// Periods that the bodies of an operator are looked at for: one for now, two for the beginning of a window, one for its length.
+const ROUNDS: i64 = 4;
+
+impl Place<'_, '_, '_> {
+    /// A range up to where everything has come so often, if it repeats.
+    fn once(&self, range: &Stretch, rounds: i64) -> Stretch {
+        let Some(Repeats { from, period }) = &self.repeats else { return range.clone() };
+        let last: BigInt = from.max(&range.from) + period * rounds - 1;
+        let to = range.to.as_ref().map_or(last.clone(), |to| to.min(&last).clone());
+        Stretch { from: range.from.clone(), to: Some(to) }
+    }
+
+    /// Where something repeats: the steps of a range whose window begins where it does.
+    fn every_step(&self, range: &Stretch, window: &BigInt) -> Result<BTreeSet<BigInt>, Failure> {
+        let (Some(Repeats { from, .. }), Some(to)) = (&self.repeats, &range.to) else { return Ok(BTreeSet::new()) };
+        let first = (from - window).max(range.from.clone());
+        let count = (to - &first + 1i32).to_i64().unwrap_or(i64::MAX).max(0);
+        if count > MOST_SINGLE {
+            return Err(Failure::open("a window begins so late that too many steps would have to be told apart", None));
+        }
+        Ok((0..count).map(|k| &first + k).collect())
+    }
 }
 
 /// Steps from one to another, or on for ever.
@@ -82,8 +133,7 @@ fn containing(stretches: &[Stretch], step: &BigInt) -> usize {
 
 /// A property on a range of steps.
 struct Body<'a, 'c, 'q> {
-    timeline: &'a dyn Timeline,
-    evaluator: &'a Evaluator<'c, 'q>,
+    place: Place<'a, 'c, 'q>,
     node: &'a Node,
     /// The time operators in it that stand in no other one.
     operators: Vec<Operator<'a, 'c, 'q>>,
@@ -92,30 +142,26 @@ struct Body<'a, 'c, 'q> {
 }
 
 impl<'a, 'c, 'q> Body<'a, 'c, 'q> {
-    fn read(
-        timeline: &'a dyn Timeline,
-        evaluator: &'a Evaluator<'c, 'q>,
-        node: &'a Node,
-        range: &Stretch,
-    ) -> Result<Self, Failure> {
-        let (mut operators, mut changes) = (Vec::new(), BTreeSet::new());
+    fn read(place: &Place<'a, 'c, 'q>, node: &'a Node, range: &Stretch) -> Result<Self, Failure> {
+        // The stretches of operators in it are those of their first period only.
+        let (mut operators, mut changes) = (Vec::new(), place.every_step(range, &BigInt::ZERO)?);
         let mut open = vec![node];
         while let Some(part) = open.pop() {
             match &part.kind {
                 Kind::Always(..) | Kind::Until(_) => {
-                    let operator = Operator::read(timeline, evaluator, part, range)?;
+                    let operator = Operator::read(place, part, range)?;
                     changes.extend(operator.stretches.iter().map(|stretch| stretch.from.clone()));
                     operators.push(operator);
                 }
                 Kind::Not(body) => open.push(body),
                 Kind::And(list) | Kind::Or(list) => open.extend(list),
                 Kind::Implies(first, second) => open.extend([first.as_ref(), second.as_ref()]),
-                _ => changes.extend(changes_of(timeline, evaluator, part, range)?),
+                _ => changes.extend(changes_of(place, part, range)?),
             }
         }
         let stretches = range.cut(changes);
         let values = stretches.iter().map(|_| OnceCell::new()).collect();
-        Ok(Body { timeline, evaluator, node, operators, stretches, values })
+        Ok(Body { place: place.clone(), node, operators, stretches, values })
     }
 
     /// The truth on the stretch with that number; what only further knowledge could tell is unknown.
@@ -127,9 +173,9 @@ impl<'a, 'c, 'q> Body<'a, 'c, 'q> {
         let piece = stretch.piece();
         let known = self.operators.iter().map(|operator| Ok((operator.node, operator.at(&stretch.from))));
         let known = known.collect::<Result<Vec<_>, Failure>>()?;
-        let moment = self.timeline.moment(&piece)?;
+        let moment = self.place.timeline.moment(&piece)?;
         let moment = WithKnown { moment: moment.as_ref(), known };
-        let inner = Evaluator { moment: Some(&moment), piece: Some(&piece), ..*self.evaluator };
+        let inner = Evaluator { moment: Some(&moment), piece: Some(&piece), ..*self.place.evaluator };
         match inner.judge(self.node) {
             Err(Failure::Open(doubt)) => Ok((Truth::Unknown(doubt), Margin::ANY)),
             judged => judged,
@@ -138,16 +184,11 @@ impl<'a, 'c, 'q> Body<'a, 'c, 'q> {
 }
 
 /// The steps of a range at which the moving quantities of an expression may change.
-fn changes_of(
-    timeline: &dyn Timeline,
-    evaluator: &Evaluator,
-    node: &Node,
-    range: &Stretch,
-) -> Result<Vec<BigInt>, Failure> {
+fn changes_of(place: &Place, node: &Node, range: &Stretch) -> Result<Vec<BigInt>, Failure> {
     let whole = range.piece();
     let mut changes = Vec::new();
-    for name in moving_names(evaluator, node) {
-        for piece in timeline.pieces(&whole.from, whole.to.as_ref(), &[name])?.pieces {
+    for name in moving_names(place.evaluator, node) {
+        for piece in place.timeline.pieces(&whole.from, whole.to.as_ref(), &[name])?.pieces {
             changes.push(piece.from.to_integer());
             changes.extend(piece.to.map(|to| to.to_integer() + 1));
         }
@@ -181,43 +222,42 @@ enum Meaning {
 
 /// A time operator on a range of steps.
 struct Operator<'a, 'c, 'q> {
+    repeats: Option<Repeats>,
     node: &'a Node,
     meaning: Meaning,
     /// Its window, counted from now.
     window: Stretch,
     /// One, or two of `until`.
     bodies: Vec<Body<'a, 'c, 'q>>,
+    /// The first step of the bodies.
+    begin: BigInt,
     stretches: Vec<Stretch>,
     values: Vec<OnceCell<Judged>>,
 }
 
 impl<'a, 'c, 'q> Operator<'a, 'c, 'q> {
-    fn read(
-        timeline: &'a dyn Timeline,
-        evaluator: &'a Evaluator<'c, 'q>,
-        node: &'a Node,
-        range: &Stretch,
-    ) -> Result<Self, Failure> {
+    fn read(place: &Place<'a, 'c, 'q>, node: &'a Node, range: &Stretch) -> Result<Self, Failure> {
         let (meaning, from, to, parts) = match &node.kind {
             Kind::Always(true, parts) => (Meaning::Always, &parts[0], &parts[1], &parts[2..]),
             Kind::Always(false, parts) => (Meaning::Eventually, &parts[0], &parts[1], &parts[2..]),
             Kind::Until(parts) => (Meaning::Until, &parts[0], &parts[1], &parts[2..]),
             _ => return Err(Failure::Refused(node.at, Problem::expected("a time operator", "something else"))),
         };
-        let span = Span::read(evaluator, from, to)?;
-        let (first, last) = timeline.inside(span.from, span.to);
+        let span = Span::read(place.evaluator, from, to)?;
+        let (first, last) = place.timeline.inside(span.from, span.to);
         let window = Stretch { from: first.to_integer(), to: last.map(|last| last.to_integer()) };
         if window.to.as_ref().is_some_and(|to| *to < window.from) {
             let why = "no time at which the flock moves lies between the bounds".to_string();
             return Err(Failure::Refused(parts[0].at, Problem::Empty(why)));
         }
+        let range = place.once(range, 1);
         let end = range.to.as_ref().zip(window.to.as_ref()).map(|(now, to)| now + to);
         // Of `until` the steps from now on count, not only those of the window.
         let begin = if meaning == Meaning::Until { range.from.clone() } else { &range.from + &window.from };
-        let looked_at = Stretch { from: begin, to: end };
-        let body = |node| Body::read(timeline, evaluator, node, &looked_at);
+        let looked_at = place.once(&Stretch { from: begin.clone(), to: end }, ROUNDS);
+        let body = |node| Body::read(place, node, &looked_at);
         let bodies = parts.iter().map(body).collect::<Result<Vec<_>, _>>()?;
-        let mut changes = BTreeSet::new();
+        let mut changes = place.every_step(&range, &window.from)?;
         for start in bodies.iter().flat_map(|body| &body.stretches).map(|stretch| &stretch.from) {
             // Where the window begins there, or just after it, or ends there; where now is there.
             changes.extend([start - &window.from, start - &window.from + 1, start.clone()]);
@@ -225,17 +265,40 @@ impl<'a, 'c, 'q> Operator<'a, 'c, 'q> {
         }
         let stretches = range.cut(changes);
         let values = stretches.iter().map(|_| OnceCell::new()).collect();
-        Ok(Operator { node, meaning, window, bodies, stretches, values })
+        Ok(Operator { repeats: place.repeats.clone(), node, meaning, window, bodies, begin, stretches, values })
     }
 
     /// The truth at a step of the range.
     fn at(&self, now: &BigInt) -> Judged {
-        let place = containing(&self.stretches, now);
+        let first = self.stretches.first().map(|stretch| &stretch.from);
+        let now = match self.repeats.as_ref().zip(first) {
+            Some((repeats, first)) => now - repeats.whole_periods(now, &repeats.from.clone().max(first.clone())),
+            None => now.clone(),
+        };
+        let place = containing(&self.stretches, &now);
         self.values[place].get_or_init(|| self.found(&self.stretches[place].from)).clone()
     }
 
+    /// The steps that are meant at a step of the range, or others with the same answer.
+    fn window_at(&self, now: &BigInt) -> Stretch {
+        let (from, to) = (now + &self.window.from, self.window.to.as_ref().map(|to| now + to));
+        let Some(repeats) = &self.repeats else { return Stretch { from, to } };
+        let Repeats { from: start, period } = repeats;
+        // Of `until` a whole period after now is left before the window: what holds there holds for ever.
+        let least = match self.meaning {
+            Meaning::Until => now.max(start) + period,
+            _ => start.clone().max(self.begin.clone()),
+        };
+        let shift = repeats.whole_periods(&from, &least);
+        let from = from - &shift;
+        // After a period of it nothing new comes.
+        let last: BigInt = start.clone().max(from.clone()) + period - 1;
+        let to = to.map_or(last.clone(), |to| (to - shift).min(last));
+        Stretch { from, to: Some(to) }
+    }
+
     fn found(&self, now: &BigInt) -> Judged {
-        let window = Stretch { from: now + &self.window.from, to: self.window.to.as_ref().map(|to| now + to) };
+        let window = self.window_at(now);
         match (self.meaning, self.bodies.as_slice()) {
             (Meaning::Until, [keeps, comes]) => until(keeps, comes, now, &window),
             (meaning, [body, ..]) => {

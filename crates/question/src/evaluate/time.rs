@@ -15,6 +15,9 @@ use arithmetic::{Rational, rational};
 /// Judgements of one operator before it gives up dividing.
 pub(super) const MOST_JUDGED: usize = 20_000;
 
+/// Undecided pieces in which single times are tried.
+const MOST_TRIED: usize = 1000;
+
 /// How often a piece is halved.
 pub(super) const DEPTH: u32 = 14;
 
@@ -236,6 +239,7 @@ impl Operator<'_, '_, '_> {
         let covered = self.timeline.pieces(&from, to.as_ref(), &moving_names(self.evaluator, self.body))?;
         let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
         let (mut margin, mut doubt, mut missing, mut judged) = (Margin::of_truth(true), None, None, 0);
+        let mut open = Vec::new();
         while let Some((piece, depth)) = queue.pop() {
             judged += 1;
             let is_sure = sure.as_ref().is_some_and(|sure| meets(&piece, sure));
@@ -264,6 +268,7 @@ impl Operator<'_, '_, '_> {
                         None => {
                             margin = margin.least(own);
                             doubt.get_or_insert_with(|| at_time(truth, &piece));
+                            open.push(piece);
                         }
                     }
                 }
@@ -272,11 +277,39 @@ impl Operator<'_, '_, '_> {
         if covered.rest.is_some() {
             margin.lo = f64::NEG_INFINITY;
         }
+        // A piece may begin or end just where the body becomes false.
+        for piece in open.iter().take(MOST_TRIED) {
+            if let Some(found) = self.fails_inside(piece, sure.as_ref())? {
+                return Ok((Truth::False, margin.least(found)));
+            }
+        }
         match (doubt.or(covered.rest), missing) {
             (Some(doubt), _) => Ok((Truth::Unknown(doubt), margin)),
             (None, Some(failure)) => Err(failure),
             (None, None) => Ok((Truth::True, margin)),
         }
+    }
+
+    /// The margin at a time in a piece of some length, if that time is meant for sure and the body is false then.
+    fn fails_inside(
+        &self,
+        piece: &Piece,
+        sure: Option<&(Rational, Option<Rational>)>,
+    ) -> Result<Option<Margin>, Failure> {
+        let Some((to, sure)) = piece.to.as_ref().zip(sure) else { return Ok(None) };
+        for part in [rational(1, 8), rational(1, 2), rational(7, 8)] {
+            let time = &piece.from + (to - &piece.from) * part;
+            let moment = Piece { from: time.clone(), to: Some(time) };
+            if !meets(&moment, sure) {
+                continue;
+            }
+            match self.judge(&moment) {
+                Ok((Truth::False, margin)) => return Ok(Some(margin)),
+                Ok(_) | Err(Failure::Refused(..) | Failure::Open(_)) => {}
+                Err(stopped) => return Err(stopped),
+            }
+        }
+        Ok(None)
     }
 
     /// A bound of the margins, if the body is false at all times of a piece: of short windows no time is meant at every time of a piece, but each of its times

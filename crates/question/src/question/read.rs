@@ -1,11 +1,12 @@
 //! A question read from its file, and checked name by name on the way.
 
 use super::check::Check;
-use super::{BUDGET, Expression, Files, Question};
+use super::{BUDGET, Expression, Question};
 use crate::domain::{Bound, Classes, Domain, read_domain};
 use crate::error::{Place, Problem, QuestionError};
 use crate::inequalities::inequalities;
 use crate::names::FUNCTIONS;
+use crate::scenario_file::Files;
 use crate::scenario_file::{ScenarioFile, is_place};
 use crate::source::{Entry, Section, Source};
 use crate::states::LawFile;
@@ -122,6 +123,7 @@ impl Question {
             classes: Classes::default(),
             alone: Vec::new(),
             starts: OnceLock::new(),
+            certified: false,
         })
     }
 

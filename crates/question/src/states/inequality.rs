@@ -25,10 +25,6 @@ struct OnStates<'a> {
 }
 
 impl Function for OnStates<'_> {
-    fn arity(&self) -> usize {
-        self.free.len()
-    }
-
     fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
         if at.is_empty() {
             return Err(ArithmeticError::Domain("a number"));

@@ -96,7 +96,7 @@ impl Instance {
                     law.parameters.retain(|(known, _)| known != parameter);
                     law.parameters.push((parameter.to_string(), Parameter::One(q.clone())));
                 }
-                Value::Box(..) if name != "t" && !name.contains('[') => {
+                Value::Box(..) | Value::Any if name != "t" && !name.contains('[') => {
                     return Err(refuse(format!("`{name}` ranges over an interval; here only numbers of the state do")));
                 }
                 Value::Integers(..) => return Err(refuse(format!("`{name}` should be one number in each case"))),
@@ -118,10 +118,11 @@ impl Instance {
         let bound = |name: &str| match bindings.get(name) {
             Some(Value::Number(q)) => Some(Side::point(q.clone())),
             Some(Value::Box(lo, hi)) => Some(Side::between(lo.clone(), hi.clone())),
+            Some(Value::Any) => Some(Side::line()),
             _ => None,
         };
         if !autonomous {
-            let later = Side { lo: Some(rational(0, 1)), hi: None };
+            let later = Side { lo: Some(rational(0, 1)), ..Side::line() };
             instance.sides[compiled.size()] = bound("t").unwrap_or(later);
             instance.names[compiled.size()] = "t".to_string();
         }

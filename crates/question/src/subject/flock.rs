@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::number::Number;
 use crate::subject::measured::measured;
-use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
+use crate::timeline::{Covered, Measured, Moment, Piece, Repeats, Steps};
 use crate::truth::Doubt;
 use algebra::graph::Graph;
 use arithmetic::{Progress, Rational, rational};
@@ -29,6 +29,26 @@ pub(crate) struct FlockSubject<'c> {
 struct Future {
     networks: Vec<(BigInt, Graph)>,
     settlement: Settlement,
+}
+
+impl Future {
+    /// From when on the networks repeat, if they do for ever: those of the last period before the last switch are known.
+    fn repeats(&self) -> Option<Repeats> {
+        let Ending::Alternating { period } = self.settlement.ending else { return None };
+        let period = BigInt::from(period);
+        Some(Repeats { from: &self.settlement.last_switch + 1 - &period, period })
+    }
+
+    /// The network at a time, where it is known.
+    fn network(&self, time: &BigInt) -> Option<&Graph> {
+        let last = &self.settlement.last_switch;
+        let time = match self.repeats() {
+            Some(repeats) => time - repeats.whole_periods(time, &repeats.from),
+            None => time.clone(),
+        };
+        let is_known = time <= *last || matches!(self.settlement.ending, Ending::Steady);
+        self.networks.iter().rev().find(|(begin, _)| *begin <= time).map(|(_, network)| network).filter(|_| is_known)
+    }
 }
 
 /// States at the times 0, 1, .., as far as they were needed.
@@ -152,7 +172,7 @@ impl FlockSubject<'_> {
     }
 }
 
-impl Timeline for FlockSubject<'_> {
+impl Steps for FlockSubject<'_> {
     /// Pieces on which a quantity is constant, as far as it is known.
     fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure> {
         let integer = |q: &BigInt| Rational::from_integer(q.clone());
@@ -174,6 +194,14 @@ impl Timeline for FlockSubject<'_> {
                 if end.as_ref().is_none_or(|end| begin <= *end) {
                     pieces.push(Piece { from: begin, to: end });
                 }
+            }
+            if let Some(to) = to.filter(|_| future.repeats().is_some()) {
+                // One by one: their networks are told apart where they are asked for.
+                let first = from.to_integer().max(&future.settlement.last_switch + 1);
+                let count: BigInt = to.to_integer() - &first + 1;
+                let count = count.to_i64().unwrap_or(MOST_STEPS).clamp(0, MOST_STEPS);
+                let single = |t: BigInt| Piece { from: integer(&t), to: Some(integer(&t)) };
+                pieces.extend((0..count).map(|k| single(&first + k)));
             }
             let known = pieces.last().and_then(|piece| piece.to.clone());
             let reaches = to.is_some_and(|to| known.is_some_and(|known| known >= *to));
@@ -200,32 +228,18 @@ impl Timeline for FlockSubject<'_> {
         Ok(Covered { pieces, rest })
     }
 
-    fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure> {
-        Ok(Box::new(At { flock: self, time: piece.from.to_integer() }))
-    }
-
-    fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {
-        let to = piece.to.as_ref()?;
-        if *to <= piece.from {
-            return None;
+    fn repeats(&self, to: Option<&Rational>, moving: &[&str]) -> Result<Option<Repeats>, Failure> {
+        let is_early = to.is_some_and(|to| *to < Rational::from_integer(EARLY.into()));
+        if is_early || moving.iter().any(|name| !OF_NETWORK.contains(name)) {
+            return Ok(None);
         }
-        let middle = ((&piece.from + to) * rational(1, 2)).floor();
-        Some([
-            Piece { from: piece.from.clone(), to: Some(middle.clone()) },
-            Piece { from: middle + rational(1, 1), to: Some(to.clone()) },
-        ])
+        Ok(self.future()?.repeats())
     }
 
-    fn prepare(&self, _: &Rational) -> Result<(), Failure> {
-        Ok(())
-    }
-
-    fn is_discrete(&self) -> bool {
-        true
-    }
-
-    fn inside(&self, from: Rational, to: Option<Rational>) -> (Rational, Option<Rational>) {
-        (from.ceil(), to.map(|to| to.floor()))
+    fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure> {
+        let time = piece.from.to_integer();
+        let is_single = piece.to.as_ref().is_some_and(|to| *to == piece.from);
+        Ok(Box::new(At { flock: self, time, is_single }))
     }
 }
 
@@ -233,17 +247,22 @@ impl Timeline for FlockSubject<'_> {
 struct At<'f, 'c> {
     flock: &'f FlockSubject<'c>,
     time: BigInt,
+    is_single: bool,
 }
 
 impl At<'_, '_> {
     fn network(&self) -> Result<Graph, Failure> {
         let future = self.flock.future()?;
-        let is_known = future.networks.last().is_some_and(|(last, _)| self.time <= *last);
-        if let Some(doubt) = self.flock.beyond(future).filter(|_| !is_known) {
-            return Err(Failure::Open(doubt));
+        // Of networks that go on changing only one at a time is known after the last switch that was found.
+        let is_asked_singly = self.is_single || self.time <= future.settlement.last_switch;
+        match (
+            future.network(&self.time).filter(|_| is_asked_singly || future.repeats().is_none()),
+            self.flock.beyond(future),
+        ) {
+            (Some(network), _) => Ok(network.clone()),
+            (None, Some(doubt)) => Err(Failure::Open(doubt)),
+            (None, None) => Ok(future.settlement.network.clone()),
         }
-        let in_force = future.networks.iter().rev().find(|(time, _)| *time <= self.time);
-        Ok(in_force.map_or_else(|| future.settlement.network.clone(), |(_, network)| network.clone()))
     }
 
     fn state(&self) -> Result<State, Failure> {
@@ -274,6 +293,7 @@ impl Moment for At<'_, '_> {
             ..View::new(Model::Flock, Links::These(network.order(), network.edges().into()))
         };
         let found = scenario::measure(quantity.name, &view).ok().flatten();
-        measured(found.ok_or_else(|| Failure::open("it is not measured", None))?, 1, precision)
+        let none = || Failure::open(format!("`{}` has no value in this state", quantity.name), None);
+        measured(found.ok_or_else(none)?, 1, precision)
     }
 }

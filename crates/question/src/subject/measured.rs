@@ -5,7 +5,8 @@ use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::number::Number;
 use crate::timeline::Measured;
-use arithmetic::{Dyadic, Interval, Number as _, Rational};
+use arithmetic::{Dyadic, FloatInterval, Interval, Number as _, Rational};
+use motion::enclose::Expanded;
 use num_traits::ToPrimitive;
 use scenario::Amount;
 
@@ -38,6 +39,32 @@ impl Scalar for Interval {
         let zero = Dyadic::zero();
         let from = |end: &Dyadic| end.clone().max(zero.clone());
         Interval::between(from(self.lo()), from(self.hi()), self.precision()).sqrt().ok().map(Number::interval)
+    }
+}
+
+impl Scalar for Expanded {
+    fn number(self) -> Number {
+        Number::interval(between_floats(&self.range()))
+    }
+
+    fn root(self, precision: u32) -> Option<Number> {
+        Scalar::root(between_floats(&self.range()), precision)
+    }
+}
+
+/// Bits of what is enclosed between floats.
+pub(crate) const BITS: u32 = 64;
+
+/// The same enclosure with long ends.
+pub(crate) fn between_floats(x: &FloatInterval) -> Interval {
+    let end = |x: f64| Dyadic::from_f64(x);
+    match (end(x.lo()), end(x.hi())) {
+        (Some(lo), Some(hi)) => Interval::between(lo, hi, BITS),
+        _ => {
+            // Unbounded: nothing is known.
+            let far = Dyadic::new(1.into(), 4096);
+            Interval::between(far.negated(), far, BITS)
+        }
     }
 }
 

@@ -13,19 +13,19 @@ use crate::error::Problem;
 use crate::failure::Failure;
 use crate::timeline::{Covered, Moment, Piece, Timeline, clock};
 use crate::truth::Doubt;
-use arithmetic::{FloatInterval, Interval, Number, Progress, Rational, Ring, rational};
+use arithmetic::{FloatInterval, Number, Progress, Rational, Ring, rational};
 use at::At;
 use exact::Holds;
 use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
 use models::double_integrator::{
-    Coordinates, EnclosedFlock, FixedNetwork, HeadingDifference, Pair, Potential, State, heading, linked_within,
+    Coordinates, EnclosedFlock, FixedNetwork, HeadingDifference, Pair, Potential, State, linked_within,
 };
 use models::oscillator::{Neighbours, Orientation, Steering};
 use modes::ModalPlatoon;
 use motion::System;
-use motion::enclose::{Flow, IntervalVector, Set, Step};
+use motion::enclose::{Expanded, Flow, IntervalVector, Set, Step};
 use num_traits::{ToPrimitive, Zero};
-use numbers::{BITS, narrowed, point, widened};
+use numbers::point;
 use scenario::ExactMotion;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
@@ -101,16 +101,9 @@ impl<'c> MotionSubject<'c> {
         rows.iter().enumerate().map(row).collect()
     }
 
-    /// Cosine and sine of each phase.
-    fn phasors(&self, phases: &[Rational]) -> Result<IntervalVector, Failure> {
-        let mut parts = Vec::with_capacity(2 * phases.len());
-        for (agent, phase) in phases.iter().enumerate() {
-            let angle = widened(&self.start(&Start::Phases, agent, 0, phase));
-            let exact = if self.wide.is_empty() { Interval::from_rational(phase, BITS) } else { angle };
-            let (sin, cos) = exact.sin_cos().map_err(|error| Failure::open(error.to_string(), None))?;
-            parts.extend([narrowed(&cos), narrowed(&sin)]);
-        }
-        Ok(parts)
+    /// The intervals of the phases.
+    fn angles(&self, phases: &[Rational]) -> IntervalVector {
+        phases.iter().enumerate().map(|(agent, phase)| self.start(&Start::Phases, agent, 0, phase)).collect()
     }
 
     /// The platoon as the sum over its modes, where it is one on a line.
@@ -168,21 +161,24 @@ impl<'c> MotionSubject<'c> {
                 if let Some(radius) = radius {
                     return Ok(self.switching(&start, potential, radius, until));
                 }
-                let mut tube = self.followed(FixedNetwork { potential, edges: pairs }, &start.to_list(), until)?;
+                let law = FixedNetwork { potential, edges: pairs };
+                let mut tube = self.followed(law, &Expanded::of_start(&start.to_list()), until)?;
                 let pairs = Rc::new(pairs.clone());
                 tube.sections.iter_mut().for_each(|section| section.pairs = Some(pairs.clone()));
                 Ok(tube)
             }
             ExactMotion::Phases { phases, frequency, gain, network } => {
                 self.small(phases.len())?;
-                let state = self.phasors(phases)?;
+                let state = phasors(&Expanded::of_start(&self.angles(phases)))?;
                 let law = PhaseLaw { frequency, gain, network };
                 self.followed(law, &state, until)
             }
             ExactMotion::Particles { positions, phases, frequency, gain, spacing, drift, network, radius } => {
                 self.small(phases.len())?;
-                let mut state = self.vectors(&Start::Positions, positions).concat();
-                state.extend(self.phasors(phases)?);
+                let places = self.vectors(&Start::Positions, positions).concat();
+                let start = Expanded::of_start(&[places, self.angles(phases)].concat());
+                let (places, angles) = start.split_at(2 * positions.len());
+                let state = [places, &phasors(angles)?].concat();
                 let orientation = Orientation::Laplacian(gain.clone());
                 let steering = Steering { frequency: frequency.clone(), orientation, spacing: spacing.clone() };
                 let tube = self.followed(ParticleLaw { steering, drift, network }, &state, until)?;
@@ -205,7 +201,7 @@ impl<'c> MotionSubject<'c> {
                         *number = point(lo).hull(&point(hi));
                     }
                 }
-                self.followed(own.as_ref(), &state, until)
+                self.followed(own.as_ref(), &Expanded::of_start(&state), until)
             }
             ExactMotion::Platoon { deviations, rates, gains, graph, swing, .. } => {
                 self.small(deviations.len())?;
@@ -218,7 +214,7 @@ impl<'c> MotionSubject<'c> {
                 let mut state = list(&Start::Positions, deviations);
                 state.extend(list(&Start::Velocities, rates));
                 state.extend([point(&swing.0), point(&rational(0, 1))]);
-                self.followed(PlatoonLaw { gains, graph, frequency: &swing.1 }, &state, until)
+                self.followed(PlatoonLaw { gains, graph, frequency: &swing.1 }, &Expanded::of_start(&state), until)
             }
         }
     }
@@ -234,15 +230,16 @@ impl<'c> MotionSubject<'c> {
     }
 
     /// Steps of a smooth law.
-    fn followed(&self, law: impl System, start: &[FloatInterval], until: f64) -> Result<Tube, Failure> {
+    fn followed(&self, law: impl System, start: &[Expanded], until: f64) -> Result<Tube, Failure> {
         const FIRST_STEP: f64 = 0.01;
         let mut flow = Flow::new(law, FIRST_STEP);
-        let (mut set, mut time) = (Set::of_box(start), 0.0);
+        let (mut set, mut time) = (Set::of_numbers(start), 0.0);
         let mut tube = Tube { sections: Vec::new(), asked: until, failure: None };
         let none = Rc::new(Vec::new());
-        // Beyond this it only grows, in ever shorter steps.
-        let first = start.iter().map(FloatInterval::width).fold(0.0, f64::max);
-        let widest = (8.0 * first).max(0.25);
+        let width_of = |set: &Set| set.hull().iter().map(FloatInterval::width).fold(0.0, f64::max);
+        // Where what is not known of the set as polynomials is wider than this, it only grows, in ever shorter steps.
+        let mut widest = (8.0 * width_of(&set)).max(0.25);
+        let mut is_renewed = false;
         while time < until {
             self.progress.checkpoint()?;
             if tube.sections.len() >= MOST_SECTIONS {
@@ -252,8 +249,12 @@ impl<'c> MotionSubject<'c> {
             match flow.step(&set, time, until) {
                 Ok(step) => {
                     set = step.end.clone();
-                    let width = set.hull().iter().map(FloatInterval::width).fold(0.0, f64::max);
-                    if width > widest {
+                    if step.is_renewed && !is_renewed {
+                        (is_renewed, widest) = (true, widest.max(8.0 * width_of(&set)));
+                    }
+                    let unknown = if is_renewed { width_of(&set) } else { 2.0 * set.rest_radius() };
+                    if unknown > widest {
+                        let width = width_of(&set);
                         tube.failure = Some(format!("at t = {} the enclosure is {width:.2} wide", clock(time)));
                         break;
                     }
@@ -283,23 +284,24 @@ impl<'c> MotionSubject<'c> {
         reading: HeadingDifference,
         until: f64,
     ) -> Result<Tube, Failure> {
-        let mut list = start.to_list();
-        for (v, agent) in start.velocities.iter().zip(1..) {
+        let mut list = Expanded::of_start(&start.to_list());
+        let velocities = list[2 * start.count()..].to_vec();
+        for (v, agent) in velocities.chunks_exact(2).zip(1..) {
             let unknown =
                 |_| Failure::open(format!("agent {agent} may be at rest or turn through pi at the start"), None);
-            list.push(narrowed(&heading(&v.each_ref().map(widened)).map_err(unknown)?));
+            list.push(Expanded::angle(&v[1], &v[0]).map_err(unknown)?);
         }
         let (pairs, first) = (Rc::new(law.edges.to_vec()), 4 * start.count());
         let mut tube = self.followed(law, &list, until)?;
         let jumps = |section: &Section| {
             let States::Step(step) = &section.states else { return true };
-            let states = step.states(FloatInterval::between(0.0, step.span.hi()));
+            let states = step.expanded(FloatInterval::between(0.0, step.span.hi()));
             let angles = &states[first..];
-            let beyond = |angle: FloatInterval| angle.magnitude() >= std::f64::consts::PI;
+            let beyond = |angle: Expanded| angle.range().magnitude() >= std::f64::consts::PI;
             match reading {
                 HeadingDifference::Unwrapped => false,
-                HeadingDifference::Raw => angles.iter().any(|angle| beyond(*angle)),
-                HeadingDifference::Wrapped => pairs.iter().any(|&(i, j)| beyond(angles[i] - angles[j])),
+                HeadingDifference::Raw => angles.iter().cloned().any(beyond),
+                HeadingDifference::Wrapped => pairs.iter().any(|&(i, j)| beyond(angles[i].clone() - &angles[j])),
             }
         };
         if let Some(place) = tube.sections.iter().position(jumps) {
@@ -352,6 +354,13 @@ impl<'c> MotionSubject<'c> {
     }
 }
 
+/// Cosine and sine of each phase.
+fn phasors(angles: &[Expanded]) -> Result<Vec<Expanded>, Failure> {
+    let parts = |angle: &Expanded| angle.sin_cos().map(|(sin, cos)| [cos, sin]);
+    let all = angles.iter().map(parts).collect::<Result<Vec<_>, _>>();
+    Ok(all.map_err(|error| Failure::open(error.to_string(), None))?.concat())
+}
+
 /// The tube of a fixed network up to where two particles may pass the radius: until then it is that of the network within the radius.
 fn while_linked(mut tube: Tube, network: &Neighbours, square: &Rational) -> Tube {
     const HALVINGS: usize = 12;
@@ -359,11 +368,12 @@ fn while_linked(mut tube: Tube, network: &Neighbours, square: &Rational) -> Tube
     let square = point(square);
     let until = |section: &Section, to: f64| {
         let after = FloatInterval::point(to) - FloatInterval::point(section.from);
-        let along = |i: usize, j: usize| match &section.states {
-            States::Step(step) => step.difference(i, j, FloatInterval::between(0.0, after.hi().min(step.span.hi()))),
-            States::Box(states) => states[i] - states[j],
+        let state = match &section.states {
+            States::Step(step) => step.expanded(FloatInterval::between(0.0, after.hi().min(step.span.hi()))),
+            States::Box(states) => Expanded::of_box(states),
         };
-        let distance = |i: usize, j: usize| along(2 * i, 2 * j).square() + along(2 * i + 1, 2 * j + 1).square();
+        let apart = |i: usize, j: usize| (state[i].clone() - &state[j]).square();
+        let distance = |i: usize, j: usize| (apart(2 * i, 2 * j) + apart(2 * i + 1, 2 * j + 1)).range();
         let passes = |&(i, j): &Pair| match network.of_particle(i).contains(&j) {
             true => distance(i, j).hi() >= square.lo(),
             false => distance(i, j).lo() < square.hi(),
@@ -435,8 +445,7 @@ impl Timeline for MotionSubject<'_> {
                 subject: self,
                 motion: &self.motion,
                 holds: self.holds(piece),
-                state,
-                differences: None,
+                state: Expanded::of_box(&state),
                 pairs: None,
             }));
         }
@@ -453,26 +462,19 @@ impl Timeline for MotionSubject<'_> {
         if piece.from < exact(section.from) || *last > exact(section.to) {
             return Err(Failure::open("a piece of time lies across two steps", None));
         }
-        let (state, differences) = match &section.states {
-            States::Box(states) => (states.clone(), None),
+        let state = match &section.states {
+            States::Box(states) => Expanded::of_box(states),
             States::Step(step) => {
                 let after = begin.hull(&end) - FloatInterval::point(section.from);
                 let after = FloatInterval::between(
                     after.lo().clamp(0.0, step.span.hi()),
                     after.hi().clamp(0.0, step.span.hi()),
                 );
-                (step.states(after), Some((step.clone(), after)))
+                step.expanded(after)
             }
         };
         let holds = self.holds(piece);
-        Ok(Box::new(At {
-            subject: self,
-            motion: &self.motion,
-            holds,
-            state,
-            differences,
-            pairs: section.pairs.clone(),
-        }))
+        Ok(Box::new(At { subject: self, motion: &self.motion, holds, state, pairs: section.pairs.clone() }))
     }
 
     fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {

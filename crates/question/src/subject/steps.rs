@@ -4,9 +4,9 @@ use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::number::Number;
 use crate::subject::measured::measured;
-use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
+use crate::timeline::{Covered, Measured, Moment, Piece, Steps};
 use crate::truth::Doubt;
-use arithmetic::{Progress, Rational, rational};
+use arithmetic::{Progress, Rational};
 use expressions::Asked;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
@@ -102,7 +102,7 @@ impl<'c> StepsSubject<'c> {
     }
 }
 
-impl Timeline for StepsSubject<'_> {
+impl Steps for StepsSubject<'_> {
     fn pieces(&self, from: &Rational, to: Option<&Rational>, _: &[&str]) -> Result<Covered, Failure> {
         let integer = |t: usize| Rational::from_integer(t.into());
         let last = to.and_then(|to| to.to_integer().to_usize()).unwrap_or(MOST_STEPS).min(MOST_STEPS);
@@ -124,30 +124,6 @@ impl Timeline for StepsSubject<'_> {
 
     fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure> {
         Ok(Box::new(At { flock: self, time: piece.from.to_integer() }))
-    }
-
-    fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {
-        let to = piece.to.as_ref()?;
-        if *to <= piece.from {
-            return None;
-        }
-        let middle = ((&piece.from + to) * rational(1, 2)).floor();
-        Some([
-            Piece { from: piece.from.clone(), to: Some(middle.clone()) },
-            Piece { from: middle + rational(1, 1), to: Some(to.clone()) },
-        ])
-    }
-
-    fn prepare(&self, _: &Rational) -> Result<(), Failure> {
-        Ok(())
-    }
-
-    fn is_discrete(&self) -> bool {
-        true
-    }
-
-    fn inside(&self, from: Rational, to: Option<Rational>) -> (Rational, Option<Rational>) {
-        (from.ceil(), to.map(|to| to.floor()))
     }
 }
 
@@ -177,7 +153,8 @@ impl Moment for At<'_, '_> {
             ..View::new(Model::Own, Links::These(order, links.into()))
         };
         let found = scenario::measure(quantity.name, &view).ok().flatten();
-        measured(found.ok_or_else(|| Failure::open("it is not measured", None))?, 1, precision)
+        let none = || Failure::open(format!("`{}` has no value in this state", quantity.name), None);
+        measured(found.ok_or_else(none)?, 1, precision)
     }
 
     fn own(&self, name: &str, _: u32) -> Result<Measured, Failure> {

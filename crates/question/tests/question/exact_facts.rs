@@ -22,6 +22,16 @@ fn a_distance_of_exactly_zero_has_a_root() {
     let meeting = agents("[[0, 0], [1, 0]]", "[[1, 0], [0, 0]]", "kind = \"edges\"\nedges = []");
     assert_eq!(verdict(&meeting, "always[1, 1](min_distance < 1/1000)"), Verdict::Holds);
     assert_eq!(verdict(&meeting, "eventually[0, 1](min_distance < 1/1000)"), Verdict::Holds);
+    // At 1 - t these begin to fail, at ends of halved pieces of time and elsewhere.
+    for k in (1..=40).chain([50, 64, 100, 128, 512]) {
+        assert_eq!(verdict(&meeting, &format!("always[0, 2](min_distance >= 1/{k})")), Verdict::False, "1/{k}");
+        assert_eq!(verdict(&meeting, &format!("eventually[0, 2](min_distance < 1/{k})")), Verdict::Holds, "1/{k}");
+        assert_ne!(
+            verdict(&meeting, &format!("eventually[0, {k}/{}](min_distance < 1/{})", k + 1, k + 1)),
+            Verdict::Holds,
+            "{k}"
+        );
+    }
     let phases =
         |list: &str| format!("model = \"phase\"\n[state]\nphases = {list}\n[law]\nK1 = -1\n[run]\nuntil = 1\n");
     assert_eq!(verdict(&phases("[1, 1, 1]"), "always[0, 1](order = 1 and phase_potential = 0)"), Verdict::Holds);

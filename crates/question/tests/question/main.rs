@@ -11,6 +11,7 @@ mod language;
 mod missing;
 mod motions;
 mod own;
+mod sets;
 mod sharp;
 mod states;
 mod traces;

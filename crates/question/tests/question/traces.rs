@@ -47,9 +47,11 @@ impl Formula {
     }
 }
 
-/// The values of the quantities step by step; roots as their squares. After the last step everything stays as it is.
+/// The values of the quantities step by step; roots as their squares.
 struct Trace {
     values: Vec<[Rational; 4]>,
+    /// How many steps of a window without end are looked at. `None` where after the last step everything stays as it is.
+    enough: Option<usize>,
 }
 
 impl Trace {
@@ -82,17 +84,20 @@ impl Trace {
                 least.expect("two birds"),
             ]);
         }
-        Trace { values }
+        Trace { values, enough: None }
     }
 
     fn value(&self, quantity: usize, step: usize) -> &Rational {
-        &self.values[step.min(self.values.len() - 1)][quantity]
+        let last = self.values.len() - 1;
+        assert!(self.enough.is_none() || step <= last, "a step that was not taken");
+        &self.values[step.min(last)][quantity]
     }
 
     /// The steps of a window; of one without end all until nothing changes any more, and one of those after.
     fn steps(&self, window: &Window, now: usize) -> std::ops::RangeInclusive<usize> {
         let first = now + window.first;
-        first..=window.last.map_or(first.max(self.values.len()), |last| now + last)
+        let enough = self.enough.map_or(first.max(self.values.len()), |enough| first + enough);
+        first..=window.last.map_or(enough, |last| now + last)
     }
 
     fn holds(&self, formula: &Formula, now: usize) -> bool {
@@ -172,6 +177,14 @@ fn last_switch(text: &str) -> Option<usize> {
     matches!(settled.ending, Ending::Steady).then_some(last)
 }
 
+/// Whether the networks of a flock alternate for ever.
+fn alternates(text: &str) -> bool {
+    let flock = Flock::new(&start(text)).expect("a flock");
+    let limits = Limits { steps: 5000, switches: 1000, jump_bits: 1 << 14 };
+    settle(flock, &limits, &mut |_| (), &Unwatched)
+        .is_ok_and(|settled| matches!(settled.ending, Ending::Alternating { .. }))
+}
+
 /// Random numbers, the same in every run.
 struct Draws(u64);
 
@@ -210,7 +223,35 @@ impl Draws {
         )
     }
 
+    /// Four birds whose network alternates, and others far away that may meet each other.
+    fn alternating(&mut self) -> String {
+        let mut birds: Vec<(String, String)> = [("0", "1/8"), ("1/2", "-1/8"), ("21/16", "1/8"), ("29/16", "-1/8")]
+            .map(|(x, v)| (x.into(), v.into()))
+            .into();
+        let mut place = 60;
+        for _ in 0..self.below(4) {
+            place += 1 + self.below(11) as i64;
+            birds.push((format!("{place}/6"), format!("{}/8", self.below(5))));
+        }
+        let rows = |numbers: Vec<&String>| numbers.iter().map(|x| format!("[\"{x}\"]")).collect::<Vec<_>>().join(", ");
+        format!(
+            "{{\"model\": \"D\", \"dimension\": 1, \"weights\": \"lazy\", \"positions\": [{}], \"velocities\": [{}], \
+             \"hysteresis\": \"none\"}}",
+            rows(birds.iter().map(|(x, _)| x).collect()),
+            rows(birds.iter().map(|(_, v)| v).collect())
+        )
+    }
+
+    fn late_window(&mut self) -> Window {
+        let first = self.of(&[0, 3, 62, 63, 64, 65, 90, 101]);
+        let last = first + self.of(&[0, 1, 2, 5, 30]);
+        Window { first, last: Some(last), text: format!("[{first}, {last}]") }
+    }
+
     fn window(&mut self, endless: bool) -> Window {
+        if endless && self.below(5) == 0 {
+            return self.late_window();
+        }
         let (first, from) = self.of(&[(0, "0"), (0, "0"), (1, "1"), (1, "1/2"), (2, "5/3"), (5, "5")]);
         let last = first + self.of(&[0, 0, 1, 2, 3, 7]);
         match self.below(3) {
@@ -285,6 +326,69 @@ fn the_naive_evaluator_agrees_on_facts_of_the_network_for_all_time() {
         }
     }
     assert!(true_ones > all / 5 && true_ones < 4 * all / 5 && narrow > all / 5, "{true_ones} {narrow} of {all}");
+}
+
+/// Against 600 steps of the flock, where a window without end is as good as its first forty steps.
+#[test]
+fn the_naive_evaluator_agrees_on_networks_that_alternate_for_ever() {
+    let mut draws = Draws(49);
+    let (mut true_ones, mut narrow, mut all, mut late) = (0, 0, 0, 0);
+    while all < 300 {
+        let flock = draws.alternating();
+        if !alternates(&flock) {
+            continue;
+        }
+        let trace = Trace { enough: Some(40), ..Trace::of(&flock, 600) };
+        let before =
+            |t: usize| t.checked_sub(2).is_some_and(|before| trace.values[t][..2] == trace.values[before][..2]);
+        let settled = (2..=600).rev().find(|t| !before(*t)).unwrap_or(0);
+        assert!(settled < 30 && trace.values[500][1] != trace.values[501][1], "{flock}");
+        late += usize::from(settled > 5);
+        for _ in 0..8 {
+            let levels = 1 + draws.below(3) as u32;
+            let (holds, is_narrow) = compared(&flock, &trace, &draws.formula(levels, true));
+            true_ones += usize::from(holds);
+            narrow += usize::from(is_narrow);
+            all += 1;
+        }
+    }
+    assert!(true_ones > all / 5 && true_ones < 4 * all / 5 && narrow > all / 5, "{true_ones} {narrow} of {all}");
+    assert!(late > 0);
+}
+
+/// Planted: each is false, and would be true if the network stayed, if it were looked at one period too short, or if the state repeated too.
+#[test]
+fn false_statements_about_networks_that_alternate_are_found() {
+    let flock = "{\"model\": \"D\", \"dimension\": 1, \"weights\": \"lazy\", \"positions\": [[\"0\"], [\"1/2\"], [\"21/16\"], \
+                 [\"29/16\"]], \"velocities\": [[\"1/8\"], [\"-1/8\"], [\"1/8\"], [\"-1/8\"]], \"hysteresis\": \"none\"}";
+    for (property, expected) in [
+        ("always[0, inf](eventually[0, 1](components = 2))", Verdict::Holds),
+        ("always[0, inf](eventually[0, 1](components = 1))", Verdict::Holds),
+        ("always[1000000, inf](components = 1 implies always[1, 1](components = 2))", Verdict::Holds),
+        ("eventually[0, inf](always[0, inf](components = 2))", Verdict::False),
+        ("eventually[0, inf](always[0, inf](components = 1))", Verdict::False),
+        ("eventually[0, inf](always[0, 1](components = 1))", Verdict::False),
+        ("eventually[1000000, inf](always[0, 1](components = 2))", Verdict::False),
+        ("always[0, inf](components = 2)", Verdict::False),
+        ("always[100, inf](components = 1)", Verdict::False),
+        ("components >= 1 until[12345, inf] components = 3", Verdict::False),
+        ("components = 1 until[100, inf] components = 2", Verdict::False),
+        (
+            "eventually[1000000007, 1000000007](components = 2) and eventually[1000000008, 1000000008](components = 2)",
+            Verdict::False,
+        ),
+        (
+            "eventually[1000000007, 1000000007](components = 2) or eventually[1000000008, 1000000008](components = 2)",
+            Verdict::Holds,
+        ),
+        // The state does not repeat, and the network beside it is not taken to stay.
+        ("always[0, inf](components = 2 or disagreement < 1)", Verdict::Undecided),
+        ("eventually[2000, inf](always[0, inf](components = 2) and disagreement < 100)", Verdict::Undecided),
+        ("always[2000, inf](eventually[0, 0](components = 2) or disagreement < 0)", Verdict::Undecided),
+    ] {
+        let answer = answered(flock, property);
+        assert_eq!(answer.verdict, expected, "{property}: {}", answer.why);
+    }
 }
 
 #[test]

@@ -9,6 +9,7 @@ mod platoon;
 mod question;
 mod reach;
 mod simulation;
+mod tube;
 
 pub use flock::flock;
 pub(crate) use graph::network;
@@ -19,6 +20,7 @@ pub use platoon::resonance;
 pub use question::question;
 pub use reach::{reach, worst_cases};
 pub use simulation::simulation;
+pub use tube::tubes;
 
 use crate::page::player::Motion;
 use crate::page::{Frame, Links};

@@ -33,9 +33,21 @@ pub fn question(question: &Question, answer: &Answer, progress: &dyn Progress) -
                 details { summary { "The question of this one case, which " code { "flockproof check" } " decides alone" } pre tabindex="0" { code { (replay) } } }
             }
         }
+        (over_time(question, answer, progress))
         details { summary { "The question" } pre tabindex="0" { code { (question.text()) } } }
     };
     shown.into_string()
+}
+
+/// The quantities of a motion over time, where its starts are boxes.
+fn over_time(question: &Question, answer: &Answer, progress: &dyn Progress) -> Markup {
+    match question.tubes(answer.counterexample.as_ref(), progress) {
+        Ok(found) if !found.runs.is_empty() && !found.tubes.is_empty() => {
+            let about = "What is enclosed for all starts at once, with the motions of single ones in it.";
+            html! { h2 { "Over time" } (picture(&super::tubes(question, &found), "tube", about)) }
+        }
+        _ => html! {},
+    }
 }
 
 fn judged(answer: &Answer) -> Markup {

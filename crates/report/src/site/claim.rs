@@ -6,7 +6,7 @@ use super::{Site, notation};
 use crate::page::Links;
 use crate::papers::paper;
 use crate::written::written_proofs;
-use ledger::{Entry, Evidence, Grade, Scope, Witness, correction_id};
+use ledger::{Entry, Evidence, Grade, Scope, Verdict, Witness, correction_id};
 use maud::{Markup, html};
 use proofs::kernel::proofs_of;
 
@@ -173,6 +173,7 @@ fn clauses(site: &Site, entry: &Entry, links: Links) -> Markup {
                     };
                     li id={ "clause-" (k) } {
                         (site.names.rich(clause, links)) " "
+                        @if let Some(Some(verdict)) = entry.clause_verdicts.get(k - 1) { (word(*verdict)) " " }
                         span.reach.(how.0) { (how.1) (covering(entry, k)) }
                     }
                 }
@@ -299,9 +300,17 @@ fn related(site: &Site, entry: &Entry) -> Markup {
     }
 }
 
-/// The verdict of another claim.
+/// The verdict of a claim, with those of its clauses that hold although it does not.
 pub(super) fn chip(entry: &Entry) -> Markup {
-    html! { span.chip.(entry.verdict.word()) { span aria-hidden="true" { (mark(entry.verdict)) } " " (spoken(entry.verdict)) } }
+    html! {
+        (word(entry.verdict))
+        @for k in entry.clauses_that_hold() { " " span.small { "clause " (k) " holds" } }
+    }
+}
+
+/// The word of a verdict.
+fn word(verdict: Verdict) -> Markup {
+    html! { span.chip.(verdict.word()) { span aria-hidden="true" { (mark(verdict)) } " " (spoken(verdict)) } }
 }
 
 fn check(site: &Site, entry: &Entry, links: Links) -> Markup {

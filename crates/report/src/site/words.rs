@@ -54,7 +54,11 @@ pub(super) fn sentence(entry: &Entry) -> String {
         }
         (Verdict::False, _) => "False: it fails within its own hypotheses, at the counterexample below.".to_string(),
         (Verdict::Undecided, _) => "Neither could be established.".to_string(),
-        (Verdict::NotCheckable, _) => "There is nothing to check.".to_string(),
+        (Verdict::NotCheckable, _) => match entry.clauses_that_hold().as_slice() {
+            [] => "There is nothing to check.".to_string(),
+            [k] => format!("Clause {k} holds; of the others nothing can be checked."),
+            several => format!("{} clauses hold; of the others nothing can be checked.", several.len()),
+        },
     }
 }
 

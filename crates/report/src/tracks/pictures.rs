@@ -75,10 +75,9 @@ pub(super) fn histograms(report: &TracksReport) -> Picture {
 
 /// The scaled potentials over time: the 30 s from t = 30 s where the recording has them, else all.
 pub(crate) fn potential_panel(report: &TracksReport, title: &str) -> Panel {
-    let (analysis, fish) = (report.analysis, report.tracks.fish());
+    let analysis = report.analysis;
     let covered = analysis.groups().any(|(t, _)| t <= PERIOD.0) && analysis.groups().any(|(t, _)| t >= PERIOD.1);
     let shown = |t: f64| !covered || (PERIOD.0..=PERIOD.1).contains(&t);
-    let scale = |n: usize| Scale::Figure.factor(n);
     // A frame that was left out breaks the line.
     let line = |value: &dyn Fn(&models::tracks::GroupState) -> f64| -> Vec<(f64, f64)> {
         let frames = analysis.frames.iter().filter(|frame| shown(frame.time));
@@ -86,8 +85,8 @@ pub(crate) fn potential_panel(report: &TracksReport, title: &str) -> Panel {
     };
     let potential = Axis::linear("2/(n+1) W_1").between(0.0, 1.05).ticks([0.0, 0.25, 0.5, 0.75, 1.0]);
     Panel::new(title, Axis::linear("time (s)"), potential)
-        .series(Series::line("n = N−1", line(&|g| scale(fish - 1) * g.complete)).colour(BLUE).size(2.4))
-        .series(Series::line("n = 1", line(&|g| scale(1) * g.single)).colour(RED).size(1.1))
+        .series(Series::line("n = N−1", line(&|g| g.complete(Scale::Figure))).colour(BLUE).size(2.4))
+        .series(Series::line("n = 1", line(&|g| g.single(Scale::Figure))).colour(RED).size(1.1))
 }
 
 pub(super) fn potentials(report: &TracksReport) -> Picture {

@@ -13,12 +13,11 @@ fn number(x: f64) -> Value {
 pub(super) fn summary(report: &TracksReport) -> Value {
     let (tracks, analysis) = (report.tracks, report.analysis);
     let left = analysis.left_out;
-    let gaps: Vec<Value> = analysis
-        .gaps
-        .iter()
-        .map(|gap| {
+    let gaps: Vec<Value> = tables::all_gaps(report)
+        .map(|(gap, bridged)| {
             let place = tables::place(gap.at_start, gap.at_end);
-            json!({"id": tracks.ids[gap.fish], "from": gap.from, "to": gap.to, "frames": gap.frames, "where": place})
+            let id = &tracks.ids[gap.fish];
+            json!({"id": id, "from": gap.from, "to": gap.to, "frames": gap.frames, "where": place, "bridged": bridged})
         })
         .collect();
     let fish: Vec<Value> = tracks
@@ -43,6 +42,9 @@ pub(super) fn summary(report: &TracksReport) -> Value {
         "to": tracks.frames.last().map(|frame| frame.time),
         "declaration": declaration(report),
         "left_out": {"missing": left.missing, "window": left.window, "at_rest": left.still, "used": left.used},
+        "mean_fish": left.members as f64 / left.used as f64,
+        "frames_on_bridges": tracks.on_bridges().iter().filter(|&&fish| fish > 0).count(),
+        "frames_with_all_fish": analysis.whole_frames(),
         "gaps": gaps,
         "per_fish": fish,
         "means": means(report),
@@ -62,6 +64,7 @@ fn declaration(report: &TracksReport) -> Value {
         "velocity": "central differences of positions averaged over the window; no window crosses a gap",
         "heading": "direction of the velocity",
         "at_rest": choices.still,
+        "least_fish": choices.least_fish(report.tracks.fish()),
         "body_length": choices.body_length,
         "zones_in_body_lengths": choices.zones.map(number),
         "blind_degrees": choices.blind,
@@ -75,14 +78,14 @@ fn declaration(report: &TracksReport) -> Value {
 }
 
 fn means(report: &TracksReport) -> Value {
-    let (analysis, fish) = (report.analysis, report.tracks.fish());
+    let analysis = report.analysis;
     let mut scaled = Map::new();
     for scale in Scale::ALL {
         scaled.insert(
             scale.name().to_string(),
             json!({
-                "single": scale.factor(1) * analysis.mean(|g| g.single),
-                "complete": scale.factor(fish - 1) * analysis.mean(|g| g.complete),
+                "single": analysis.mean(|g| g.single(scale)),
+                "complete": analysis.mean(|g| g.complete(scale)),
             }),
         );
     }

@@ -1,7 +1,7 @@
 //! CSV files of an analysis.
 
 use super::TracksReport;
-use models::tracks::{Histogram, Scale, csv_field};
+use models::tracks::{Gap, Histogram, Scale, csv_field};
 use std::fmt::Write;
 
 /// Six significant digits or so; empty for what is not there.
@@ -11,9 +11,9 @@ fn cell(x: Option<f64>) -> String {
 
 /// A row for each frame; what cannot be said is empty.
 pub(super) fn frames(report: &TracksReport) -> String {
-    let (analysis, fish) = (report.analysis, report.tracks.fish());
+    let analysis = report.analysis;
     let mut text = String::from(
-        "t,seen,headings,p_1,p_2,momentum,rotation,nearest_distance_mean,W_single,W_complete,W_orientation,\
+        "t,seen,bridged,headings,p_1,p_2,momentum,rotation,nearest_distance_mean,W_single,W_complete,W_orientation,\
          orientation_arcs,S_single,S_complete,difference_figure,difference_text,difference_per_arc",
     );
     for n in &analysis.choices.nearest {
@@ -21,11 +21,14 @@ pub(super) fn frames(report: &TracksReport) -> String {
         let _ = write!(text, ",W_{n}");
     }
     text.push('\n');
-    for frame in &analysis.frames {
+    for (frame, bridged) in analysis.frames.iter().zip(report.tracks.on_bridges()) {
         let group = frame.group.as_ref();
-        let distance = frame.distances.as_ref().map(|d| d.iter().sum::<f64>() / d.len() as f64);
-        let difference = |scale: Scale| group.map(|g| scale.difference(fish, g.complete, g.single));
-        let mut cells = vec![frame.time.to_string(), frame.seen.to_string(), frame.headed.to_string()];
+        let distances: Vec<f64> = frame.distances.iter().flatten().copied().collect();
+        let distance = (!distances.is_empty()).then(|| distances.iter().sum::<f64>() / distances.len() as f64);
+        let difference = |scale: Scale| group.map(|g| g.difference(scale));
+        let counts = [frame.seen, bridged, frame.headed].map(|count| count.to_string());
+        let mut cells = vec![frame.time.to_string()];
+        cells.extend(counts);
         cells.extend(
             [
                 group.map(|g| g.order[0]),
@@ -42,8 +45,8 @@ pub(super) fn frames(report: &TracksReport) -> String {
         cells.push(group.map_or_else(String::new, |g| g.orientation_arcs.to_string()));
         cells.extend(
             [
-                group.map(|g| Scale::Figure.factor(1) * g.single),
-                group.map(|g| Scale::Figure.factor(fish - 1) * g.complete),
+                group.map(|g| g.single(Scale::Figure)),
+                group.map(|g| g.complete(Scale::Figure)),
                 difference(Scale::Figure),
                 difference(Scale::Text),
                 difference(Scale::PerArc),
@@ -85,12 +88,12 @@ pub(super) fn fish(report: &TracksReport) -> String {
 
 /// A row for each gap.
 pub(super) fn gaps(report: &TracksReport) -> String {
-    let mut text = String::from("id,from,to,frames,where\n");
-    for gap in &report.analysis.gaps {
+    let mut text = String::from("id,from,to,frames,where,bridged\n");
+    for (gap, bridged) in all_gaps(report) {
         let place = place(gap.at_start, gap.at_end);
         let _ = writeln!(
             text,
-            "{},{},{},{},{place}",
+            "{},{},{},{},{place},{bridged}",
             csv_field(&report.tracks.ids[gap.fish]),
             gap.from,
             gap.to,
@@ -98,6 +101,15 @@ pub(super) fn gaps(report: &TracksReport) -> String {
         );
     }
     text
+}
+
+/// All gaps of the recording, by fish and time, and whether each was bridged.
+pub(super) fn all_gaps<'a>(report: &TracksReport<'a>) -> impl Iterator<Item = (&'a Gap, bool)> {
+    let (bridged, left) = (&report.tracks.bridged, &report.analysis.gaps);
+    let mut gaps: Vec<(&Gap, bool)> =
+        bridged.iter().map(|gap| (gap, true)).chain(left.iter().map(|gap| (gap, false))).collect();
+    gaps.sort_by_key(|(gap, _)| (gap.fish, gap.first));
+    gaps.into_iter()
 }
 
 /// Where in the recording a gap is.
@@ -137,16 +149,14 @@ pub(super) struct Named {
 
 /// The scaled potentials (Figure S3) for `n = N - 1` and `n = 1`.
 pub(super) fn scaled(report: &TracksReport) -> [Histogram; 2] {
-    let (analysis, fish) = (report.analysis, report.tracks.fish());
-    let complete = analysis.groups().map(|(_, g)| Scale::Figure.factor(fish - 1) * g.complete);
-    let single = analysis.groups().map(|(_, g)| Scale::Figure.factor(1) * g.single);
+    let complete = report.analysis.groups().map(|(_, g)| g.complete(Scale::Figure));
+    let single = report.analysis.groups().map(|(_, g)| g.single(Scale::Figure));
     [Histogram::of(0.0, 1.0, 20, complete), Histogram::of(0.0, 1.0, 20, single)]
 }
 
 /// Their difference.
 pub(super) fn difference(report: &TracksReport) -> Histogram {
-    let (analysis, fish) = (report.analysis, report.tracks.fish());
-    Histogram::of(-1.0, 1.0, 40, analysis.groups().map(|(_, g)| Scale::Figure.difference(fish, g.complete, g.single)))
+    Histogram::of(-1.0, 1.0, 40, report.analysis.groups().map(|(_, g)| g.difference(Scale::Figure)))
 }
 
 /// All histograms.

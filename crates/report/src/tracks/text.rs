@@ -18,6 +18,9 @@ pub(super) fn text(report: &TracksReport) -> String {
     potentials(report, &mut text);
     match report.null {
         Some(null) => null_models(report, null, &mut text),
+        None if report.analysis.whole_frames() == 0 => {
+            text.push_str("No frame has a heading of every fish: nothing is compared with null models.\n");
+        }
         None => text.push_str("The null models were not reached.\n"),
     }
     text
@@ -74,12 +77,13 @@ fn heading(report: &TracksReport, text: &mut String) {
 fn declaration(report: &TracksReport, text: &mut String) {
     let choices = &report.analysis.choices;
     let seconds = number(choices.window as f64 * report.tracks.step);
+    let bridges = if report.tracks.bridged.is_empty() { "" } else { " that is not bridged" };
     paragraph(
         text,
         "headings",
         &format!(
             "direction of the velocity: central differences of the positions averaged over {} frames ({seconds} s), so that speeds \
-             along a curved path are below those of the fish; no window crosses a gap; at rest at a speed of at most {}",
+             along a curved path are below those of the fish; no window crosses a gap{bridges}; at rest at a speed of at most {}",
             choices.window,
             number(choices.still)
         ),
@@ -103,8 +107,14 @@ fn declaration(report: &TracksReport, text: &mut String) {
 fn zones(choices: &Choices) -> String {
     let [repulsion, orientation, attraction] = choices.zones;
     let last = if attraction.is_finite() { format!("to {attraction}") } else { "without end".to_string() };
+    let whose = if choices.body_length == Choices::BODY_LENGTH_OF_SIDEBAR {
+        " (that of the sidebar in cm; --body-length says another)"
+    } else {
+        ""
+    };
     format!(
-        "repulsion to {repulsion}, orientation to {orientation}, attraction {last} body lengths of {}; blind spot {} degrees",
+        "repulsion to {repulsion}, orientation to {orientation}, attraction {last} body lengths of {}{whose}; \
+         blind spot {} degrees",
         number(choices.body_length),
         choices.blind
     )
@@ -112,15 +122,23 @@ fn zones(choices: &Choices) -> String {
 
 fn left_out(report: &TracksReport, text: &mut String) {
     let (tracks, analysis, left) = (report.tracks, report.analysis, report.analysis.left_out);
-    paragraph(
-        text,
-        "frames",
-        &format!(
-            "{} of {} have a heading of every fish; left out: {} where a fish is missing, {} where a window meets a gap or an end, \
-             {} with a fish at rest",
-            left.used, left.recorded, left.missing, left.window, left.still
-        ),
+    let fish = tracks.fish();
+    let (who, too_many) = match analysis.choices.min_fish {
+        None => ("every fish".to_string(), ["a fish is", "a window meets", "a fish"]),
+        Some(least) => {
+            (format!("at least {least} of {fish} fish"), ["too many are", "too many windows meet", "too many"])
+        }
+    };
+    let mut counts = format!(
+        "{} of {} have a heading of {who}; left out: {} where {} missing, {} where {} a gap or an end, {} with {} at rest",
+        left.used, left.recorded, left.missing, too_many[0], left.window, too_many[1], left.still, too_many[2]
     );
+    if analysis.choices.min_fish.is_some() {
+        let mean = left.members as f64 / left.used as f64;
+        let _ = write!(counts, "; in those that are used {mean:.2} fish have one in the mean");
+    }
+    paragraph(text, "frames", &counts);
+    bridges(report, text);
     for gap in analysis.gaps.iter().take(LISTED) {
         let what = format!(
             "fish {}: {} frames missing from t = {} to {} ({})",
@@ -136,6 +154,33 @@ fn left_out(report: &TracksReport, text: &mut String) {
         paragraph(text, "gaps", &format!("{} more, see gaps.csv", analysis.gaps.len() - LISTED));
     }
     text.push('\n');
+}
+
+/// What was bridged, and how much of the recording it is.
+fn bridges(report: &TracksReport, text: &mut String) {
+    let bridged = &report.tracks.bridged;
+    if bridged.is_empty() {
+        return;
+    }
+    let positions: u64 = bridged.iter().map(|gap| gap.frames).sum();
+    let frames = report.tracks.on_bridges().iter().filter(|&&fish| fish > 0).count();
+    let longest = bridged.iter().map(|gap| gap.frames).max().unwrap_or(0);
+    let what = format!(
+        "{} gaps of up to {longest} frames, {positions} positions in {frames} frames, on straight lines at constant velocity; \
+         see gaps.csv and the column bridged of frames.csv",
+        bridged.len()
+    );
+    paragraph(text, "bridged", &what);
+}
+
+/// Fewer frames than this, or a smaller share of the recording than [`SMALL_SHARE`], are few.
+const FEW_FRAMES: usize = 100;
+const SMALL_SHARE: f64 = 0.1;
+
+/// A sentence where what is said rests on few frames.
+fn few(used: usize, recorded: u64) -> Option<String> {
+    let is_few = used < FEW_FRAMES || (used as f64) < SMALL_SHARE * recorded as f64;
+    is_few.then(|| format!("Few frames: this rests on {used} of {recorded}."))
 }
 
 fn each_fish(report: &TracksReport, text: &mut String) {
@@ -165,9 +210,17 @@ fn each_fish(report: &TracksReport, text: &mut String) {
 }
 
 fn potentials(report: &TracksReport, text: &mut String) {
-    let (analysis, fish) = (report.analysis, report.tracks.fish());
+    let analysis = report.analysis;
+    let used = analysis.left_out.used as usize;
+    let whole = analysis.whole_frames();
+    if let Some(few) = few(used, analysis.left_out.recorded) {
+        let _ = writeln!(text, "{few}");
+    }
+    let over =
+        if whole == used { format!("{used} frames") } else { format!("{used} frames, {whole} of them with all fish") };
+    paragraph(text, "means", &format!("over {over}"));
     let order = format!(
-        "|p_1| {:.3}, |p_2| {:.3} (at most 1/2), rotation {:.3}, mean momentum {}",
+        "polarisation |p_1| {:.3}, |p_2| {:.3} (at most 1/2), rotation (milling) {:.3}, momentum {}",
         analysis.mean(|g| g.order[0]),
         analysis.mean(|g| g.order[1]),
         analysis.mean(|g| g.rotation),
@@ -187,8 +240,8 @@ fn potentials(report: &TracksReport, text: &mut String) {
             Scale::Text => "no (the text)",
             Scale::PerArc => "yes; compares mean 1 - cos per arc",
         };
-        let complete = scale.factor(fish - 1) * analysis.mean(|g| g.complete);
-        let single = scale.factor(1) * analysis.mean(|g| g.single);
+        let complete = analysis.mean(|g| g.complete(scale));
+        let single = analysis.mean(|g| g.single(scale));
         let _ = writeln!(text, "{:18} {complete:>10.4} {single:>9.4}     {inside}", scale.name());
     }
     for (i, n) in analysis.choices.nearest.iter().enumerate() {
@@ -234,7 +287,12 @@ fn null_models(report: &TracksReport, null: &NullModels, text: &mut String) {
         text.push('\n');
     }
     text.push('\n');
-    let mut verdict = reading(fish, null);
+    let whole = report.analysis.whole_frames();
+    let mut verdict = format!("Over the {whole} frames with a heading of every fish. ");
+    if let Some(few) = few(whole, report.analysis.left_out.recorded) {
+        let _ = write!(verdict, "{few} ");
+    }
+    verdict.push_str(&reading(fish, null));
     verdict.push_str(&match null.shifts {
         0 => "No shifts were made (--null 0).".to_string(),
         shifts => {

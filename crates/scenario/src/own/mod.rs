@@ -7,6 +7,7 @@ mod exact;
 mod measured;
 mod noisy;
 mod read;
+mod run;
 mod start;
 
 pub use enclosed::OwnMotion;

@@ -4,10 +4,10 @@ use super::continuous::Moving;
 use super::measured::{Heard, in_words};
 use super::read::Described;
 use crate::error::RunError;
-use crate::observables::Observable;
-use crate::simulation::{Event, Frame, Law, Simulation};
+use crate::simulation::{Event, Follower, Law};
+use crate::stepped::steps_to;
+use arithmetic::Progress;
 use arithmetic::random::normal;
-use arithmetic::{ArithmeticError, Progress};
 use expressions::Evaluator;
 use rand_chacha::ChaCha8Rng;
 
@@ -54,13 +54,13 @@ impl Noisy {
     }
 }
 
-impl Simulation for Noisy {
-    fn advance(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
+impl Follower for Noisy {
+    type Law = Moving;
+
+    fn go(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         let from = self.time;
-        // A remainder of a hair's breadth is taken along.
-        let steps = ((until - from) / self.step * (1.0 - 1e-12)).ceil().max(0.0);
-        let length = (until - from) / steps.max(1.0);
-        for taken in 0..steps as usize {
+        let (steps, length) = steps_to(from, until, self.step);
+        for taken in 0..steps {
             if progress.is_cancelled() {
                 return Ok(false);
             }
@@ -71,28 +71,14 @@ impl Simulation for Noisy {
         Ok(true)
     }
 
-    fn frame(&self) -> Frame {
-        self.law.frame(self.time, &self.state)
+    fn at(&self) -> (&Moving, f64, &[f64]) {
+        (&self.law, self.time, &self.state)
     }
 
-    fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
-        self.law.observe(self.time, &self.state)
-    }
-
-    fn links(&self) -> Vec<(usize, usize)> {
-        self.law.links()
-    }
-
-    fn remarks(&self) -> Vec<String> {
-        self.law.remarks()
-    }
-
-    fn declaration(&self) -> Vec<String> {
-        let mut lines = self.law.declaration();
-        lines.push(format!(
+    fn method(&self) -> Vec<String> {
+        vec![format!(
             "integrator: Euler and Maruyama, steps of {} or a little less, so that they end at every time that is written; links are those of the positions before each step: switches are neither located nor listed, and the tolerance has no effect",
             self.step
-        ));
-        lines
+        )]
     }
 }

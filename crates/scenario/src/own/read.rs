@@ -1,20 +1,12 @@
 //! From the tables of a law to the law, with the place of what is wrong.
 
-use super::continuous::Moving;
-use super::discrete::Stepping;
-use super::enclosed::OwnMotion;
-use super::noisy::Noisy;
 use super::start::{Ranges, start};
 use crate::error::{ConfigError, Problem};
-use crate::exact::ExactMotion;
-use crate::model::{Built, Described as Motion};
 use crate::network::{Abilities, Kind as NetworkKind, Network};
-use crate::simulation::{Continuous, Simulation};
 use crate::source::{Entry, Section, Source};
 use arithmetic::random::generator;
 use arithmetic::{Rational, rational};
 use expressions::{Kind, Law, LawError, LawText, Parameter, Time};
-use num_traits::ToPrimitive;
 use rand_chacha::ChaCha8Rng;
 use std::sync::Arc;
 
@@ -51,67 +43,6 @@ pub(crate) struct Described {
     pub declaration: Vec<String>,
     /// What noise is drawn from.
     pub random: ChaCha8Rng,
-}
-
-/// The run in floats, or of discrete time exactly; with it the step of discrete time.
-fn simulation(mut own: Described, source: &Source, tolerance: f64) -> Result<Built, ConfigError> {
-    let run = source.needed("run")?;
-    let fixed = run.get("step").map(|entry| entry.positive()).transpose()?;
-    if own.time == Time::Discrete {
-        if let Some(entry) = run.get("step") {
-            return Err(entry.range("left out: in discrete time `step` stands in [law]"));
-        }
-        let exact = run.get("exact").map_or(Ok(false), |entry| entry.flag())?;
-        if exact && !own.law.drawn().is_empty() {
-            return Err(run.need("exact", "true or false")?.range("false: the law has noise"));
-        }
-        if exact && !own.law.is_rational() {
-            let why = "false: the law has functions whose values are not rational";
-            return Err(run.need("exact", "true or false")?.range(why));
-        }
-        let step = own.step.clone();
-        let state = std::mem::take(&mut own.state);
-        let simulation: Box<dyn Simulation> = if exact {
-            own.declaration.push("exact steps on rational numbers, rounded once where they are written".to_string());
-            Box::new(Stepping::new(own, state, &rational(0, 1), rounded))
-        } else {
-            let state = state.iter().map(rounded).collect();
-            Box::new(Stepping::new(own, state, &0.0, |x| *x))
-        };
-        return Ok((simulation, Some(step)));
-    }
-    if let Some(entry) = run.get("exact") {
-        return Err(entry.range("left out: only laws in discrete time run exactly; `check` encloses continuous ones"));
-    }
-    let state: Vec<f64> = own.state.iter().map(rounded).collect();
-    if own.law.is_noisy() {
-        let Some(step) = fixed else {
-            let why = "given: a law with noise is followed in fixed steps, by the method of Euler and Maruyama";
-            return Err(run.problem(Problem::Needs("step", why)));
-        };
-        return Ok((Box::new(Noisy::new(own, state, step)), None));
-    }
-    let mut moving = Moving::new(own);
-    moving.start(&state).map_err(|problem| source.top().problem(problem))?;
-    let simulation: Box<dyn Simulation> = match fixed {
-        Some(step) => Box::new(moving.stepped(state, step)),
-        None => Box::new(Continuous::new(moving, &state, tolerance)),
-    };
-    Ok((simulation, None))
-}
-
-fn rounded(x: &Rational) -> f64 {
-    x.to_f64().unwrap_or(f64::NAN)
-}
-
-impl Motion for Described {
-    fn exact(&self) -> ExactMotion {
-        OwnMotion::of(self.clone()).map_or_else(ExactMotion::Other, |own| ExactMotion::Own(Box::new(own)))
-    }
-
-    fn simulation(self: Box<Self>, source: &Source, tolerance: f64) -> Result<Built, ConfigError> {
-        simulation(*self, source, tolerance)
-    }
 }
 
 /// The law of a text with the tables `[law]` and `[law.*]`, without agents, network and start.

@@ -151,13 +151,6 @@ proptest! {
         prop_assert_eq!(measure("disagreement", &agents), Ok(Some(Amount::Root(apart.clone()))));
         prop_assert_eq!(measure("min_distance", &agents), Ok(Some(Amount::Root(least))));
         prop_assert_eq!(measure("links", &agents), Ok(Some(Amount::Count(Some([start.links.len(); 2])))));
-        // From the distances of pairs it is the same.
-        let velocities = start.velocities.clone();
-        let known = View {
-            velocities: Rows::of(velocities.len(), Vec::new).apart(move |i, j| square(&velocities[i], &velocities[j])),
-            ..View::new(Model::Flock, Links::Everyone(start.places.len()))
-        };
-        prop_assert_eq!(measure("disagreement", &known), Ok(Some(Amount::Root(apart))));
         let fish = start.view(Model::Fish, &zero, Law::Unmeasured);
         let total = Amount::List(vec![Amount::Number(sum(0)), Amount::Number(sum(1))]);
         prop_assert_eq!(measure("momentum", &fish), Ok(Some(total)));

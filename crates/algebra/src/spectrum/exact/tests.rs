@@ -25,8 +25,13 @@ fn powers_of_common_factors_add_up() {
             if reversed {
                 order.reverse();
             }
-            order.iter().for_each(|list| factors.multiply(&diagonal(list)));
+            order.iter().for_each(|list| factors.multiply(&diagonal(list), 1));
             assert!(factors.list.iter().all(|(factor, _)| factor.degree() > 0));
+            // Three at once are as three one after the other.
+            let (mut at_once, mut by_turns) = (Factors::default(), Factors::default());
+            order.iter().for_each(|list| at_once.multiply(&diagonal(list), 3));
+            (0..3).for_each(|_| order.iter().for_each(|list| by_turns.multiply(&diagonal(list), 1)));
+            assert_eq!(exact(at_once.roots(20)), exact(by_turns.roots(20)));
             let power = |x: i64| lists[..count].iter().flat_map(|list| list.iter()).filter(|&&y| x == y).count();
             let expected: Vec<(Rational, usize)> =
                 (1..=5).map(|x| (rational(x, 1), power(x))).filter(|(_, power)| *power > 0).collect();
@@ -84,8 +89,8 @@ fn complex_roots_come_in_pairs_beside_the_real_ones() {
     let polynomial =
         RationalMatrix::from_integers(&rows, 1).and_then(|a| a.characteristic_polynomial()).expect("square");
     let mut factors = Factors::default();
-    factors.multiply(&polynomial);
-    factors.multiply(&polynomial);
+    factors.multiply(&polynomial, 1);
+    factors.multiply(&polynomial, 1);
     assert!(factors.real_roots(10).is_none());
     let parts = factors.roots(10).expect("isolated");
     let is_near = |x: &Interval, value: f64| (x.to_f64() - value).abs() < 1e-9;

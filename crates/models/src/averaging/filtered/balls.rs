@@ -2,37 +2,40 @@
 //!
 //! `notes/exact_flocks.md` has the bounds, by the numbers of its steps.
 
-use super::links::{Change, Links};
+use super::leap::{LONGEST_LEAP, SHORTEST_LEAP};
+use super::links::{Change, weight};
 use super::wholes::{Velocities, Whole, wholes};
 use super::words::Words;
 use crate::averaging::flock::IntegerState;
 use crate::averaging::hysteresis::Threshold;
-use crate::averaging::{FlockError, Weights};
+use crate::averaging::weights::{FlockError, Weights};
+use algebra::graph::Graph;
 use arithmetic::{Interval, Rational, Ring, Signed};
 use num_bigint::BigInt;
 use num_traits::Signed as _;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// A flock that follows given changes of its network.
 #[derive(Debug, Clone)]
 pub(super) struct Balls<const L: usize> {
-    dimension: usize,
-    weights: Weights,
-    pub links: Links,
+    pub(super) dimension: usize,
+    pub(super) weights: Weights,
+    pub network: Graph,
     /// `c_i` in units of `2^-64L`.
     shares: Vec<Words<L>>,
     known_shares: BTreeMap<usize, Words<L>>,
     /// One unit is `2^-fraction`.
     fraction: u32,
     scales: [f64; L],
-    positions: Vec<Words<L>>,
-    velocities: Vec<Words<L>>,
+    pub(super) positions: Vec<Words<L>>,
+    pub(super) velocities: Vec<Words<L>>,
     scratch: Vec<Words<L>>,
     /// In units, for every coordinate of every bird.
     position_error: u128,
     velocity_error: u128,
     /// Steps that certainly fit.
-    room: u64,
+    pub(super) room: u64,
     /// Steps from the start of the whole flock.
     pub time: u64,
     /// Changes that are applied.
@@ -44,6 +47,9 @@ const ROOM_BITS: u64 = 32;
 
 /// Quiet stretches of more steps than this are jumped over, where that costs little precision.
 const LONG: u64 = 256;
+
+/// Birds that are averaged by several processors.
+const MANY: usize = 2048;
 
 /// Differences of two birds after the move of the next step: `now` and the move itself, in units, and the bounds of the errors
 /// of their coordinates.
@@ -60,7 +66,7 @@ impl<const L: usize> Balls<L> {
     /// A state at a time, on the network that it has then; `None` where the numbers are too large.
     pub fn new(
         state: &IntegerState,
-        links: Links,
+        network: Graph,
         weights: &Weights,
         (time, applied): (u64, usize),
     ) -> Result<Option<Self>, FlockError> {
@@ -79,7 +85,7 @@ impl<const L: usize> Balls<L> {
             weights: weights.clone(),
             shares: vec![Words::ZERO; birds],
             known_shares: BTreeMap::new(),
-            links,
+            network,
             fraction: fraction as u32,
             scales: scales(fraction as u32),
             scratch: velocities.clone(),
@@ -99,7 +105,7 @@ impl<const L: usize> Balls<L> {
 
     /// Notes the weight of a bird for its number of neighbours.
     fn weigh(&mut self, i: usize, time: u64) -> Result<(), FlockError> {
-        let degree = self.links.degree(i);
+        let degree = self.network.degree(i);
         if degree == 0 {
             return Ok(());
         }
@@ -108,7 +114,7 @@ impl<const L: usize> Balls<L> {
             self.shares[i] = *share;
             return Ok(());
         }
-        let c = self.links.weight(&self.weights, i, &BigInt::from(time))?;
+        let c = weight(&self.network, &self.weights, i, &BigInt::from(time))?;
         self.shares[i] = Words::fraction(&c.numer(), &c.denom());
         self.known_shares.insert(key, self.shares[i]);
         Ok(())
@@ -126,7 +132,7 @@ impl<const L: usize> Balls<L> {
         self.position_error = self.position_error.saturating_add(self.velocity_error);
         self.time += 1;
         for &pair in changed {
-            self.links.toggle(pair);
+            self.network.toggle(pair.0 as usize, pair.1 as usize);
         }
         let mut touched: Vec<u32> = changed.iter().flat_map(|&(i, j)| [i, j]).collect();
         touched.sort_unstable();
@@ -139,28 +145,34 @@ impl<const L: usize> Balls<L> {
 
     /// `v_i + c_i (sum over neighbours - d_i v_i)`.
     fn average(&mut self) {
-        match self.dimension {
-            1 => self.average_in::<1>(),
-            2 => self.average_in::<2>(),
-            3 => self.average_in::<3>(),
-            _ => self.average_in_any(),
-        }
-        std::mem::swap(&mut self.velocities, &mut self.scratch);
+        let mut next = std::mem::take(&mut self.scratch);
+        self.average_from(&self.velocities, &mut next);
+        self.scratch = std::mem::replace(&mut self.velocities, next);
         self.velocity_error = self.velocity_error.saturating_add(L as u128 + 2);
     }
 
-    fn average_in<const D: usize>(&mut self) {
-        let (velocities, _) = self.velocities.as_chunks::<D>();
-        let (next, _) = self.scratch.as_chunks_mut::<D>();
-        for (i, (next, own)) in next.iter_mut().zip(velocities).enumerate() {
-            let near = self.links.near(i);
-            *next = *own;
+    /// Writes the averages of these numbers.
+    pub(super) fn average_from(&self, from: &[Words<L>], to: &mut [Words<L>]) {
+        match self.dimension {
+            1 => self.average_in::<1>(from, to),
+            2 => self.average_in::<2>(from, to),
+            3 => self.average_in::<3>(from, to),
+            _ => self.average_in_any(from, to),
+        }
+    }
+
+    fn average_in<const D: usize>(&self, from: &[Words<L>], to: &mut [Words<L>]) {
+        let (from, _) = from.as_chunks::<D>();
+        let (to, _) = to.as_chunks_mut::<D>();
+        let average = |i: usize, next: &mut [Words<L>; D]| {
+            let (own, near) = (from[i], self.network.neighbours(i));
+            *next = own;
             if near.is_empty() {
-                continue;
+                return;
             }
             let mut sum = [Words::ZERO; D];
             for &j in near {
-                let other = &velocities[j as usize];
+                let other = &from[j as usize];
                 for k in 0..D {
                     sum[k] = sum[k].plus(other[k]);
                 }
@@ -169,19 +181,24 @@ impl<const L: usize> Balls<L> {
                 let pull = sum[k].minus(own[k].times(near.len() as u32));
                 next[k] = own[k].plus(pull.share(&self.shares[i]));
             }
+        };
+        if to.len() < MANY {
+            to.iter_mut().enumerate().for_each(|(i, next)| average(i, next));
+        } else {
+            to.par_iter_mut().with_min_len(MANY / 4).enumerate().for_each(|(i, next)| average(i, next));
         }
     }
 
-    fn average_in_any(&mut self) {
-        for i in 0..self.links.order() {
-            let near = self.links.near(i);
+    fn average_in_any(&self, from: &[Words<L>], to: &mut [Words<L>]) {
+        for i in 0..self.network.order() {
+            let near = self.network.neighbours(i);
             for k in 0..self.dimension {
-                let at = |j: usize| self.velocities[j * self.dimension + k];
+                let at = |j: usize| from[j * self.dimension + k];
                 let own = at(i);
                 let sum = near.iter().fold(Words::ZERO, |sum, &j| sum.plus(at(j as usize)));
                 let pull = sum.minus(own.times(near.len() as u32));
                 let share = if near.is_empty() { Words::ZERO } else { pull.share(&self.shares[i]) };
-                self.scratch[i * self.dimension + k] = own.plus(share);
+                to[i * self.dimension + k] = own.plus(share);
             }
         }
     }
@@ -215,6 +232,9 @@ impl<const L: usize> Balls<L> {
             progress.checkpoint()?;
             let quiet = changes.get(self.applied).map_or(time, |change| time.min(change.time - 1)) - self.time;
             if quiet > LONG && self.time.is_multiple_of(LONG) && self.jump(quiet) {
+                continue;
+            }
+            if quiet >= SHORTEST_LEAP && self.leap(quiet.min(LONGEST_LEAP)) {
                 continue;
             }
             match changes.get(self.applied).filter(|change| change.time == self.time + 1) {
@@ -275,7 +295,7 @@ impl<const L: usize> Balls<L> {
     pub fn wholes(&self) -> Vec<Whole> {
         let (_, error) = self.errors();
         let difference = |i, j, k| self.velocity_difference(i, j, k);
-        wholes(&self.links, &self.weights, &Velocities { dimension: self.dimension, error, difference })
+        wholes(&self.network, &self.weights, &Velocities { dimension: self.dimension, error, difference })
     }
 
     /// Many steps at once on a network that stays, where velocities have settled so far that this costs little precision; whether
@@ -312,9 +332,26 @@ impl<const L: usize> Balls<L> {
         true
     }
 
+    /// Whether these balls hold everything.
+    pub(super) fn has_no_room(&self) -> bool {
+        self.velocity_error == u128::MAX
+    }
+
+    /// The state after so many steps on a network that stays, with what it errs by beyond what errs already.
+    pub(super) fn keep(&mut self, state: Vec<(Words<L>, Words<L>)>, steps: u64, (velocity, position): (u128, u128)) {
+        (self.positions, self.velocities) = state.into_iter().unzip();
+        self.position_error = self
+            .position_error
+            .saturating_add(self.velocity_error.saturating_mul(u128::from(steps)))
+            .saturating_add(position);
+        self.velocity_error = self.velocity_error.saturating_add(velocity);
+        self.room -= steps;
+        self.time += steps;
+    }
+
     /// The stationary mean of the velocities of a connected part, less than a unit too small.
-    fn mean(&self, members: &[usize]) -> Option<Vec<Words<L>>> {
-        let share = |&i: &usize| self.weights.of(self.links.degree(i), i).map(|c| c.recip());
+    pub(super) fn mean(&self, members: &[usize]) -> Option<Vec<Words<L>>> {
+        let share = |&i: &usize| self.weights.of(self.network.degree(i), i).map(|c| c.recip());
         let shares = if members.len() == 1 {
             vec![Rational::from_integer(BigInt::from(1))]
         } else {

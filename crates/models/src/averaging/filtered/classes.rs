@@ -3,8 +3,8 @@
 //! Two birds of one class have the same velocity, whatever it is: they had the same once, and every averaging since took the same
 //! weights of the same velocities. Birds of different classes may have equal velocities too.
 
-use super::links::Links;
-use crate::averaging::Weights;
+use crate::averaging::weights::Weights;
+use algebra::graph::Graph;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The classes of all birds, and the pairs at distance exactly 1 that have been of one class ever since that was found.
@@ -28,6 +28,11 @@ impl Classes {
         }
     }
 
+    /// Whether anything is known.
+    pub fn are_known(&self) -> bool {
+        !self.ties.is_empty()
+    }
+
     /// Whether a pair is known to be at distance exactly 1.
     pub fn is_tie(&self, pair: (u32, u32)) -> bool {
         self.ties.contains(&pair)
@@ -41,18 +46,25 @@ impl Classes {
         }
     }
 
+    /// The class of all these birds, where they are known to be of one.
+    pub fn common(&self, birds: &[usize]) -> Option<u64> {
+        let first = *self.of.get(*birds.first()?)?;
+        birds.iter().all(|&i| self.of[i] == first).then_some(first)
+    }
+
     /// Whether the velocities of all birds of each component agree, so that they never change.
-    pub fn is_still(&self, component_of: &[usize], components: usize) -> Vec<bool> {
+    pub fn is_still(&self, component_of: &[u32], components: usize) -> Vec<bool> {
         let mut first = vec![None; components];
         let mut still = vec![!self.of.is_empty(); components];
         for (&class, &component) in self.of.iter().zip(component_of) {
+            let component = component as usize;
             still[component] &= *first[component].get_or_insert(class) == class;
         }
         still
     }
 
     /// The classes after averaging on a network.
-    pub fn average(&mut self, links: &Links, weights: &Weights) {
+    pub fn average(&mut self, network: &Graph, weights: &Weights) {
         if self.ties.is_empty() {
             self.of.clear();
             return;
@@ -62,7 +74,7 @@ impl Classes {
         let after: Vec<u64> = (0..self.of.len())
             .map(|i| {
                 let own = self.of[i];
-                let near = links.near(i);
+                let near = network.neighbours(i);
                 if near.iter().all(|&j| self.of[j as usize] == own) {
                     return own;
                 }
@@ -87,7 +99,6 @@ impl Classes {
 mod tests {
     use super::*;
     use crate::averaging::transition_matrix;
-    use algebra::graph::Graph;
     use arithmetic::random::generator;
     use arithmetic::{Rational, rational};
     use rand_chacha::rand_core::Rng;
@@ -99,8 +110,8 @@ mod tests {
         classes
     }
 
-    fn links(edges: &[(usize, usize)]) -> Links {
-        Links::new(&Graph::from_edges(6, edges).expect("a graph"))
+    fn network(edges: &[(usize, usize)]) -> Graph {
+        Graph::from_edges(6, edges).expect("a graph")
     }
 
     #[test]
@@ -130,20 +141,20 @@ mod tests {
     fn averages_of_the_same_are_the_same() {
         let of = [0, 0, 1, 2, 2, 1];
         let ties = [(0, 1), (2, 5), (3, 4)];
-        let both = links(&[(0, 2), (0, 3), (1, 4), (1, 5)]);
-        let after = |links: &Links, weights: &Weights| {
+        let both = network(&[(0, 2), (0, 3), (1, 4), (1, 5)]);
+        let after = |network: &Graph, weights: &Weights| {
             let mut classes = noted(&of, &ties);
-            classes.average(links, weights);
+            classes.average(network, weights);
             ties.map(|pair| classes.is_tie(pair))
         };
         let given = Weights::Given(vec![rational(1, 5); 6]);
         assert_eq!(after(&both, &Weights::Lazy), [true; 3]);
         assert_eq!(after(&both, &given), [false; 3]);
-        assert_eq!(after(&links(&[(0, 1), (2, 5)]), &given), [true; 3]);
+        assert_eq!(after(&network(&[(0, 1), (2, 5)]), &given), [true; 3]);
         // Another neighbour, one more for bird 1, or one of the own class beside it.
-        assert_eq!(after(&links(&[(0, 2), (1, 3)]), &Weights::Lazy), [false; 3]);
-        assert_eq!(after(&links(&[(0, 2), (1, 5), (1, 3)]), &Weights::Lazy), [false, true, false]);
-        assert_eq!(after(&links(&[(0, 2), (0, 1), (1, 5)]), &Weights::Lazy), [true, true, true]);
+        assert_eq!(after(&network(&[(0, 2), (1, 3)]), &Weights::Lazy), [false; 3]);
+        assert_eq!(after(&network(&[(0, 2), (1, 5), (1, 3)]), &Weights::Lazy), [false, true, false]);
+        assert_eq!(after(&network(&[(0, 2), (0, 1), (1, 5)]), &Weights::Lazy), [true, true, true]);
         // Without ties nothing is known.
         let mut classes = noted(&of, &[(0, 2)]);
         classes.average(&both, &Weights::Lazy);
@@ -169,7 +180,7 @@ mod tests {
                 let graph = Graph::from_edges(6, &edges).expect("a graph");
                 let rows = transition_matrix(&graph, &weights).expect("admissible").to_rows();
                 velocities = rows.iter().map(|row| row.iter().zip(&velocities).map(|(p, v)| p * v).sum()).collect();
-                classes.average(&Links::new(&graph), &weights);
+                classes.average(&graph, &weights);
                 for &(i, j) in &all {
                     if classes.are_alike((i, j)) || classes.is_tie((i, j)) {
                         assert_eq!(velocities[i as usize], velocities[j as usize], "{case}: {i} {j}");

@@ -1,8 +1,10 @@
 //! Model D with an exact network and hardly any exact number: every decision by a ball where that can, by a finer ball where that
 //! can, and exactly where nothing else will do (`notes/exact_flocks.md`).
 
+mod ahead;
 mod balls;
 mod classes;
+mod leap;
 mod links;
 mod outlook;
 mod watch;
@@ -11,12 +13,13 @@ mod words;
 
 use super::flock::{Flock, IntegerState, Start, Switch};
 use super::hysteresis::Threshold;
-use super::{FlockError, Weights};
+use super::weights::{FlockError, Weights};
 use algebra::graph::Graph;
 use arithmetic::Progress;
 use balls::{Balls, PairBall};
 use classes::Classes;
-use links::{Change, Links};
+use leap::{LONGEST_LEAP, SHORTEST_LEAP};
+use links::{Change, Multiplier};
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Zero};
 pub(super) use outlook::Outlook;
@@ -83,7 +86,7 @@ impl FilteredFlock {
     pub fn from_exact(exact: Flock) -> Result<Self, FlockError> {
         let integers = exact.integers();
         let (network, weights) = (exact.network().clone(), exact.weights().clone());
-        let balls = Balls::new(&integers, Links::new(&network), &weights, (0, 0))?;
+        let balls = Balls::new(&integers, network.clone(), &weights, (0, 0))?;
         Ok(FilteredFlock {
             origin: exact.time().clone(),
             first_unit: integers.unit,
@@ -125,15 +128,15 @@ impl FilteredFlock {
     /// Bits of the common denominator that the exact state has, not reduced.
     pub fn denominator_bits(&self) -> u64 {
         let mut powers: BTreeMap<BigInt, u64> = BTreeMap::new();
-        let mut links = Links::new(&self.network);
+        let mut now = Multiplier::new(self.network.clone(), &self.weights);
         // Backwards, from the network of now.
         let mut until = self.time;
         for change in self.changes.iter().rev() {
-            *powers.entry(links.multiplier(&self.weights)).or_default() += until + 1 - change.time;
+            *powers.entry(now.value()).or_default() += until + 1 - change.time;
             until = change.time - 1;
-            change.pairs.iter().for_each(|&pair| links.toggle(pair));
+            change.pairs.iter().for_each(|&pair| now.toggle(pair));
         }
-        *powers.entry(links.multiplier(&self.weights)).or_default() += until;
+        *powers.entry(now.value()).or_default() += until;
         let power = |(m, count): (BigInt, u64)| if m.is_one() { m } else { Pow::pow(m, count) };
         powers.into_iter().map(power).fold(self.first_unit.clone(), |product, p| product * p).bits()
     }
@@ -141,7 +144,7 @@ impl FilteredFlock {
     /// What is certain about the network from now on, if anything is.
     pub(super) fn outlook(&self, progress: &dyn Progress) -> Result<Option<Outlook>, FlockError> {
         let State::Balls(balls) = &self.state else { return Ok(None) };
-        outlook::outlook(balls, &self.threshold, progress).map(Some)
+        outlook::outlook(balls, &self.threshold, &self.classes, progress).map(Some)
     }
 
     /// Many steps at once in which nothing changes; whether that was possible.
@@ -154,6 +157,25 @@ impl FilteredFlock {
         self.jumped = true;
         self.watch.renew();
         true
+    }
+
+    /// Steps in which nothing changes, without a look at any pair.
+    pub(super) fn coast(&mut self, steps: u64, progress: &dyn Progress) -> Result<(), FlockError> {
+        self.watch.renew();
+        let end = self.time + steps;
+        while self.time < end {
+            progress.checkpoint()?;
+            let State::Balls(balls) = &mut self.state else { return Ok(()) };
+            let left = end - self.time;
+            if left >= SHORTEST_LEAP && !self.classes.are_known() && balls.leap(left.min(LONGEST_LEAP)) {
+                self.time += left.min(LONGEST_LEAP);
+                continue;
+            }
+            balls.step(&[])?;
+            self.time += 1;
+            self.classes.average(&balls.network, &self.weights);
+        }
+        Ok(())
     }
 
     /// Whether it has jumped.
@@ -203,7 +225,7 @@ impl FilteredFlock {
     /// As there, and [`FlockError::Cancelled`].
     pub fn step(&mut self, progress: &dyn Progress) -> Result<Option<Switch>, FlockError> {
         let State::Balls(balls) = &self.state else { return self.step_exactly() };
-        let due = self.watch.due(balls, &self.network, &self.classes);
+        let due = self.watch.due(balls, &self.classes);
         let mut changed = Vec::new();
         for &pair in &due {
             // Where this is stopped nothing has moved yet; a later attempt looks at all pairs again.
@@ -222,7 +244,7 @@ impl FilteredFlock {
         })?;
         let switch = (!changed.is_empty()).then(|| self.note(changed, time));
         if let State::Balls(balls) = &self.state {
-            self.classes.average(&balls.links, &self.weights);
+            self.classes.average(&balls.network, &self.weights);
         }
         Ok(switch)
     }
@@ -251,7 +273,6 @@ impl FilteredFlock {
             self.network.toggle(pair.0, pair.1);
             if self.network.has_edge(pair.0, pair.1) {
                 gained.push(pair);
-                self.watch.note_joined((i, j));
             } else {
                 lost.push(pair);
             }
@@ -373,7 +394,7 @@ impl FilteredFlock {
     /// Balls of any length at the time of the exact flock.
     fn balls_of_the_exact_state<const L: usize>(&self) -> Result<Option<Balls<L>>, FlockError> {
         let place = (self.exact_time(), self.exact_applied);
-        Balls::new(&self.exact.integers(), Links::new(self.exact.network()), &self.weights, place)
+        Balls::new(&self.exact.integers(), self.exact.network().clone(), &self.weights, place)
     }
 }
 

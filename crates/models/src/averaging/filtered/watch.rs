@@ -1,38 +1,52 @@
 //! Which pairs have to be looked at, and when: a pair is looked at again only when its status could have changed.
 //!
-//! Velocities of a flock stay in the box that holds them now, as long as no other flock joins it. In an epoch (until flocks
-//! merge, or some number of steps) the relative velocity of two birds differs from that of now by the widths of the boxes of
-//! their flocks at most, and their distance changes accordingly (Lemma 2.1).
+//! An epoch is a number of steps. Flocks that could meet in it form a group. Velocities of a group stay in the box that holds them at the
+//! start, so the relative velocity of two birds differs from that of now by the widths of the boxes of their groups at most, and their
+//! distance changes accordingly (Lemma 2.1).
 
 use super::balls::Balls;
 use super::classes::Classes;
-use algebra::graph::Graph;
-use motion::CellList;
+use crate::averaging::boxes::{Between, Boxes};
 
 /// The pairs to look at, by time.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Watch {
-    /// The time at which the epoch began; none runs after flocks have merged.
+    /// The time at which the epoch began; none runs at the start, and where more is known about what stays.
     start: Option<u64>,
     length: u64,
-    wanted_length: u64,
-    component_of: Vec<usize>,
-    /// By component: a bound of how much a velocity can still change.
-    widths: Vec<f64>,
+    groups: Groups,
     still: Vec<bool>,
     /// The pairs to look at `1, 2, ..` steps after the start.
     due: Vec<Vec<(u32, u32)>>,
 }
 
+/// Flocks that may meet, and how fast they are.
+#[derive(Debug, Clone, Default)]
+struct Groups {
+    /// The group of each bird.
+    of: Vec<u32>,
+    /// By group: a bound of how much a velocity can still change.
+    widths: Vec<f64>,
+    /// By bird and coordinate: bounds of the velocities of its group.
+    slowest: Vec<f64>,
+    fastest: Vec<f64>,
+}
+
 /// The longest epoch.
 const LONGEST: u64 = 4096;
+
+/// In an epoch the velocities of a group make no more difference than this, unless it is as short as is usual at any rate.
+const WIDEST: f64 = 2.0;
+
+/// Rounds in which flocks that may meet are found; then all are taken together.
+const ROUNDS: usize = 3;
 
 /// Rounding in double precision, generously.
 const SLACK: f64 = 1e-9;
 
 /// For how many steps at least the status of a pair cannot change: from the difference of the positions, that of the velocities of
 /// the last move (or of the next), and a bound of how far later ones differ from that.
-fn quiet_steps(now: &[f64], moved: &[f64], joined: bool, drift: f64, error: f64) -> u64 {
+pub(super) fn quiet_steps(now: &[f64], moved: &[f64], joined: bool, drift: f64, error: f64) -> u64 {
     let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
     let distance = dot(now, now).sqrt();
     let speed = dot(moved, moved).sqrt();
@@ -55,23 +69,152 @@ fn quiet_steps(now: &[f64], moved: &[f64], joined: bool, drift: f64, error: f64)
     }
 }
 
+/// A state in double precision, coordinates of a bird next to each other.
+struct Snapshot {
+    dimension: usize,
+    positions: Vec<f64>,
+    velocities: Vec<f64>,
+    /// Of a coordinate of a velocity.
+    velocity_error: f64,
+    /// Of a distance.
+    error: f64,
+}
+
+impl Snapshot {
+    fn of<const L: usize>(balls: &Balls<L>) -> Self {
+        let (positions, velocities) = balls.floats();
+        let (position_error, velocity_error) = balls.errors();
+        let largest = positions.iter().fold(1.0f64, |most, x| most.max(x.abs()));
+        // Coordinates of differences err by twice as much as those of birds.
+        let root = (balls.dimension() as f64).sqrt();
+        let error = 4.0 * root * (position_error + SLACK * 1e-3 * largest + velocity_error);
+        Snapshot { dimension: balls.dimension(), positions, velocities, velocity_error, error }
+    }
+
+    fn birds(&self) -> usize {
+        self.positions.len() / self.dimension
+    }
+
+    /// Writes the differences of the positions and of the velocities of two birds.
+    fn difference(&self, i: u32, j: u32, now: &mut [f64], moved: &mut [f64]) {
+        let (a, b) = (i as usize * self.dimension, j as usize * self.dimension);
+        for k in 0..self.dimension {
+            now[k] = self.positions[a + k] - self.positions[b + k];
+            moved[k] = self.velocities[a + k] - self.velocities[b + k];
+        }
+    }
+
+    /// The groups with these numbers.
+    fn groups(&self, of: Vec<u32>, count: usize) -> Groups {
+        let d = self.dimension;
+        let mut bounds = vec![(f64::INFINITY, f64::NEG_INFINITY); count * d];
+        for (v, &group) in self.velocities.chunks(d).zip(&of) {
+            for (&v, (lo, hi)) in v.iter().zip(&mut bounds[group as usize * d..]) {
+                (*lo, *hi) = (lo.min(v), hi.max(v));
+            }
+        }
+        for (lo, hi) in &mut bounds {
+            let more = self.velocity_error + SLACK * (hi.abs().max(lo.abs()));
+            (*lo, *hi) = (*lo - more, *hi + more);
+        }
+        let width = |b: &[(f64, f64)]| b.iter().map(|(lo, hi)| (hi - lo).powi(2)).sum::<f64>().sqrt() * (1.0 + SLACK);
+        let by_bird = |end: fn(&(f64, f64)) -> f64| -> Vec<f64> {
+            of.iter().flat_map(|&group| bounds[group as usize * d..(group as usize + 1) * d].iter().map(end)).collect()
+        };
+        let widths = bounds.chunks(d).map(width).collect();
+        Groups { widths, slowest: by_bird(|b| b.0), fastest: by_bird(|b| b.1), of }
+    }
+
+    /// The flocks with these numbers, taken together where they could meet in so many steps.
+    fn joined(&self, flocks: (Vec<u32>, usize), length: u64) -> (Groups, Boxes) {
+        let (mut of, mut count) = flocks;
+        let (mut now, mut moved) = (vec![0.0; self.dimension], vec![0.0; self.dimension]);
+        for round in 0.. {
+            let groups = self.groups(of, count);
+            let boxes = self.boxes(&groups);
+            let mut union: Vec<u32> = (0..count as u32).collect();
+            boxes.pairs(
+                |places| self.are_far(&boxes, places, length) || groups.share_one(&boxes, places),
+                |i, j| {
+                    let (f, g) = (root(&mut union, groups.of[i as usize]), root(&mut union, groups.of[j as usize]));
+                    if f != g {
+                        self.difference(i, j, &mut now, &mut moved);
+                        if quiet_steps(&now, &moved, false, groups.drift(i, j), self.error) < length {
+                            union[f.max(g) as usize] = f.min(g);
+                        }
+                    }
+                },
+            );
+            // The numbers of those that stay.
+            let mut next = 0;
+            let names: Vec<u32> = (0..count as u32)
+                .map(|group| {
+                    let name = next;
+                    next += u32::from(union[group as usize] == group);
+                    name
+                })
+                .collect();
+            if next as usize == count {
+                return (groups, boxes);
+            }
+            of = groups.of.iter().map(|&group| names[root(&mut union, group) as usize]).collect();
+            count = next as usize;
+            if round + 1 >= ROUNDS {
+                (of, count) = (vec![0; self.birds()], 1);
+            }
+        }
+        unreachable!("the number of groups falls")
+    }
+
+    fn boxes(&self, groups: &Groups) -> Boxes {
+        let velocities = Between { lowest: &groups.slowest, highest: &groups.fastest };
+        let given = [Between::exactly(&self.positions), velocities];
+        Boxes::new(self.dimension, &given, (0..self.birds() as u32).collect())
+    }
+
+    /// Whether two boxes are out of reach of each other in so many steps.
+    fn are_far(&self, boxes: &Boxes, places: (usize, usize), length: u64) -> bool {
+        boxes.stay_apart(places, (1.0 + 4.0 * self.error) * (1.0 + SLACK) + SLACK, length as f64)
+    }
+}
+
+/// The number that stands for a group; the way there is halved.
+fn root(union: &mut [u32], mut group: u32) -> u32 {
+    while union[group as usize] != group {
+        union[group as usize] = union[union[group as usize] as usize];
+        group = union[group as usize];
+    }
+    group
+}
+
+impl Groups {
+    /// How far the relative velocity of two birds can get from that of now.
+    fn drift(&self, i: u32, j: u32) -> f64 {
+        let width = |bird: u32| self.widths[self.of[bird as usize] as usize];
+        width(i) + width(j)
+    }
+
+    /// Whether all birds of two boxes are of one group.
+    fn share_one(&self, boxes: &Boxes, (a, b): (usize, usize)) -> bool {
+        let group = |bird: &u32| self.of[*bird as usize];
+        let first = group(&boxes.birds(a)[0]);
+        boxes.birds(a).iter().chain(boxes.birds(b)).all(|bird| group(bird) == first)
+    }
+
+    fn widest(&self) -> f64 {
+        self.widths.iter().fold(0.0, |most: f64, &width| most.max(width))
+    }
+}
+
 impl Watch {
     /// The pairs to look at in the next step.
-    pub fn due<const L: usize>(&mut self, balls: &Balls<L>, network: &Graph, classes: &Classes) -> Vec<(u32, u32)> {
+    pub fn due<const L: usize>(&mut self, balls: &Balls<L>, classes: &Classes) -> Vec<(u32, u32)> {
         let running = self.start.is_some_and(|start| balls.time < start + self.length);
         if !running {
-            self.begin(balls, network, classes);
+            self.begin(balls, classes);
         }
         let step = (balls.time - self.start.unwrap_or(balls.time)) as usize;
         self.due.get_mut(step).map(std::mem::take).unwrap_or_default()
-    }
-
-    /// Ends the epoch where a pair that has joined connects different flocks.
-    pub fn note_joined(&mut self, (i, j): (u32, u32)) {
-        if self.component_of[i as usize] != self.component_of[j as usize] {
-            self.start = None;
-            self.wanted_length = (self.wanted_length / 2).max(1);
-        }
     }
 
     /// Ends the epoch: more is known about what stays.
@@ -87,13 +230,12 @@ impl Watch {
     }
 
     fn quiet(&self, (i, j): (u32, u32), now: &[f64], moved: &[f64], joined: bool, error: f64) -> u64 {
-        let (f, g) = (self.component_of[i as usize], self.component_of[j as usize]);
-        if f == g && self.still[f] {
+        let (f, g) = (self.groups.of[i as usize], self.groups.of[j as usize]);
+        if f == g && self.still[f as usize] {
             // The two move alike for ever.
             return u64::MAX;
         }
-        let drift = if f == g { self.widths[f] * 2.0 } else { self.widths[f] + self.widths[g] };
-        quiet_steps(now, moved, joined, drift, error)
+        quiet_steps(now, moved, joined, self.groups.drift(i, j), error)
     }
 
     fn put(&mut self, pair: (u32, u32), place: u64) {
@@ -103,86 +245,56 @@ impl Watch {
     }
 
     /// A new epoch from the state of now on.
-    fn begin<const L: usize>(&mut self, balls: &Balls<L>, network: &Graph, classes: &Classes) {
-        let (positions, velocities) = balls.floats();
-        let dimension = positions.len() / network.order();
-        let (position_error, velocity_error) = balls.errors();
-        let (component_of, components) = balls.links.components();
-        self.still = classes.is_still(&component_of, components);
-        self.component_of = component_of;
-        let box_width = |birds: &mut dyn Iterator<Item = usize>| {
-            let mut bounds = vec![(f64::INFINITY, f64::NEG_INFINITY); dimension];
-            for i in birds {
-                for (k, (lo, hi)) in bounds.iter_mut().enumerate() {
-                    let v = velocities[i * dimension + k];
-                    (*lo, *hi) = (lo.min(v), hi.max(v));
-                }
-            }
-            let size = |(lo, hi): &(f64, f64)| (hi - lo) + 2.0 * velocity_error + SLACK * (hi.abs().max(lo.abs()));
-            bounds.iter().map(|b| size(b).powi(2)).sum::<f64>().sqrt() * (1.0 + SLACK)
-        };
-        let mut members = vec![Vec::new(); components];
-        for (i, &component) in self.component_of.iter().enumerate() {
-            members[component].push(i);
-        }
-        self.widths = members.iter().map(|list| box_width(&mut list.iter().copied())).collect();
-        let all = box_width(&mut (0..network.order()));
-        if self.start.is_some() {
-            self.wanted_length = (self.wanted_length * 2).min(LONGEST);
-        }
+    fn begin<const L: usize>(&mut self, balls: &Balls<L>, classes: &Classes) {
+        let state = Snapshot::of(balls);
+        let flocks = balls.network.component_numbers();
+        let all = state.groups(vec![0; state.birds()], 1).widest();
         // An epoch in which birds move about as far as the radius costs least.
         let usual = if all > 0.0 { (1.0 / all) as u64 } else { LONGEST };
-        self.length = self.wanted_length.max(usual).clamp(1, LONGEST);
-        self.start = Some(balls.time);
-        self.due.clear();
-        self.due.resize(self.length as usize, Vec::new());
-        let largest = positions.iter().fold(1.0f64, |most, x| most.max(x.abs()));
-        let error = 4.0 * (position_error + SLACK * 1e-3 * largest) + 4.0 * velocity_error;
-        let reach = (1.0 + self.length as f64 * all) * (1.0 + SLACK) + error * 4.0 + SLACK;
-        let (mut now, mut moved) = (vec![0.0; dimension], vec![0.0; dimension]);
-        let mut look = |i: usize, j: usize, joined: bool| {
-            for k in 0..dimension {
-                now[k] = positions[i * dimension + k] - positions[j * dimension + k];
-                moved[k] = velocities[i * dimension + k] - velocities[j * dimension + k];
+        let usual = usual.clamp(1, LONGEST);
+        // As long as its groups are narrow it may be longer.
+        let mut length = if self.start.is_some() { (self.length * 2).clamp(usual, LONGEST) } else { usual };
+        let (groups, boxes) = loop {
+            let (groups, boxes) = state.joined(flocks.clone(), length);
+            if length == usual || groups.widest() * length as f64 <= WIDEST {
+                break (groups, boxes);
             }
-            let pair = (i.min(j) as u32, i.max(j) as u32);
-            let steps = self.quiet(pair, &now, &moved, joined, error);
+            length = (length / 2).max(usual);
+        };
+        self.still = classes.is_still(&groups.of, groups.widths.len());
+        self.groups = groups;
+        self.length = length;
+        self.start = Some(balls.time);
+        self.due.iter_mut().for_each(Vec::clear);
+        self.due.resize(length as usize, Vec::new());
+        let (mut now, mut moved) = (vec![0.0; state.dimension], vec![0.0; state.dimension]);
+        let mut look = |i: u32, j: u32, joined: bool| {
+            state.difference(i, j, &mut now, &mut moved);
+            let pair = (i.min(j), i.max(j));
+            let steps = self.quiet(pair, &now, &moved, joined, state.error);
             self.put(pair, steps);
         };
-        for i in 0..network.order() {
-            for &j in balls.links.near(i).iter().filter(|&&j| (j as usize) > i) {
-                look(i, j as usize, true);
+        for i in 0..balls.network.order() as u32 {
+            for &j in balls.network.neighbours(i as usize).iter().filter(|&&j| j > i) {
+                look(i, j, true);
             }
         }
-        for (i, j) in close_pairs(&positions, dimension, reach) {
-            if !network.has_edge(i, j) {
-                look(i, j, false);
-            }
-        }
-    }
-}
-
-/// All pairs at a distance below the reach, and others too.
-fn close_pairs(positions: &[f64], dimension: usize, reach: f64) -> Vec<(usize, usize)> {
-    let birds = positions.len() / dimension;
-    let point = |i: usize| {
-        let at = |k: usize| if k < dimension { positions[i * dimension + k] } else { 0.0 };
-        [at(0), at(1)]
-    };
-    let points: Vec<[f64; 2]> = (0..birds).map(point).collect();
-    match CellList::new(&points, reach) {
-        Ok(list) if birds > 16 => list.pairs(),
-        // Without cells: all.
-        _ => (0..birds).flat_map(|j| (0..j).map(move |i| (i, j))).collect(),
+        boxes.pairs(
+            |places| state.are_far(&boxes, places, length),
+            |i, j| {
+                if !balls.network.has_edge(i as usize, j as usize) {
+                    look(i, j, false);
+                }
+            },
+        );
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::links::Links;
     use super::*;
     use crate::averaging::{Flock, Hysteresis, Start, Weights};
-    use arithmetic::random::{generator, uniform};
+
     use arithmetic::rational;
 
     const EVER: u64 = u64::MAX;
@@ -226,25 +338,25 @@ mod tests {
     }
 
     /// Birds on the line in hundredths.
-    fn on_the_line(places: &[i64], speeds: &[i64]) -> (Balls<2>, Graph, Flock) {
+    fn on_the_line(places: &[i64], speeds: &[i64]) -> (Balls<2>, Flock) {
         let hundredths = |list: &[i64]| list.iter().map(|&x| rational(x, 100)).collect();
         let start = Start::on_the_line(hundredths(places), hundredths(speeds), Weights::Lazy, Hysteresis::None);
         let flock = Flock::new(&start).expect("a flock");
-        let links = Links::new(flock.network());
-        let balls = Balls::new(&flock.integers(), links, flock.weights(), (0, 0)).expect("weights").expect("room");
-        (balls, flock.network().clone(), flock)
+        let network = flock.network().clone();
+        let balls = Balls::new(&flock.integers(), network, flock.weights(), (0, 0)).expect("weights").expect("room");
+        (balls, flock)
     }
 
     /// The pairs of each step of the first epoch, without what is looked at again, and the number of the first step with a switch.
     fn first_epoch(places: &[i64], speeds: &[i64]) -> (Vec<Vec<(u32, u32)>>, Option<usize>) {
-        let (mut balls, network, mut flock) = on_the_line(places, speeds);
+        let (mut balls, mut flock) = on_the_line(places, speeds);
         let mut watch = Watch::default();
-        let mut lists = vec![watch.due(&balls, &network, &Classes::default())];
+        let mut lists = vec![watch.due(&balls, &Classes::default())];
         let length = watch.length as usize;
         let switch = (0..length).find(|_| flock.step().expect("a step").is_some());
         for _ in 1..length {
             balls.step(&[]).expect("a step");
-            let mut list = watch.due(&balls, &network, &Classes::default());
+            let mut list = watch.due(&balls, &Classes::default());
             list.sort_unstable();
             lists.push(list);
         }
@@ -257,16 +369,18 @@ mod tests {
         type Line = &'static [i64];
         type Due = &'static [(usize, (u32, u32))];
         type Case = (Line, Line, usize, Due, Option<usize>);
-        let cases: [Case; 6] = [
-            // 65 at a rate of 24.
-            (&[0, 165], &[12, -12], 4, &[(2, (0, 1))], Some(2)),
+        let cases: [Case; 7] = [
+            // 65 at a rate of 24, and each may change by 24 when they have met.
+            (&[0, 165], &[12, -12], 4, &[(0, (0, 1))], Some(2)),
             // Joined: 75 at a rate of 12 and twice the width 12.
             (&[0, 25], &[0, 12], 8, &[(2, (0, 1))], None),
-            // A pair of width 6 and one alone: 50 at 6 + 12, 32 at 6 + 6, 82 at 6. In n steps the second bird moves
-            // 3 (n + 3/4) or nearly so, and is 32 nearer after the tenth.
-            (&[0, 50, 182], &[0, 6, 0], 16, &[(2, (0, 1)), (2, (1, 2)), (13, (0, 2))], Some(9)),
+            // A pair of width 6 and one alone that it may meet, so of its width too: 50 at 6 + 12, 32 at 6 + 12, 82 at 12. In n steps the second
+            // bird moves 3 (n + 3/4) or nearly so, and is 32 nearer after the tenth.
+            (&[0, 50, 182], &[0, 6, 0], 16, &[(1, (1, 2)), (2, (0, 1)), (6, (0, 2))], Some(9)),
             // The same with the numbers the other way round, mirrored.
-            (&[182, 50, 0], &[0, 6, 0], 16, &[(2, (0, 1)), (2, (1, 2)), (13, (0, 2))], Some(9)),
+            (&[182, 50, 0], &[0, 6, 0], 16, &[(1, (0, 1)), (2, (1, 2)), (6, (0, 2))], Some(9)),
+            // So far away that they cannot meet: 250 at 6 + 6 in 16 steps.
+            (&[0, 50, 400], &[0, 6, 0], 16, &[(2, (0, 1))], None),
             // Too far for this epoch, and away from each other.
             (&[0, 1000, 9000], &[12, -12, 12], 4, &[], None),
             // Faster than the radius in a step.
@@ -279,55 +393,38 @@ mod tests {
             assert_eq!((lists.len(), &found[..], first), (length, due, switch), "{places:?} {speeds:?}");
         }
         // Where all velocities agree an epoch is as long as it may be.
-        let (balls, network, _) = on_the_line(&[0, 50, 1000], &[1, 1, 1]);
+        let (balls, _) = on_the_line(&[0, 50, 1000], &[1, 1, 1]);
         let mut watch = Watch::default();
-        watch.due(&balls, &network, &Classes::default());
+        watch.due(&balls, &Classes::default());
         assert_eq!((watch.length, watch.due.len() as u64), (LONGEST, LONGEST));
     }
 
     /// A pair at the distance 1 is due in every step, unless its whole flock is known to move alike.
     #[test]
     fn flocks_that_move_alike_are_not_looked_at() {
-        let (balls, network, _) = on_the_line(&[0, 100, 900], &[1, 1, 1]);
-        let due = |classes: &Classes| Watch::default().due(&balls, &network, classes);
+        let (balls, _) = on_the_line(&[0, 100, 900], &[1, 1, 1]);
+        let due = |classes: &Classes| Watch::default().due(&balls, classes);
         assert_eq!(due(&Classes::default()), [(0, 1)]);
         let mut classes = Classes::default();
         classes.note((0, 1), || vec![4, 4, 5]);
         assert_eq!(due(&classes), []);
     }
 
-    /// A pair that joins two flocks ends the epoch, one of the same flock does not.
+    /// Flocks that may meet within the epoch are taken together, and those that may meet them; the velocities of all are counted then.
     #[test]
-    fn epochs_end_where_flocks_meet() {
-        let (balls, network, _) = on_the_line(&[0, 50, 182], &[0, 6, 0]);
-        let mut watch = Watch::default();
-        watch.due(&balls, &network, &Classes::default());
-        watch.note_joined((0, 1));
-        assert_eq!(watch.start, Some(0));
-        watch.note_joined((1, 2));
-        assert_eq!(watch.start, None);
-    }
-
-    /// All pairs below the reach, each once, with cells and without; all there are where the reach is no number.
-    #[test]
-    fn close_pairs_are_all_pairs_below_the_reach() {
-        let mut random = generator("watch", "close pairs", 0);
-        for (birds, dimension) in [(10, 2), (40, 1), (40, 2), (40, 3)] {
-            let positions: Vec<f64> = (0..birds * dimension).map(|_| 8.0 * uniform(&mut random)).collect();
-            let distance = |i: usize, j: usize| {
-                let square = |k: usize| (positions[i * dimension + k] - positions[j * dimension + k]).powi(2);
-                (0..dimension).map(square).sum::<f64>().sqrt()
-            };
-            for reach in [1.0, 2.5, f64::INFINITY, f64::NAN] {
-                let mut found = close_pairs(&positions, dimension, reach);
-                found.iter_mut().for_each(|(i, j)| (*i, *j) = (*i.min(j), *i.max(j)));
-                found.sort_unstable();
-                assert!(found.windows(2).all(|two| two[0] != two[1]));
-                for (i, j) in (0..birds).flat_map(|j| (0..j).map(move |i| (i, j))) {
-                    let close = !reach.is_finite() || distance(i, j) < reach;
-                    assert!(!close || found.binary_search(&(i, j)).is_ok(), "{i} {j} {reach} {dimension}");
-                }
-            }
+    fn flocks_that_may_meet_are_one_group() {
+        let groups = |places: &[i64], speeds: &[i64], length: u64| {
+            let (balls, _) = on_the_line(places, speeds);
+            Snapshot::of(&balls).joined(balls.network.component_numbers(), length).0
+        };
+        // The second comes to the first after 25 steps.
+        for (length, of) in [(24, [0, 1, 2]), (27, [0, 0, 1])] {
+            assert_eq!(groups(&[0, 200, 9000], &[0, -4, 0], length).of, of);
         }
+        // Its speed takes the first, once they are one, to the third in 25 steps more.
+        let all = groups(&[0, 200, -200], &[0, -4, 0], 27);
+        assert_eq!((&all.of[..], all.widths.len()), (&[0, 0, 0][..], 1));
+        assert!((all.widths[0] - 0.04).abs() < 1e-9);
+        assert_eq!(groups(&[0, 200, -210], &[0, -4, 0], 27).of, [0, 0, 1]);
     }
 }

@@ -97,6 +97,18 @@ impl<const L: usize> Words<L> {
         if self.is_negative() { product.minus(*share) } else { product }
     }
 
+    /// `self 2^shift`, where that fits.
+    pub fn raised(self, shift: u32) -> Self {
+        Self::modulo(&(self.to_integer() << shift))
+    }
+
+    /// The number of bits of the absolute value.
+    pub fn bits(self) -> u32 {
+        let size = if self.is_negative() { Self::ZERO.minus(self) } else { self };
+        let top = (0..L).rev().find(|&k| size.0[k] != 0);
+        top.map_or(0, |k| 64 * k as u32 + 64 - size.0[k].leading_zeros())
+    }
+
     /// `floor(self/2^shift)`.
     pub fn shifted(self, shift: u32) -> Self {
         Self::modulo(&(self.to_integer() >> shift))
@@ -117,6 +129,15 @@ impl<const L: usize> Words<L> {
         let size = if self.is_negative() { Self::ZERO.minus(self) } else { self };
         let digits: Vec<u32> = size.0.iter().flat_map(|&limb| [limb as u32, (limb >> 32) as u32]).collect();
         BigInt::from_slice(if self.is_negative() { Sign::Minus } else { Sign::Plus }, &digits)
+    }
+}
+
+#[cfg(test)]
+impl<const L: usize> Words<L> {
+    /// The integer that a share is in units of `2^(-64 L)`.
+    pub fn unsigned(self) -> BigInt {
+        let digits: Vec<u32> = self.0.iter().flat_map(|&limb| [limb as u32, (limb >> 32) as u32]).collect();
+        BigInt::from_slice(Sign::Plus, &digits)
     }
 }
 

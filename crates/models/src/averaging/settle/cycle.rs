@@ -7,7 +7,10 @@
 use super::error::SettleError;
 use super::limits::{log2_above, log2_below};
 use super::ties::pair_in_cycle;
-use crate::averaging::{Flock, Start, contraction_watched, deviation_matrix_watched, transition_matrix};
+use crate::averaging::contraction::contraction_watched;
+use crate::averaging::flock::{Flock, Start};
+use crate::averaging::stationary::deviation_matrix_watched;
+use crate::averaging::weights::transition_matrix;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Progress, Rational, Ring, Sign, rational};

@@ -1,6 +1,6 @@
 //! Why a flock cannot be followed to its end.
 
-use crate::averaging::FlockError;
+use crate::averaging::weights::FlockError;
 use algebra::matrix::MatrixError;
 use algebra::spectrum::RecurrenceError;
 use arithmetic::{ArithmeticError, Cancelled};

@@ -1,10 +1,10 @@
 //! What a flock on a fixed network tends to: drift, limit configuration and how fast the rest dies out.
 
 use super::error::SettleError;
+use crate::averaging::contraction::contraction_watched;
 use crate::averaging::flock::IntegerState;
-use crate::averaging::{
-    Weights, contraction_watched, deviation_matrix_watched, stationary_distribution, transition_matrix,
-};
+use crate::averaging::stationary::{deviation_matrix_watched, stationary_distribution};
+use crate::averaging::weights::{Weights, transition_matrix};
 use algebra::graph::Graph;
 use algebra::matrix::{RationalMatrix, StochasticMatrix};
 use arithmetic::{Cancelled, Progress, Rational, rational};

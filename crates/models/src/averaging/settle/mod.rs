@@ -22,7 +22,7 @@ mod verdict;
 pub use ending::{Ending, Limits, Settlement};
 pub use error::SettleError;
 
-use super::{Flock, Switch};
+use super::flock::{Flock, Switch};
 use arithmetic::Progress;
 use repetition::Cycle;
 use trajectory::{Next, Trajectory};

@@ -1,7 +1,7 @@
 //! Distances that tend to 1, and networks that alternate forever: signs in the long run from shortest recurrences.
 
 use super::error::SettleError;
-use crate::averaging::Flock;
+use crate::averaging::flock::Flock;
 use algebra::graph::Graph;
 use algebra::spectrum::Recurrence;
 use arithmetic::{Progress, Rational, Ring, Sign, rational};

@@ -6,7 +6,9 @@ use super::limits::{FixedNetwork, Motion};
 use super::pairs::prospects;
 use super::perturbation::Stage;
 use super::recent::Recent;
-use crate::averaging::{FilteredFlock, Flock, FlockError, Switch};
+use crate::averaging::filtered::FilteredFlock;
+use crate::averaging::flock::{Flock, Switch};
+use crate::averaging::weights::FlockError;
 use algebra::graph::Graph;
 use arithmetic::Progress;
 use num_bigint::BigInt;
@@ -101,11 +103,12 @@ impl<'a> Trajectory<'a> {
         let start = balls.time();
         let most = patience_for_bounds(balls.birds());
         let mut walked = PATIENCE;
+        let mut decided = PATIENCE;
         loop {
             let Some(balls) = &mut self.balls else { return Ok(None) };
             let Some(outlook) = balls.outlook(self.progress)? else { break };
             if outlook.is_steady() {
-                let why = self.why_steady(outlook.drifting);
+                let why = self.why_steady(outlook.drifting, outlook.looked);
                 return Ok(Some(Next::End(Ending::Steady, why)));
             }
             let far = self.may_jump && outlook.quiet > 2 * walked;
@@ -119,15 +122,19 @@ impl<'a> Trajectory<'a> {
             }
             // A jump needs velocities that have settled.
             let most = if far && outlook.quiet <= LONGEST_JUMP { 16 * most + PATIENCE_FOR_JUMPS } else { most };
-            if walked >= most.min(limits.steps) {
+            if walked >= most || decided >= limits.steps {
                 break;
             }
-            let steps = walked.min(limits.steps);
+            // What is certain needs no look at the pairs.
+            let certain = outlook.quiet.min(most - walked).min(4 * walked);
+            balls.coast(certain, self.progress)?;
+            let steps = if certain >= walked { PATIENCE } else { walked }.min(limits.steps);
             if let Some(switch) = self.walk(steps)? {
                 return Ok(Some(Next::Switch(switch)));
             }
             self.recent.clear();
-            walked += steps;
+            decided += steps;
+            walked += certain + steps;
         }
         if self.before_jumps.is_none()
             && let Some(balls) = self.balls.take()

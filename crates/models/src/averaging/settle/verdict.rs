@@ -6,8 +6,8 @@ use super::trajectory::{Next, Trajectory};
 use arithmetic::Interval;
 
 impl Trajectory<'_> {
-    /// Why the network never changes again, with the number of pairs that have a relative drift.
-    pub(super) fn why_steady(&self, drifting: usize) -> String {
+    /// Why the network never changes again, with the number of pairs that have a relative drift and of steps ahead that were looked at.
+    pub(super) fn why_steady(&self, drifting: usize, ahead: u64) -> String {
         let (birds, now) = match &self.balls {
             Some(balls) => (balls.birds(), balls.time()),
             None => (self.flock.birds(), self.flock.time().clone()),
@@ -22,7 +22,7 @@ impl Trajectory<'_> {
         format!(
             "checked step by step for {} steps after the last switch; from then on every pair without relative drift stays joined or \
              apart, because what is left of its motion is too small to change that, and {drifting}",
-            now - &self.last_switch
+            now + ahead - &self.last_switch
         )
     }
 
@@ -31,7 +31,7 @@ impl Trajectory<'_> {
         let log2 = |interval: &Interval| interval.to_rationals();
         let Some(first) = all.slow_approaches.iter().min_by(|a, b| log2(&a.log2_steps).0.cmp(&log2(&b.log2_steps).0))
         else {
-            let mut why = self.why_steady(all.approaches.len());
+            let mut why = self.why_steady(all.approaches.len(), 0);
             if all.parting > 0 {
                 why.push_str(&format!(
                     "; {} pairs of which the relative drift is too small to be written as a number move apart",

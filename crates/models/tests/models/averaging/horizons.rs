@@ -248,7 +248,8 @@ fn distances_that_tend_to_nearly_one() {
     let pair = |at: Rational, gap: Rational| ([at.clone(), at + gap - rational(1, 8)], [-w.clone(), w.clone()]);
     let half = Some((6, rational(1, 2)));
     for k in [1, 3, 5, 7] {
-        let tiny = power_of_two(-40) * rational(k, 1);
+        // Below what double precision tells apart.
+        let tiny = power_of_two(-50) * rational(k, 1);
         for hysteresis in [Hysteresis::None, Hysteresis::Constant(power_of_two(-60))] {
             let two = [pair(rational(0, 1), rational(5, 8)), pair(rational(13, 8) + &tiny, rational(5, 8))];
             let wide = [pair(rational(0, 1), rational(1, 1) + &tiny)];

@@ -68,7 +68,7 @@ impl Naive {
         self.headings = (0..n)
             .map(|i| {
                 let near = network.neighbours(i);
-                let sum: f64 = near.iter().map(|&j| self.headings[j]).sum();
+                let sum: f64 = near.iter().map(|&j| self.headings[j as usize]).sum();
                 kappa[i] + (self.headings[i] + sum) / (near.len() + 1) as f64
             })
             .collect();

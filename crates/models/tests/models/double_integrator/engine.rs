@@ -1,10 +1,10 @@
-//! How motions are put together: signals, samples, runs that are stopped, runs that stay at `R`, headings.
+//! How motions are put together: samples, runs that are stopped, runs that stay at `R`, headings.
 
 use algebra::graph::Graph;
 use arithmetic::{ArithmeticError, Progress, Unwatched, rational};
 use models::double_integrator::{
     Alignment, Coordinates, EventKind, Flock, HeadingDifference, MotionError, Network, Options, Potential, Prefer,
-    State, follow, gyroscopic, heading, kinetic_energy, potential_energy, potential_gradients,
+    State, follow, gyroscopic, heading, potential_gradients,
 };
 use motion::Tolerance;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -28,44 +28,6 @@ fn flock(network: Network) -> Flock {
 
 fn distance(a: &State<f64>, b: &State<f64>) -> f64 {
     a.to_list().iter().zip(b.to_list()).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
-}
-
-/// `W` by its definition.
-fn energy(state: &State<f64>, edges: &[(usize, usize)]) -> f64 {
-    potential_energy(&state.positions, edges, PLANE, |_, _, s| spring().value(s)).unwrap()
-        + kinetic_energy(&state.velocities, PLANE).unwrap()
-}
-
-/// What a signal imposes is the energy of the new graph less that of the old one in the same state; its events tell the rates.
-#[test]
-fn signals_impose_energy_at_their_times() {
-    let (path, star) = (Graph::path(4), Graph::from_edges(4, &[(0, 1), (0, 2), (0, 3)]).unwrap());
-    let options = Options::default();
-    // A graph from the end on is in force there; one from later on is not.
-    for (from, is_in_force) in [(1.5, true), (2.0, true), (2.5, false)] {
-        let signal = Network::Signal(vec![(-1.0, star.clone()), (0.0, path.clone()), (from, star.clone())]);
-        let motion = flock(signal).run(2.0, &[0.0, from.min(2.0), 2.0], &options, &Unwatched).unwrap();
-        let alone =
-            flock(Network::Fixed(path.clone())).run(from.min(2.0), &[from.min(2.0)], &options, &Unwatched).unwrap();
-        let there = &motion.samples[1];
-        assert!(distance(&there.state, &alone.samples[0].state) < 1e-9);
-        assert_eq!((&motion.samples[0].links, motion.samples[0].time), (&path.edges(), 0.0));
-        assert_eq!(there.links, if is_in_force { star.edges() } else { path.edges() });
-        assert_eq!(motion.events.len(), if is_in_force { 4 } else { 0 });
-        for event in &motion.events {
-            let (i, j) = event.pair;
-            let rate = 2.0 * PLANE.product(&there.state.separation(i, j), &there.state.relative_velocity(i, j));
-            assert_eq!((event.time, event.rate), (from, rate));
-            assert_eq!(event.kind, if star.has_edge(i, j) { EventKind::Link } else { EventKind::Unlink });
-        }
-        let imposed =
-            if is_in_force { energy(&there.state, &star.edges()) - energy(&there.state, &path.edges()) } else { 0.0 };
-        assert!((motion.energy.imposed - imposed).abs() < 1e-12, "{from}");
-        let end = &motion.samples[2];
-        assert!((end.energy - energy(&end.state, &end.links)).abs() < 1e-12 && motion.energy.last == end.energy);
-        assert!((motion.energy.first - energy(&start(), &path.edges())).abs() < 1e-12);
-        assert!(motion.energy.rise.is_allowed() && motion.steps > 0);
-    }
 }
 
 /// Stops after it was asked so often.

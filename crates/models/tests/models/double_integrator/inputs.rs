@@ -53,26 +53,12 @@ fn bad_flocks_are_refused_in_one_sentence() {
     );
     let close = of(linked(), pair(1e-100));
     assert_eq!(close, "agents 1 and 2 are linked at distance 1e-100, where the potential or its slope is not finite");
-    assert_eq!(of(Network::Signal(Vec::new()), pair(1.0)), "the first graph must be given from t = 0 on");
-    let late = Network::Signal(vec![(1.0, Graph::path(2))]);
-    assert_eq!(of(late, pair(1.0)), "the first graph must be given from t = 0 on");
-    let back = Network::Signal(vec![(0.0, Graph::path(2)), (2.0, Graph::path(2)), (1.0, Graph::path(2))]);
-    assert_eq!(
-        of(back, pair(1.0)),
-        "the times from which graphs are used must be numbers that increase, but 1 follows 2"
-    );
-    for (from, words) in [(0.0, "0 follows 0"), (f64::INFINITY, "inf follows 0"), (f64::NAN, "NaN follows 0")] {
-        let signal = Network::Signal(vec![(0.0, Graph::path(2)), (from, Graph::path(2))]);
-        assert!(of(signal, pair(1.0)).ends_with(words), "{from}");
-    }
     // At the bounds themselves; of several agents the first is told.
     for bound in [1e150, 1e-150] {
         assert!(of(within(bound), pair(1.0)).ends_with(&format!("but it is {bound}")), "{bound}");
     }
     let far = state(&[[0.0, 0.0], [0.0, -1e150], [-1e200, 0.0]], &[[0.0; 2]; 3]);
     assert_eq!(of(within(1.0), far), "the position of agent 2 is not a number below 1e150 in size");
-    let larger = Network::Signal(vec![(0.0, Graph::path(2)), (2.0, Graph::path(5))]);
-    assert_eq!(of(larger, pair(1.0)), "the graph from t = 2 on has 5 vertices, but there are 2 agents");
     assert_eq!(of(within(1e-100), pair(1.0)), "the potential or its slope is not finite at the radius R = 1e-100");
 }
 
@@ -135,13 +121,4 @@ fn singular_motions_stop_with_the_agents_named() {
         }
         other => panic!("{other:?}"),
     }
-    // A signal that links two agents in one place.
-    let same = state(&[[0.0, 0.0], [0.0, 0.0]], &[[0.0, 0.0]; 2]);
-    let network = Network::Signal(vec![(0.0, Graph::empty(2)), (1.0, Graph::path(2))]);
-    let flock = Flock::new(Alignment::Velocity, potential(), network, same).unwrap();
-    let error = flock.run(2.0, &[], &Options::default(), &Unwatched).unwrap_err().to_string();
-    assert_eq!(
-        error,
-        "at t = 1 a new graph comes into force: agents 1 and 2 are linked and in the same place, where the potential is infinite"
-    );
 }

@@ -194,23 +194,6 @@ fn the_closest_approach_is_that_of_the_cubics() {
     assert_eq!(flock.potential(), &spring());
 }
 
-/// Graphs that a signal brings: what counts is the graph at every instant, not an order among links that change at once.
-#[test]
-fn links_that_change_at_once_do_so_together() {
-    let positions = vec![[0.0, 0.0], [1.0, 0.0], [0.3, 0.9]];
-    let start = State { positions, velocities: vec![[0.0, 0.0]; 3] };
-    let graph = |edges: &[(usize, usize)]| Graph::from_edges(3, edges).unwrap();
-    let stayed = |graphs: &[&[(usize, usize)]]| {
-        let signal = graphs.iter().zip(0..).map(|(edges, k)| (f64::from(k) * 0.25, graph(edges))).collect();
-        let flock = Flock::new(Alignment::Velocity, spring(), Network::Signal(signal), start.clone()).unwrap();
-        flock.trial(1.0, None, &Setup::OPTIONS).unwrap().stayed_connected
-    };
-    let (path, star): (&[_], &[_]) = (&[(0, 1), (1, 2)], &[(0, 1), (0, 2)]);
-    assert!(stayed(&[path]) && stayed(&[path, star]) && stayed(&[star, path]) && stayed(&[star, path, star, path]));
-    let pair: &[_] = &[(0, 1)];
-    assert!(!stayed(&[pair]) && !stayed(&[pair, path]) && !stayed(&[path, pair]) && !stayed(&[path, pair, star]));
-}
-
 #[test]
 fn samples_whose_lists_do_not_fit_are_refused() {
     let sample = |positions: Vec<[f64; 2]>, velocities: Vec<[f64; 2]>, links: Vec<(usize, usize)>| {

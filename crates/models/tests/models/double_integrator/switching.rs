@@ -1,10 +1,9 @@
 //! Motions with a network that switches: closed forms, ties, grazing, energy, and a twin that looks at many instants.
 
-use algebra::graph::Graph;
 use arithmetic::{Rational, Unwatched, rational};
 use models::double_integrator::{
-    Alignment, Coordinates, EventKind, Flock, Motion, Network, Options, Pair, Potential, State, follow, linked_within,
-    random_flock, velocity_alignment,
+    Alignment, Coordinates, EventKind, Flock, Motion, Network, Options, Pair, Potential, State, linked_within,
+    random_flock,
 };
 use motion::Tolerance;
 use rand_chacha::ChaCha8Rng;
@@ -234,33 +233,4 @@ fn tighter_tolerances_converge() {
         let off = places.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).fold(0.0, f64::max);
         assert!(late < 1e4 * relative && off < 1e4 * relative, "{relative}: {late} {off}");
     }
-}
-
-#[test]
-fn signals_are_followed_piece_by_piece() {
-    let (path, star) = (Graph::path(4), Graph::from_edges(4, &[(0, 1), (0, 2), (0, 3)]).unwrap());
-    let agents =
-        [([0.0, 0.0], [1.0, 0.0]), ([1.2, 0.1], [0.0, -0.5]), ([2.0, 1.0], [0.3, 0.3]), ([0.5, 2.0], [-0.2, 0.1])];
-    let signal = Network::Signal(vec![(0.0, path.clone()), (1.5, star.clone()), (2.0, path.clone())]);
-    let motion = flock(spring(), signal, &agents).run(3.0, &[1.5, 3.0], &Options::default(), &Unwatched).unwrap();
-    let law = |graph: &Graph| {
-        let edges = graph.edges();
-        move |s: &State<f64>| velocity_alignment(s, &edges, PLANE, |_, _, x| spring().slope(x))
-    };
-    let mut state = flock(spring(), Network::Fixed(path.clone()), &agents).start().clone();
-    for (graph, time) in [(&path, 1.5), (&star, 0.5), (&path, 1.0)] {
-        state = follow(&state, &[time], Options::default().tolerance, law(graph)).unwrap().remove(0);
-    }
-    for (a, b) in motion.samples[1].state.positions.iter().zip(&state.positions) {
-        assert!((a[0] - b[0]).abs() < 1e-8 && (a[1] - b[1]).abs() < 1e-8);
-    }
-    // The path 1-2-3-4 and the star share one edge; the sample at a switch has the new links.
-    assert_eq!(motion.events.len(), 8);
-    assert!(motion.events[..4].iter().all(|e| e.time == 1.5) && motion.samples[0].links == star.edges());
-    assert!(motion.energy.imposed != 0.0 && motion.energy.rise.is_allowed());
-    // One graph given twice is a fixed graph.
-    let twice = flock(spring(), Network::Signal(vec![(-1.0, path.clone()), (1.0, path.clone())]), &agents);
-    let once = flock(spring(), Network::Fixed(path), &agents);
-    let (a, b) = (run(&twice, 3.0), run(&once, 3.0));
-    assert!(a.events.is_empty() && (a.energy.last - b.energy.last).abs() < 1e-9);
 }

@@ -248,7 +248,6 @@ fn matrices_of_a_platoon_respond_as_it_does() {
     }
     let (found, known) = (system.searched_peak().unwrap(), peak_of_car(&graph, &floats, 5).unwrap().unwrap());
     assert!((found.value / known.value - 1.0).abs() < 1e-9, "{found:?} {known:?}");
-    assert_eq!(system.is_stable(), Some(true));
     assert!(StateSpace::new(&a, &b[1..], &[c.clone()], None).is_err());
     assert!(StateSpace::new(&a, &b, &[c.clone(), c], None).is_err());
     assert!(StateSpace::new(&[], &[], &[vec![]], None).is_err());

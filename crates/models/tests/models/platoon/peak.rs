@@ -134,7 +134,7 @@ fn peaks_of_systems_at_the_ends() {
     // The response is that of the matrices.
     let w = rational(2, 7);
     let known = system(&[&[5, 2]], 7, Some(&[1, -3])).response(&w).unwrap();
-    let transfer = system(&[&[5, 2]], 7, Some(&[1, -3])).transfer().unwrap();
+    let transfer = system(&[&[5, 2]], 7, Some(&[1, -3])).transfer(&Unwatched).unwrap();
     let value = |list: &[num_bigint::BigInt]| {
         let turn = Complex::new(rational(0, 1), w.clone());
         list.iter().rev().fold(Complex::real(rational(0, 1)), |sum, c| {

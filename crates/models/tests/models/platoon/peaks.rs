@@ -3,7 +3,7 @@
 use super::gains;
 use arithmetic::{Interval, Rational, Signed, significant_digits};
 use models::platoon::{
-    Gains, LARGEST_DIGITS, LARGEST_FOLLOWERS, ResonanceError, frequency_response, is_below_full_phase,
+    Gains, LARGEST_DIGITS, LARGEST_FOLLOWERS, ResonanceError, chebyshev, frequency_response, is_below_full_phase,
     lesser_resonance, peak_near, resonance, resonance_from,
 };
 use num_traits::ToPrimitive;
@@ -15,7 +15,7 @@ fn extremes(gains: &Gains<Rational>, followers: u64) -> (Vec<f64>, Vec<f64>) {
     let floats = gains.map(|q| q.to_f64().unwrap());
     let end = 1.5 * (-2.0 * floats.f).sqrt();
     let at = |k: u32| end * f64::from(k) / f64::from(STEPS);
-    let falls = |w: f64| frequency_response(&floats, followers, &w).unwrap().slope < 0.0;
+    let falls = |w: f64| frequency_response(&floats, followers, &w, |d| chebyshev(followers, d)).unwrap().slope < 0.0;
     let turn = |falling: bool| {
         let turns = move |k: &u32| falls(at(*k)) == falling && falls(at(*k + 1)) != falling;
         (1..STEPS).filter(turns).map(|k| 0.5 * (at(k) + at(k + 1))).collect()
@@ -40,7 +40,7 @@ fn lesser_resonances_have_the_numbers_of_the_maxima() {
                 let found = lesser_resonance(&gains, m, k, 8).unwrap();
                 let share = (minima[k as usize - 1] - minima[k as usize - 2]) / minima[k as usize - 1] / 10.0;
                 assert!(is_around(&found.omega, minima[k as usize - 1], share.max(1e-3)), "{f} {g} {m} {k}");
-                let value = |w: &Rational| frequency_response(&gains, m, w).unwrap().slope;
+                let value = |w: &Rational| frequency_response(&gains, m, w, |d| chebyshev(m, d)).unwrap().slope;
                 let (lo, hi) = found.omega.to_rationals();
                 assert!(!value(&lo).is_certainly_positive() && !value(&hi).is_certainly_negative());
             }
@@ -75,7 +75,7 @@ fn proposals_are_certified_or_refused() {
             let floats = gains.map(|q| q.to_f64().unwrap());
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
-                let falls = frequency_response(&floats, m, &middle).unwrap().slope < 0.0;
+                let falls = frequency_response(&floats, m, &middle, |d| chebyshev(m, d)).unwrap().slope < 0.0;
                 (low, high) = if falls { (low, middle) } else { (middle, high) };
             }
             assert!(matches!(peak_near(&gains, m, low, 10), Err(ResonanceError::NotIsolated(_))));

@@ -4,7 +4,7 @@ use super::measures::{Asked, setting};
 use super::nulls::Told;
 use arithmetic::{Complex, Unwatched};
 use models::tracks::{
-    Choices, ChoicesError, Histogram, NearestRule, PositionsUsed, Scale, School, Tracks, analyse, smoothed,
+    Choices, ChoicesError, Format, Histogram, NearestRule, PositionsUsed, Scale, School, Tracks, analyse, smoothed,
     synthetic_school,
 };
 use std::sync::atomic::AtomicUsize;
@@ -177,6 +177,51 @@ fn fish_are_summarised_as_they_swim() {
         groups.iter().map(|(_, group)| group.momentum).sum::<f64>() / groups.len() as f64
     });
     assert_eq!(analysis.sample().frames(), groups.len());
+}
+
+/// Gaps of one fish, and a frame that nobody has: all swim on lines, so bridges are where they would have been.
+#[test]
+fn bridges_lie_on_lines() {
+    let tracks = three().bridge(2);
+    assert_eq!((tracks.frames.len(), tracks.bridged.len()), (30, 4));
+    let at = |fish: usize, i: usize| tracks.positions[fish][i].as_ref().map(|r| (r.re, r.im));
+    let close = |found: Option<(f64, f64)>, (x, y): (f64, f64)| {
+        assert!(found.is_some_and(|(a, b)| (a - x).hypot(b - y) < 1e-12), "{found:?} {x} {y}");
+    };
+    close(at(2, 4), (-8.0, -4.0));
+    close(at(2, 5), (-10.0, -4.0));
+    close(at(1, 20), (20.0, 13.0));
+    close(at(0, 20), (14.0, 0.0));
+    assert_eq!(tracks.frames[20].time, 10.0);
+    let on = tracks.on_bridges();
+    assert_eq!((on[4], on[5], on[20], on.iter().sum::<usize>()), (1, 1, 3, 5));
+    // Of two fish the bridges of these two.
+    let two = tracks.only(&["2".to_string(), "3".to_string()]).expect("fish");
+    assert_eq!((two.bridged.len(), two.bridged[2].fish), (3, 1));
+    // A single frame is bridged, two are not; what is gone at an end has no other side.
+    assert_eq!(three().bridge(1).bridged.len(), 3);
+    assert_eq!(three().bridge(0), three());
+    let ends = "t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n1,b,0,0\n";
+    assert!(Tracks::from_csv(ends).expect("a recording").bridge(9).bridged.is_empty());
+}
+
+/// Other names of columns, and times in frames.
+#[test]
+fn tables_of_other_forms_are_read() {
+    let (plain, frames) = ("t,id,x,y\n", "frame,particle,x_mm,y\n");
+    let rows =
+        |step: f64| (0..4).map(move |i| format!("{},a,{i},0\n{},b,{i},1\n", f64::from(i) * step, f64::from(i) * step));
+    let seconds = format!("{plain}{}", rows(0.5).collect::<String>());
+    let counted = format!("{frames}{}", rows(1.0).collect::<String>());
+    let format = Format::new(&["frame=t", "particle=id", "x_mm=x"], Some(2.0)).expect("a format");
+    assert_eq!(Tracks::from_table(&counted, &format), Tracks::from_csv(&seconds));
+    let refused = Tracks::from_table(&seconds, &format).expect_err("no such column").to_string();
+    assert!(refused.contains("no column `frame`"), "{refused}");
+    let wrong = |columns: &[&str], fps| Format::new(columns, fps).expect_err("no format").to_string();
+    assert!(wrong(&["frame"], None).contains("`frame` is not NAME=t"));
+    assert!(wrong(&["frame=z"], None).contains("`frame=z` is not NAME=t"));
+    assert!(wrong(&["a=t", "b=t"], None).contains("two columns are to be t"));
+    assert!(wrong(&[], Some(0.0)).contains("not a positive number"));
 }
 
 /// Positions as in the file or averaged over the window.

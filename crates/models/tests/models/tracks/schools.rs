@@ -90,12 +90,53 @@ fn planted_gaps_are_reported_and_left_out() {
     let left = analysis.left_out;
     assert_eq!((left.missing, left.window, left.still, left.used), (10, 4 * 26, 0, 400 - 10 - 4 * 26));
     // The distances of the other fish are not known either: the missing one may be the nearest.
-    assert_eq!(analysis.frames.iter().filter(|frame| frame.distances.is_none()).count(), 10);
+    let unknown = |frame: &&models::tracks::FrameMeasures| frame.distances.iter().all(Option::is_none);
+    assert_eq!(analysis.frames.iter().filter(unknown).count(), 10);
     assert_eq!(analysis.motion.velocities[0].iter().flatten().count(), 400 - 52);
+    of_those_that_are_there(&tracks);
+    // A bridge of ten frames on the straight line, and none of nine.
+    assert_eq!(tracks.clone().bridge(9), tracks);
+    let bridged = tracks.clone().bridge(10);
+    assert_eq!((&bridged.bridged[..], bridged.on_bridges().iter().sum::<usize>()), (std::slice::from_ref(gap), 10));
+    let place = |i: usize| bridged.positions[2][i].clone().expect("a position");
+    let (a, b) = (place(199), place(210));
+    for i in 200..210 {
+        let share = (i - 199) as f64 / 11.0;
+        let (x, y) = (a.re + share * (b.re - a.re), a.im + share * (b.im - a.im));
+        assert!((place(i).re - x).hypot(place(i).im - y) < 1e-12, "{i}");
+    }
+    let analysis = analyse(&bridged, &Choices::of_sidebar(bridged.step), &Unwatched).expect("analysed");
+    assert_eq!((analysis.gaps.len(), analysis.left_out.used, analysis.whole_frames()), (0, 400 - 52, 400 - 52));
     let double = format!("{text}20,1,0,0\n");
     assert!(
         Tracks::from_csv(&double).expect_err("a duplicate").to_string().contains("fish 1 at t = 20 is there twice")
     );
+}
+
+/// Fish 3 of four is away for a while: with three fish at least, each frame has what a recording of those that have a heading has.
+fn of_those_that_are_there(tracks: &Tracks) {
+    let choices = |min_fish| Choices { min_fish, ..Choices::of_sidebar(tracks.step) };
+    let analysis = analyse(tracks, &choices(Some(3)), &Unwatched).expect("analysed");
+    let left = analysis.left_out;
+    assert_eq!((left.missing, left.window, left.used, left.members), (0, 52, 348, 3 * 348 + 286));
+    assert_eq!(analysis.whole_frames(), analysis.sample().frames());
+    let others = tracks.only(&["1", "2", "4"].map(str::to_string)).expect("fish");
+    let others = analyse(&others, &choices(None), &Unwatched).expect("analysed");
+    let all = analyse(tracks, &choices(None), &Unwatched).expect("analysed");
+    let mut three = 0;
+    for (i, frame) in analysis.frames.iter().enumerate() {
+        let Some(group) = &frame.group else { continue };
+        let twin = if group.members.len() == 4 { &all } else { &others };
+        three += usize::from(group.members == [0, 1, 3]);
+        let twin = twin.frames[i].group.as_ref().expect("a group");
+        let numbers = |g: &models::tracks::GroupState| {
+            ([g.order[0], g.order[1], g.momentum, g.rotation, g.single, g.complete, g.orientation], g.partners.clone())
+        };
+        assert_eq!(numbers(group), numbers(twin), "{i}");
+    }
+    assert_eq!(three, 348 - 286);
+    let refused = |least| analyse(tracks, &choices(Some(least)), &Unwatched).expect_err("refused").to_string();
+    assert!(refused(1).contains("between 2 and 4") && refused(5).contains("at least 5 fish"));
 }
 
 #[test]

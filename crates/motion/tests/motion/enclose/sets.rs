@@ -75,7 +75,9 @@ fn agents(widths: &[(usize, f64)]) -> Vec<FloatInterval> {
 fn followed(system: impl System, start: &[FloatInterval], until: f64, watched: usize) -> (Set, f64) {
     let (mut flow, mut set, mut time, mut most) = (Flow::new(system, 0.01), Set::of_box(start), 0.0, f64::NEG_INFINITY);
     while time < until {
-        let step = flow.step(&set, time, until).expect("a step");
+        let step = flow
+            .step(&set, time, until)
+            .unwrap_or_else(|error| panic!("{error}: {:?} rest {}", set.hull(), set.rest_radius()));
         for k in 0..8 {
             let part = |k: usize| step.span.hi() * f64::from(k as u32) / 8.0;
             most = most.max(step.states(FloatInterval::between(part(k), part(k + 1)))[watched].hi());

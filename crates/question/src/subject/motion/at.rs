@@ -10,11 +10,11 @@ use crate::names::Quantity;
 use crate::number::Number;
 use crate::subject::measured::{index_of, measured};
 use crate::timeline::{Measured, Moment};
-use arithmetic::{Complex, Field, FloatInterval, Interval, Number as _, Rational, Ring, rational};
+use arithmetic::{Complex, Field, FloatInterval, Number as _, Rational, Ring, rational};
 use expressions::Variable;
 use models::double_integrator::Pair;
 use models::oscillator::{Neighbours, Orientation, Steering};
-use motion::enclose::{IntervalVector, Step};
+use motion::enclose::Expanded;
 use scenario::{ExactMotion, Law, Links, Model, Rows, Sensing, View, measure};
 use std::borrow::Cow;
 use std::rc::Rc;
@@ -25,46 +25,35 @@ pub(super) struct At<'m, 'c> {
     pub motion: &'m ExactMotion,
     /// What of the start holds at these times.
     pub holds: Holds,
-    pub state: IntervalVector,
-    /// For narrower differences of coordinates.
-    pub differences: Option<(Step, FloatInterval)>,
+    pub state: Vec<Expanded>,
     pub pairs: Option<Rc<Vec<Pair>>>,
 }
 
 impl At<'_, '_> {
-    /// Coordinate `i` less coordinate `j`.
-    fn difference(&self, i: usize, j: usize) -> FloatInterval {
-        match &self.differences {
-            Some((step, after)) => step.difference(i, j, *after),
-            None => self.state[i] - self.state[j],
-        }
-    }
-
-    /// The square of the distance of two vectors of `dimension` coordinates whose first ones begin at `offset`.
-    pub(super) fn square(&self, i: usize, j: usize, dimension: usize, offset: usize) -> FloatInterval {
-        let part = |k: usize| self.difference(offset + dimension * i + k, offset + dimension * j + k).square();
-        (0..dimension).map(part).fold(FloatInterval::point(0.0), |sum, x| sum + x)
+    /// The square of the distance of two agents in the plane.
+    fn square(&self, i: usize, j: usize) -> Expanded {
+        let part = |k: usize| (self.state[2 * i + k].clone() - &self.state[2 * j + k]).square();
+        part(0) + part(1)
     }
 
     /// So many numbers of each agent, which begin at `offset`.
-    fn rows(&self, agents: usize, width: usize, offset: usize) -> Rows<'_, Interval> {
+    fn rows(&self, agents: usize, width: usize, offset: usize) -> Rows<'_, Expanded> {
         let row = move |agent: usize| self.numbers(offset + width * agent, width);
-        let rows = Rows::of(agents, move || (0..agents).map(row).collect());
-        rows.apart(move |i, j| widened(&self.square(i, j, width, offset)))
+        Rows::of(agents, move || (0..agents).map(row).collect())
     }
 
-    fn numbers(&self, from: usize, count: usize) -> Vec<Interval> {
-        self.state[from..from + count].iter().map(widened).collect()
+    fn numbers(&self, from: usize, count: usize) -> Vec<Expanded> {
+        self.state[from..from + count].to_vec()
     }
 
     /// The pairs whose squared distances are as they are wanted.
     fn near(&self, agents: usize, wanted: impl Fn(FloatInterval) -> bool) -> Vec<Pair> {
         let pairs = (0..agents).flat_map(|j| (0..j).map(move |i| (i, j)));
-        pairs.filter(|&(i, j)| wanted(self.square(i, j, 2, 0))).collect()
+        pairs.filter(|&(i, j)| wanted(self.square(i, j).range())).collect()
     }
 
     /// The states as they are measured, with so many moments of phases; nothing of motions that are not enclosed.
-    fn view(&self, orders: usize) -> Option<View<'_, Interval>> {
+    fn view(&self, orders: usize) -> Option<View<'_, Expanded>> {
         let orders = orders as u32;
         Some(match self.motion {
             ExactMotion::Velocities { positions, potential, pairs, radius, headings, .. } => {
@@ -91,18 +80,18 @@ impl At<'_, '_> {
                 phasors: phasors_of(&self.numbers(0, 2 * phases.len())),
                 orders,
                 sensing: Sensing::These(Cow::Borrowed(network)),
-                law: Law::Turning(aligned(frequency, gain), None),
+                law: Law::Turning(aligned(frequency, gain, self.state.first()?), None),
                 ..View::new(Model::Phase, arcs(network))
             },
             ExactMotion::Particles { positions, frequency, gain, spacing, drift, network, .. } => {
                 let agents = positions.len();
                 let phasors = phasors_of(&self.numbers(2 * agents, 2 * agents));
                 let velocities = phasors.clone();
-                let moved = move |z: &Complex<Interval>| {
+                let moved = move |z: &Complex<Expanded>| {
                     vec![z.re.clone() + z.re.rational(&drift[0]), z.im.clone() + z.im.rational(&drift[1])]
                 };
-                let like = Interval::from_rational(frequency, BITS);
-                let steering = Steering { spacing: spacing.over(&like), ..aligned(frequency, gain) };
+                let like = self.state.first()?;
+                let steering = Steering { spacing: spacing.over(like), ..aligned(frequency, gain, like) };
                 View {
                     positions: self.rows(agents, 2, 0),
                     velocities: Rows::of(agents, move || velocities.iter().map(moved).collect()),
@@ -118,17 +107,15 @@ impl At<'_, '_> {
                 let (mut deviations, mut speeds) = (self.numbers(0, cars), self.numbers(cars, cars));
                 // The leader with its swing.
                 let w = deviations[0].rational(&swing.1);
-                deviations[0] = deviations[0].clone() + widened(&self.state[2 * cars]);
-                speeds[0] = speeds[0].clone() - widened(&self.state[2 * cars + 1]) * w;
-                let place = |(y, k): (&Interval, i64)| vec![y.clone() - y.rational(&(spacing * rational(k, 1)))];
-                let places: Vec<Vec<Interval>> = deviations.iter().zip(0..).map(place).collect();
-                let rates = speeds.clone();
+                deviations[0] = deviations[0].clone() + &self.state[2 * cars];
+                speeds[0] = speeds[0].clone() - self.state[2 * cars + 1].clone() * w;
+                let place = |(y, k): (&Expanded, i64)| vec![y.clone() - y.rational(&(spacing * rational(k, 1)))];
+                let places: Vec<Vec<Expanded>> = deviations.iter().zip(0..).map(place).collect();
                 let spacing = deviations[0].rational(spacing);
                 let tracked = (0..cars).flat_map(|k| graph.tracked_by(k).iter().map(move |(j, _)| (k, *j)));
                 View {
                     positions: Rows::of(cars, move || places),
-                    velocities: Rows::of(cars, move || rates.into_iter().map(|u| vec![u]).collect())
-                        .apart(move |i, j| (speeds[i].clone() - &speeds[j]).square()),
+                    velocities: Rows::of(cars, move || speeds.into_iter().map(|u| vec![u]).collect()),
                     law: Law::Cars { deviations, leader: 0, spacing },
                     ..View::new(Model::Platoon, Links::These(cars, tracked.collect()))
                 }
@@ -139,7 +126,7 @@ impl At<'_, '_> {
                     part.map_or_else(Rows::none, |part| self.rows(agents, part.stride, part.start))
                 };
                 let angles = own.angle().map_or_else(Vec::new, |part| self.numbers(part.start, agents));
-                let turned = |angle: &Interval| angle.sin_cos().map(|(sin, cos)| Complex::new(cos, sin));
+                let turned = |angle: &Expanded| angle.sin_cos().map(|(sin, cos)| Complex::new(cos, sin));
                 View {
                     positions: rows(own.position()),
                     velocities: rows(own.velocity()),
@@ -153,10 +140,9 @@ impl At<'_, '_> {
     }
 }
 
-fn aligned(frequency: &Rational, gain: &Rational) -> Steering<Interval> {
+fn aligned(frequency: &Rational, gain: &Rational, like: &Expanded) -> Steering<Expanded> {
     let orientation = Orientation::Laplacian(gain.clone());
-    Steering { frequency: frequency.clone(), orientation, spacing: models::oscillator::Spacing::None }
-        .over(&Interval::from_rational(frequency, BITS))
+    Steering { frequency: frequency.clone(), orientation, spacing: models::oscillator::Spacing::None }.over(like)
 }
 
 fn arcs(network: &Neighbours) -> Links<'_> {
@@ -183,9 +169,8 @@ impl Moment for At<'_, '_> {
         let ExactMotion::Own(own) = self.motion else {
             return Err(Failure::open("this motion is not enclosed", None));
         };
-        let state: Vec<Interval> = self.state.iter().map(widened).collect();
         let unmeasured = |error| Failure::open(format!("`{name}` cannot be measured on the enclosure: {error}"), None);
-        let found = own.number(name, &state).ok_or_else(|| Failure::open("there is no such number", None))?;
-        Ok(Measured::Number(Number::interval(found.map_err(unmeasured)?)))
+        let found = own.number(name, &self.state).ok_or_else(|| Failure::open("there is no such number", None))?;
+        Ok(Measured::Number(Number::interval(widened(&found.map_err(unmeasured)?.range()))))
     }
 }

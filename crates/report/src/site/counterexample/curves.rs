@@ -1,10 +1,10 @@
 //! Functions of the papers at the numbers of a counterexample: the gain of a platoon, the potential of a link.
 
-use super::draw::float;
 use crate::plot::{Axis, Panel, Series};
-use ledger::{Point, Witness};
+use ledger::{Number, Point, Witness};
 use models::double_integrator::Potential;
 use models::platoon::{Gains, amplitude_one_sided};
+use num_traits::ToPrimitive;
 
 /// Points of a curve.
 const POINTS: u32 = 300;
@@ -50,4 +50,8 @@ pub(super) fn potential(witness: &Witness) -> (Panel, String) {
         .series(Series::line("its tangent", tangent).colour("#d1580b").size(2.4))
         .series(Series::points("", [(at, here)]).colour("#d1580b").size(5.0));
     (panel, format!("V over s, with its tangent of slope {slope} at s = {at}."))
+}
+
+pub(super) fn float(Number(q): &Number) -> f64 {
+    q.to_f64().unwrap_or(f64::NAN)
 }

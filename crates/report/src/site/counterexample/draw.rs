@@ -1,5 +1,6 @@
 //! Pictures of what is in a counterexample, each with a sentence of what is to be seen.
 
+use super::curves::float;
 use crate::plot::{Axis, Panel, Picture, Series};
 use crate::shown::{drawing, network};
 use arithmetic::Rational;
@@ -34,10 +35,6 @@ pub(super) fn draw(witness: &Witness, k: usize) -> (Markup, String) {
 fn curve((panel, about): (Panel, String), k: usize) -> (Markup, String) {
     let drawn = Picture::new("").grid(1, (WIDTH, 240.0)).panel(panel);
     (drawing(&drawn, &format!("counterexample-{k}"), &about), about)
-}
-
-pub(super) fn float(Number(q): &Number) -> f64 {
-    q.to_f64().unwrap_or(f64::NAN)
 }
 
 fn point([x, y]: &Point) -> (f64, f64) {

@@ -27,7 +27,7 @@ fn start(dimension: usize, weights: Weights) -> Start {
 }
 
 fn balls(flock: &Flock) -> Balls<L> {
-    Balls::new(&flock.integers(), Links::new(flock.network()), flock.weights(), (0, 0)).unwrap().unwrap()
+    Balls::new(&flock.integers(), flock.network().clone(), flock.weights(), (0, 0)).unwrap().unwrap()
 }
 
 /// Whether the state of the flock lies in the balls (step 1).
@@ -108,8 +108,8 @@ fn resolution_leaves_room_for_steps_and_sums() {
     let of = |position: i64, velocity: i64, unit: u32, birds: usize| {
         let rows = |x: i64| vec![vec![BigInt::from(x)]; birds];
         let state = IntegerState { positions: rows(position), velocities: rows(velocity), unit: BigInt::from(unit) };
-        let links = Links::new(&Graph::empty(birds));
-        Balls::<L>::new(&state, links, &Weights::Lazy, (3, 2)).unwrap().map(|b| (b.fraction, b.time, b.applied))
+        let network = Graph::empty(birds);
+        Balls::<L>::new(&state, network, &Weights::Lazy, (3, 2)).unwrap().map(|b| (b.fraction, b.time, b.applied))
     };
     assert_eq!(of(5, 0, 1, 6), Some((128 - 32 - 4 - 6, 3, 2)));
     assert_eq!(of(0, 5, 1, 6), Some((128 - 32 - 4 - 6, 3, 2)));
@@ -195,7 +195,7 @@ fn jumps_keep_the_exact_state() {
         }
         let network = flock.network().clone();
         let members = vec![0, 1, 2];
-        let reciprocal = |i: usize| weights.of(balls.links.degree(i), i).unwrap().recip();
+        let reciprocal = |i: usize| weights.of(balls.network.degree(i), i).unwrap().recip();
         let total = members.iter().map(|&i| reciprocal(i)).sum::<Rational>();
         let mean = balls.mean(&members).unwrap();
         for (k, mean) in mean.iter().enumerate() {
@@ -225,6 +225,32 @@ fn jumps_keep_the_exact_state() {
         let most = ((2f64.powi(balls.fraction as i32 / 2) - stray) / drift as f64) as u64;
         let mut long = Balls { room: u64::MAX, ..balls };
         assert!(!long.clone().jump(most + 2) && long.jump(most));
+    }
+}
+
+/// The exact state lies in what leaps lead to, from small and from large velocities, and little precision is lost.
+#[test]
+fn leaps_keep_the_exact_state() {
+    for (dimension, weights, quiet) in [(1, Weights::Lazy, 0), (2, Weights::Vicsek, 40), (4, Weights::Lazy, 3)] {
+        let mut flock = Flock::new(&start(dimension, weights)).unwrap();
+        let mut balls = balls(&flock);
+        let network = flock.network().clone();
+        for _ in 0..quiet {
+            flock.step_on(&network).unwrap();
+            balls.step(&[]).unwrap();
+        }
+        for steps in [250, 301] {
+            let before = (balls.position_error, balls.velocity_error, balls.room, balls.time);
+            assert!(balls.leap(steps), "{steps}");
+            for _ in 0..steps {
+                flock.step_on(&network).unwrap();
+            }
+            assert!(hold(&balls, &flock));
+            assert_eq!((balls.room, balls.time), (before.2 - steps, before.3 + steps));
+            assert!(balls.velocity_error < before.1 + (1 << 40) && balls.position_error < before.0 + (1 << 50));
+        }
+        balls.room = 299;
+        assert!(!balls.leap(300));
     }
 }
 
