@@ -80,7 +80,7 @@ const FAULTS: [(&str, &str, &str); 19] = [
     ("olfati_saber", "(v[j] - v)", "(v[j] + v)"),
     ("phase_model", "omega0 - K1", "omega0 + K1"),
     ("platoon_behind", "x[j] + spacing", "x[j] - spacing"),
-    ("platoon_both_sides", "- (x[j] - place[j])", "+ (x[j] - place[j])"),
+    ("platoon_both_sides", "g*(v - v[j])", "g*(v + v[j])"),
     ("velocity_alignment", "- 2*sum(j, slope", "+ 2*sum(j, slope"),
     ("vicsek", "x + speed*along", "x - speed*along"),
 ];
@@ -97,7 +97,7 @@ fn a_fault_in_a_law_is_found() {
         let faulty = law.replace(from, to);
         let question = Question::read(&text(&format!("questions/{name}.toml")), &|_: &str| Ok(faulty.clone()));
         let answer = decide(&question.expect("a question"), &Unwatched).expect("an answer");
-        if answer.verdict != Verdict::False || answer.replay.is_none() {
+        if answer.verdict != Verdict::False || answer.counterexample.is_none() {
             missed.push(format!("{name}: {:?} {}", answer.verdict, answer.why));
         }
     }
