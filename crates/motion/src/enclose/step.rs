@@ -283,7 +283,7 @@ fn exponential_of(matrix: &[Vec<Bound>], x: &[Bound]) -> Option<Vec<Bound>> {
     let most = |list: &[Bound]| list.iter().copied().fold(Bound::ZERO, Bound::max);
     let norm = most(&matrix.iter().map(|row| row.iter().copied().sum()).collect::<Vec<_>>());
     // Also where it is not a number.
-    if !(norm.value() <= 1.0) {
+    if norm.value().is_nan() || norm.value() > 1.0 {
         return None;
     }
     let (mut sum, mut term) = (x.to_vec(), x.to_vec());

@@ -14,11 +14,11 @@ fn first_velocity(half: &str) -> String {
 
 #[test]
 fn a_velocity_may_be_as_wide_as_a_fifth() {
-    for half in ["1/10000", "1/1000", "1/10"] {
+    for (half, boxes) in [("1/10000", 1), ("1/1000", 1), ("1/10", 8)] {
         let always = "always[0, 10](min_distance > 8/10)";
         let answer = answered(AGENTS, &first_velocity(half), always, "always[0, 10](min_distance > 93/100)");
         assert_eq!(answer.verdict, Verdict::Holds, "{half}: {}", answer.why);
-        assert!(answer.cases <= 2, "{half}: {} boxes", answer.cases);
+        assert!(answer.cases <= boxes, "{half}: {} boxes", answer.cases);
     }
 }
 

@@ -327,5 +327,6 @@ fn what_cancels_in_a_measure_cancels() {
     let [x, y] = [0, 1].map(|k: usize| state[k].clone());
     let found = (x.clone() - &y).square() + x.clone() * (x.integer(2) - &x);
     let range = found.range();
-    assert!(range.lo() <= 0.0 && range.lo() > -0.05 && range.hi() >= 2.0 && range.hi() < 2.05, "{range}");
+    // Intervals alone would say from 0 to 3.
+    assert!(range.lo() <= 0.0 && range.lo() > -0.1 && range.hi() >= 2.0 && range.hi() < 2.1, "{range}");
 }
