@@ -109,15 +109,20 @@ impl Program {
                 if below.is_plain() {
                     return Some(Bodies { complete_only, ..above });
                 }
-                // c N and c (N - 1).
-                let (slope, constant) = linear[*b].clone()?;
+                // Powers of c N and c (N - 1).
+                let (base, times) = match &self.ops[*b] {
+                    Op::Power(base, times) => (*base, *times),
+                    _ => (*b, 1),
+                };
+                let (slope, constant) = linear[base].clone()?;
                 if slope.is_zero() {
                     return (!constant.is_zero()).then_some(Bodies { complete_only, ..above });
                 }
                 if constant.is_zero() {
-                    return Some(Bodies { all: above.all + 1, complete_only, ..above });
+                    return Some(Bodies { all: above.all.checked_add(times)?, complete_only, ..above });
                 }
-                (constant == -slope).then_some(Bodies { others: above.others + 1, complete_only, ..above })
+                let others = above.others.checked_add(times)?;
+                (constant == -slope).then_some(Bodies { others, complete_only, ..above })
             }
             Op::Function(_, a) | Op::Absolute(a) => plain([of(a)?]),
             // Of one term; whatever they are functions of its agents.

@@ -216,6 +216,8 @@ impl Things {
             Op::Product(a, b) => Some(of(a)? * of(b)?),
             Op::Quotient(a, b) => of(b).filter(|b| !b.is_zero()).and_then(|b| Some(of(a)? / b)),
             Op::Power(a, k) if *k <= 64 => of(a).map(|a| a.power(u64::from(*k))),
+            // Roots of squares, and what is 0 or 1.
+            Op::Function(function, a) => of(a).and_then(|a| function.at(a).ok()),
             _ => None,
         }
     }

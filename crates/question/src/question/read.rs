@@ -186,6 +186,7 @@ impl Question {
             let other = self
                 .bounds
                 .iter()
+                .filter(|bound| !bound.name.starts_with("law.parameters."))
                 .find(|bound| is_place(&bound.name) || ["agents", "graph"].contains(&bound.name.as_ref()));
             if !agents || other.is_some() || every.len() > 2 {
                 let at = other.map_or(*at, |bound| bound.key_at);

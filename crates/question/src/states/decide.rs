@@ -90,15 +90,15 @@ pub(super) fn clause_holds(
             None => Found::Open("a number has no value at the state, or its sign cannot be told".to_string()),
         });
     }
-    if let Some(state) = search::counterexample(instance, clause, search::TRIED, progress)? {
-        return Ok(Found::Fails(state));
-    }
     for comparison in clause {
         progress.checkpoint()?;
         let may_vanish = matches!(comparison.relation, Relation::Equal | Relation::AtMost | Relation::AtLeast);
         if may_vanish && let Some(bits) = identity::vanishes(instance, comparison) {
             return Ok(Found::Holds(vec![How::Identity(bits)], Vec::new()));
         }
+    }
+    if let Some(state) = search::counterexample(instance, clause, search::TRIED, progress)? {
+        return Ok(Found::Fails(state));
     }
     for comparison in clause {
         let may_vanish = matches!(comparison.relation, Relation::AtMost | Relation::AtLeast);

@@ -101,6 +101,18 @@ impl<'a> Sizes<'a> {
         clause: usize,
         progress: &dyn Progress,
     ) -> Result<(Found, Option<Bindings>), QuestionError> {
+        let general = self.file.law.statement_of_any(&self.expression.node);
+        let general = general.map_err(|error| self.file.refused(self.question, self.expression, error))?;
+        // Identities first: in floats they look false everywhere.
+        for (place, comparison) in general[clause].iter().enumerate() {
+            let Some(bodies) = self.bodies(comparison).filter(|_| may_vanish(comparison.relation)) else { continue };
+            if let Some(bits) = self.vanishes((clause, place), bodies, progress)?
+                && let Found::Holds(mut how, certificates) = self.alone(clause, progress)?
+            {
+                how.extend([How::Identity(bits), How::EverySize]);
+                return Ok((Found::Holds(how, certificates), None));
+            }
+        }
         for agents in 1..=TRIED {
             let size = agents as usize;
             let mut graphs = vec![None];
@@ -117,40 +129,33 @@ impl<'a> Sizes<'a> {
                 }
             }
         }
-        // One agent alone.
-        let alone = self.member(1, None)?.instance;
-        let first = match clause_holds(&alone, &alone.clauses[clause], progress)? {
-            Found::Holds(how, certificates) => (how, certificates),
-            other => return Ok((other, None)),
+        let Found::Holds(how, certificates) = self.alone(clause, progress)? else {
+            return Ok((Found::Open("one agent alone is undecided".to_string()), None));
         };
-        let general = self.file.law.statement_of_any(&self.expression.node);
-        let general = general.map_err(|error| self.file.refused(self.question, self.expression, error))?;
         for (place, comparison) in general[clause].iter().enumerate() {
-            let Some(bodies) = self.bodies(comparison) else { continue };
-            let at = (clause, place);
-            let (mut how, mut certificates) = first.clone();
-            if let Some(bits) = self.vanishes(at, bodies, progress)?.filter(|_| may_vanish(comparison.relation)) {
-                how.extend([How::Identity(bits), How::EverySize]);
-                return Ok((Found::Holds(how, certificates), None));
-            }
-            if !matches!(comparison.relation, Relation::AtMost | Relation::AtLeast) {
+            let is_one_sided = matches!(comparison.relation, Relation::AtMost | Relation::AtLeast);
+            let Some(bodies) = self.bodies(comparison).filter(|_| is_one_sided) else { continue };
+            let Some(bits) = self.sum_over_pairs((clause, place), bodies, progress)? else {
                 continue;
-            }
-            let Some(bits) = self.sum_over_pairs(at, bodies, progress)? else { continue };
+            };
             let two = self.member(2, None)?.instance;
             let alone = std::slice::from_ref(&two.clauses[clause][place]);
             let all: Vec<usize> = (0..two.sides.len()).collect();
             if let inequality::Found::Holds(ways, own) = on_states(&two, alone, &two.links, &all, progress)? {
-                how.extend([How::Identity(bits), How::Pairs, How::EverySize]);
-                how.extend(ways);
-                certificates.extend(own);
-                return Ok((Found::Holds(how, certificates), None));
+                let how = [how, vec![How::Identity(bits), How::Pairs, How::EverySize], ways].concat();
+                return Ok((Found::Holds(how, [certificates, own].concat()), None));
             }
         }
         let why = format!(
             "no counterexample was found among up to {TRIED} agents, and no identity and no sum over pairs of terms of one sign that is the same for all sizes"
         );
         Ok((Found::Open(why), None))
+    }
+
+    /// A clause for one agent.
+    fn alone(&self, clause: usize, progress: &dyn Progress) -> Result<Found, QuestionError> {
+        let alone = self.member(1, None)?.instance;
+        Ok(clause_holds(&alone, &alone.clauses[clause], progress)?)
     }
 
     /// How a number depends on the number of agents, where that can be made use of.
@@ -174,7 +179,9 @@ impl<'a> Sizes<'a> {
         for agents in 2..=last {
             progress.checkpoint()?;
             let instance = self.member(agents, None)?.instance;
-            let Some(bits) = test(agents, &instance) else { return Ok(None) };
+            let Some(bits) = test(agents, &instance) else {
+                return Ok(None);
+            };
             least = least.min(bits);
         }
         // Any of the tests may miss.
@@ -210,12 +217,11 @@ impl<'a> Sizes<'a> {
         agree(free.len() + links, functions, |numbers| {
             let (own, mut rest) = numbers.split_at(free.len());
             let mut weights = vec![vec![own[0].one(); agents]; agents];
-            for i in 0..agents {
-                for j in i + 1..agents {
-                    if let Some((first, others)) = rest.split_first() {
-                        (weights[i][j], weights[j][i]) = (first.clone(), first.clone());
-                        rest = others;
-                    }
+            let pairs = (0..agents).flat_map(|i| (i + 1..agents).map(move |j| (i, j)));
+            for (i, j) in pairs {
+                if let Some((first, others)) = rest.split_first() {
+                    (weights[i][j], weights[j][i]) = (first.clone(), first.clone());
+                    rest = others;
                 }
             }
             sides(&filled(&instance.sides, &free, own), &weights)
@@ -247,7 +253,9 @@ impl<'a> Sizes<'a> {
     ) -> Result<Option<u64>, QuestionError> {
         let two = self.member(2, None)?.instance;
         let pair = &two.clauses[clause][place];
-        let Some(factor) = self.factor((clause, place), &two)? else { return Ok(None) };
+        let Some(factor) = self.factor((clause, place), &two)? else {
+            return Ok(None);
+        };
         self.for_sizes(bodies.sum(factor.bodies()), progress, |agents, instance| {
             let comparison = &instance.clauses[clause][place];
             let pairs = u64::from(agents * (agents - 1) / 2);
@@ -258,20 +266,20 @@ impl<'a> Sizes<'a> {
                 let (time, numbers) = state.split_last().ok_or(ArithmeticError::Domain("a state"))?;
                 let known = comparison.trail(time, numbers, &everyone)?;
                 let mut sum = whole.zero();
-                for i in 0..agents as usize {
-                    for j in i + 1..agents as usize {
-                        let mut both = vec![whole.zero(); two.sides.len() - 1];
-                        for (own, from) in [(0, i), (1, j)] {
-                            let places = two.of_agent[own].iter().zip(&instance.of_agent[from]);
-                            places.for_each(|(&to, &from)| both[to] = numbers[from].clone());
-                        }
-                        let found = pair.trail(time, &both, &expressions::Everyone(2))?;
-                        // Where the whole has a value, its parts have one, too.
-                        if !found[1..].iter().all(|own| known[1..].contains(own) || is_small(own)) {
-                            return Err(ArithmeticError::Domain("parts with values"));
-                        }
-                        sum = sum + &(found[0].clone() * &weights[i][j]);
+                let all = 0..agents as usize;
+                let pairs = all.clone().flat_map(|i| all.clone().skip(i + 1).map(move |j| (i, j)));
+                for (i, j) in pairs {
+                    let mut both = vec![whole.zero(); two.sides.len() - 1];
+                    for (own, from) in [(0, i), (1, j)] {
+                        let places = two.of_agent[own].iter().zip(&instance.of_agent[from]);
+                        places.for_each(|(&to, &from)| both[to] = numbers[from].clone());
                     }
+                    let found = pair.trail(time, &both, &expressions::Everyone(2))?;
+                    // Where the whole has a value, its parts have one, too.
+                    if !found[1..].iter().all(|own| known[1..].contains(own) || is_small(own)) {
+                        return Err(ArithmeticError::Domain("parts with values"));
+                    }
+                    sum = sum + &(found[0].clone() * &weights[i][j]);
                 }
                 let factor = factor.exactly(agents, &whole)?;
                 Ok((vec![whole], vec![sum * &factor]))
@@ -312,7 +320,7 @@ impl<'a> Sizes<'a> {
             }
             ratios.push((agents, whole / sum));
         }
-        let all = (-2..=2).flat_map(|half| (-2..=2).map(move |others| Factor { half, others }));
+        let all = (-4..=4).flat_map(|half| (-4..=4).map(move |others| Factor { half, others }));
         let fits = |factor: &Factor| {
             ratios.iter().all(|(agents, ratio)| (ratio - factor.at(*agents)).abs() < 1e-9 * factor.at(*agents))
         };

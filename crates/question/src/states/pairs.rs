@@ -8,12 +8,15 @@ use arithmetic::{Cancelled, Progress};
 use expressions::Comparison;
 use polynomials::sums::Certificate;
 
+/// How something was proved, with the certificates.
+pub(super) type Proved = (Vec<How>, Vec<Certificate>);
+
 /// Whether a number has a sign at every state because it is a sum over pairs of terms that have.
 pub(super) fn holds(
     instance: &Instance,
     comparison: &Comparison,
     progress: &dyn Progress,
-) -> Result<Option<(Vec<How>, Vec<Certificate>)>, Cancelled> {
+) -> Result<Option<Proved>, Cancelled> {
     let pairs: Vec<((usize, usize), Links)> =
         instance.links.pairs().into_iter().map(|pair| (pair, instance.links.only(pair))).collect();
     if instance.of_agent.len() < 3 || pairs.is_empty() {

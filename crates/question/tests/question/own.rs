@@ -71,19 +71,16 @@ fn opinions_are_decided_exactly_for_ever() {
 #[test]
 fn numbers_of_the_law_have_their_names() {
     let observed = |text: &str| {
-        text.replace(
-            "[state]",
-            "[law.observables]\nmomentum = \"sum(i, v[i])\"\nplaces = \"vector(x[1], x[2])\"\n[state]",
-        )
+        text.replace("[state]", "[law.observables]\nmomentum = \"sum(i, v[i])\"\nfirst = \"x[1]\"\n[state]")
     };
     // v_2 = exp(-t): 0.0183 at t = 4.
     let property = "always[0, 4](v[2] > 18/1000 and v[2] + v[1] < 1/1000000 and abs(momentum) < 1/1000000) and eventually[0, 4](x[2] > 196/100)";
-    let answer = answered(&observed(PAIR), "n = 1", property, "always[0, 4](v[2] > 19/1000)");
+    let answer = answered(&observed(PAIR), "n = 1", property, "always[0, 4](v[2] > 1/10)");
     assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{}", answer.why);
     let plain = observed(OPINIONS)
         .replace("sum(i, v[i])", "sum(i, x[i])")
         .replace("[law.observables]", "[law.observables]\nclock = \"t\"");
-    let property = "always[0, inf](x[1] >= 0 and x[9] <= 5 and places.1 = x[1]) and eventually[0, 10](x[1] = x[2])";
+    let property = "always[0, inf](x[1] >= 0 and x[9] <= 5 and first = x[1]) and eventually[0, 10](x[1] = x[2])";
     let answer = answered(&plain, "n = 1", property, "always[0, inf](momentum = 75/4)");
     assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{}", answer.why);
     // A clock goes on when opinions rest.
