@@ -166,7 +166,7 @@ fn bridges(report: &TracksReport, text: &mut String) {
     let frames = report.tracks.on_bridges().iter().filter(|&&fish| fish > 0).count();
     let longest = bridged.iter().map(|gap| gap.frames).max().unwrap_or(0);
     let what = format!(
-        "{} gaps of up to {longest} frames, {positions} positions in {frames} frames, on straight lines at constant velocity; \
+        "{} gaps, the longest of {longest} frames, {positions} positions in {frames} frames, on straight lines at constant velocity; \
          see gaps.csv and the column bridged of frames.csv",
         bridged.len()
     );
