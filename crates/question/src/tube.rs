@@ -40,6 +40,9 @@ const SECTIONS: i64 = 240;
 /// Corners are drawn of boxes with no more sides.
 const MOST_SIDES: usize = 3;
 
+/// A quantity by its name, over time.
+type Curve = (String, Vec<[f64; 4]>);
+
 impl Question {
     /// The quantities of the property over all the time that it asks for, with runs from the middle of the boxes, from their corners where these are few, and
     /// from `found`, a counterexample.
@@ -80,7 +83,7 @@ impl Question {
         expression: &Expression,
         bindings: &Bindings,
         progress: &dyn Progress,
-    ) -> Result<Vec<(String, Vec<[f64; 4]>)>, Failure> {
+    ) -> Result<Vec<Curve>, Failure> {
         let case = Case::new(self, bindings.clone(), progress);
         let evaluator = Evaluator { case: &case, precision: FIRST_BITS, moment: None, piece: None };
         let mut curves: Vec<(String, &Node, Vec<[f64; 4]>)> = Vec::new();
