@@ -181,3 +181,71 @@ def test_platoons(n: int) -> None:
         assert shown == pytest.approx(expected, abs=1e-8), (graph, leader)
         last = found.observables["last_deviation"][-1]
         assert last == pytest.approx(expected[n - 1] - expected[leader], abs=1e-8)
+
+
+def stepped(choose: random.Random, n: int, side: float) -> tuple[Any, Any]:
+    """Places and angles at random: discrete motions meet no threshold by design."""
+    places = np.array([[choose.uniform(0, side) for _ in range(2)] for _ in range(n)])
+    return places, np.array([choose.uniform(-3, 3) for _ in range(n)])
+
+
+@pytest.mark.parametrize("steering", ["behaviours", "laplacians"])
+@pytest.mark.parametrize("n", [1, 2, 3, 5, 8])
+def test_fish(n: int, steering: str) -> None:
+    """(26) to (28) with the signs of the declaration, zone by zone from the words of the paper."""
+    choose = random.Random(n)
+    step, turning, gains = 1 / 8, 0.25, (1.5, 0.75, 0.5)
+    radii, blind = (1.0, 2.0, 4.0), 60.0
+    for _ in range(4):
+        places, angles = stepped(choose, n, 4.0)
+        law = {"T": "1/8", "omega0": "1/4", "Krep": "3/2", "Kori": "3/4", "Katt": "1/2", "steering": steering}
+        zones = {"repulsion": 1, "orientation": 2, "attraction": 4, "blind_angle": 60}
+        run = {"until": 3, "rows": 1}
+        state = {"positions": places, "phases": angles}
+        found = flockproof.simulate({"model": "fish", "state": state, "law": {**law, **zones}, "run": run})
+        r, theta = places.copy(), angles.copy()
+        for _ in range(24):
+            control = np.full(n, turning)
+            for k in range(n):
+                ahead = np.array([np.cos(theta[k]), np.sin(theta[k])])
+                left = np.array([-ahead[1], ahead[0]])
+                for j in range(n):
+                    apart = r[j] - r[k]
+                    distance = np.hypot(*apart)
+                    if j == k or apart @ ahead < -distance * np.cos(np.radians(blind / 2)):
+                        continue
+                    mate = np.array([np.cos(theta[j]), np.sin(theta[j])])
+                    if distance <= radii[0] and steering == "behaviours":
+                        control[k] -= gains[0] * left @ apart / distance
+                    if radii[0] <= distance <= radii[1]:
+                        control[k] += gains[1] * left @ mate
+                    if radii[1] <= distance <= radii[2]:
+                        control[k] += gains[2] * left @ apart / (distance if steering == "behaviours" else 1)
+            r, theta = r + step * np.stack([np.cos(theta), np.sin(theta)], axis=1), theta + step * control
+        assert found.positions[-1] == pytest.approx(r, abs=1e-9)
+        assert np.exp(1j * found.phases[-1]) == pytest.approx(np.exp(1j * theta), abs=1e-9)
+
+
+@pytest.mark.parametrize("n", [1, 2, 5, 20])
+def test_noisy_headings_without_noise(n: int) -> None:
+    """Vicsek and others 1995 in a periodic square: places with the headings of now, then the mean heading of those near."""
+    choose = random.Random(n)
+    side, speed = 5.0, 0.25
+    for _ in range(4):
+        places, angles = stepped(choose, n, side)
+        law = {"box": 5, "speed": "1/4", "noise": 0}
+        state = {"positions": places, "phases": angles}
+        found = flockproof.simulate(
+            {"model": "vicsek-noise", "state": state, "law": law, "run": {"until": 12, "rows": 1}}
+        )
+        r, z = places.copy(), np.exp(1j * angles)
+        for _ in range(12):
+            apart = r[:, None, :] - r[None, :, :]
+            apart -= side * np.round(apart / side)
+            near = np.hypot(apart[..., 0], apart[..., 1]) < 1
+            sums = near @ z
+            r = (r + speed * np.stack([z.real, z.imag], axis=1)) % side
+            z = sums / abs(sums)
+        differences = found.positions[-1] - r
+        assert np.abs(differences - side * np.round(differences / side)).max() < 1e-8
+        assert np.exp(1j * found.phases[-1]) == pytest.approx(z, abs=1e-8)

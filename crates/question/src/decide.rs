@@ -114,7 +114,6 @@ impl Question {
     }
 }
 
-impl Tabulated {}
 
 /// A value of `[values]`.
 #[derive(Debug, Clone)]

@@ -10,7 +10,9 @@ const OTHERS: &str = "#6b6b6b";
 pub fn tubes(question: &Question, drawn: &Tubes) -> Picture {
     let mut picture = Picture::new(question.id());
     for tube in &drawn.tubes {
-        let mut panel = Panel::new("", Axis::linear("t"), Axis::linear(tube.quantity.clone()));
+        // In a label an underscore would begin an index.
+        let quantity = tube.quantity.replace('_', " ");
+        let mut panel = Panel::new("", Axis::linear("t"), Axis::linear(quantity));
         for (number, part) in together(&tube.sections).enumerate() {
             let name = if number == 0 { "all starts, enclosed" } else { "" };
             panel = panel.series(Series::area(name, outline(part)).colour(crate::plot::PALETTE[0]));
