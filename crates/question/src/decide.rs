@@ -114,7 +114,6 @@ impl Question {
     }
 }
 
-
 /// A value of `[values]`.
 #[derive(Debug, Clone)]
 pub enum Tabulated {

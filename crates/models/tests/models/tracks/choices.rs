@@ -245,8 +245,8 @@ fn a_recording_without_headings_says_why() {
     let tracks = three();
     let error = analyse(&tracks, &Choices { window: 15, ..Choices::of_sidebar(0.5) }, &Unwatched);
     let known = "no frame has a heading of all 3 fish: of 30 frames, a fish is missing in 3, the window of 15 frames meets a gap or \
-                 an end in 27, a fish is at rest in 0; fish 3 is seen least, in 27 frames; choose a smaller --window or fewer \
-                 fish with --ids";
+                 an end in 27, a fish is at rest in 0; fish 3 is seen least, in 27 frames; choose a smaller --window, bridge short gaps with \
+                 --max-gap, count frames with --min-fish, or choose fish with --ids";
     assert_eq!(error.expect_err("nothing left").to_string(), known);
 }
 
