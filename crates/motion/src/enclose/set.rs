@@ -25,8 +25,18 @@ const LARGEST_REST: f64 = 0.2;
 /// A rest below this, relative to the state, is none to care for.
 const TINY_REST: f64 = 1e-9;
 
+/// New variables are taken where they make the rest smaller by this factor.
+const LEAST_GAIN: f64 = 0.5;
+
 /// Edges shorter than this part of the longest one are no variables.
 const SHORT_EDGE: f64 = 1e-3;
+
+/// A set in new variables may be wider by this factor; else it becomes a box.
+const MOST_GROWTH: f64 = 1.2;
+
+fn width_of(hull: &[FloatInterval]) -> f64 {
+    hull.iter().map(FloatInterval::width).fold(0.0, f64::max)
+}
 
 impl Set {
     /// A box.
@@ -112,8 +122,16 @@ impl Set {
             }
         }
         order.iter().for_each(|k| lengths[*k] = 0.0);
+        let own_rest = rest;
         let rest = Cascade::of_edges(frame, lengths).plus(&values(&rounded))?;
-        Some(Set { shape: Arc::new(shape), polynomials, rest })
+        let found = Set { shape: Arc::new(shape), polynomials, rest };
+        // With more wide numbers than variables the rest stays, and the set would only grow.
+        if found.rest_radius() > own_rest * LEAST_GAIN {
+            return None;
+        }
+        // A parallelepiped around a box, as after a jump, may be much wider than the box.
+        let hull = self.hull();
+        Some(if width_of(&found.hull()) > width_of(&hull) * MOST_GROWTH { Set::of_box(&hull) } else { found })
     }
 
     /// The set plus a box; `None` where it is not bounded.

@@ -4,8 +4,8 @@ use arithmetic::Unwatched;
 use question::{Answer, Question, Verdict, decide};
 
 const CUCKER_SMALE: &str = "[law]\ndimension = 2\nstate = { x = \"vector\", v = \"vector\" }\nparameters = { K = 1, beta = \"1/4\" }\n\
-[law.define]\n\"weight(i, j)\" = \"K / (1 + norm2(x[j] - x[i]))^beta\"\n[law.rates]\nx = \"v\"\nv = \"mean(j, weight(i, j) * (v[j] - v))\"\n\
-[law.observables]\nmomentum = \"sum(i, v[i])\"\nfluctuation = \"sum(i, norm2(v[i] - mean(k, v[k]))) / 2\"\n";
+[law.define]\ncentre = \"mean(k, v[k])\"\n\"weight(i, j)\" = \"K / (1 + norm2(x[j] - x[i]))^beta\"\n[law.rates]\nx = \"v\"\nv = \"mean(j, weight(i, j) * (v[j] - v))\"\n\
+[law.observables]\nmomentum = \"sum(i, v[i])\"\nfluctuation = \"sum(i, norm2(v[i] - centre)) / 2\"\n";
 
 fn read(family: &str, property: &str, controls: &str) -> Result<Question, String> {
     let text = format!(

@@ -151,13 +151,21 @@ impl EnclosedFlock {
             return Err(EnclosureError::Threshold { time: 0.0, pair });
         }
         let (mut set, mut time, mut events) = (Set::of_box(&flat), 0.0, Vec::new());
-        let mut crossings = Vec::new();
+        let mut crossings: Vec<Crossing> = Vec::new();
         while time < until {
             let links = graph.edges();
             let mut flow = Flow::new(FixedNetwork { potential: &self.potential, edges: &links }, FIRST_STEP);
             while time < until {
                 let mut step = flow.step(&set, time, until)?;
-                let certain = self.certain_until(&step, &graph);
+                let mut certain = self.certain_until(&step, &graph);
+                // Just after a crossing a pair is hardly beyond the threshold: the bounds of a short step show that it is.
+                let mut length =
+                    if crossings.last().is_some_and(|last| last.to == time) { step.span.hi() } else { 0.0 };
+                while certain == 0.0 && time + length / 64.0 > time {
+                    length /= 64.0;
+                    step = flow.step(&set, time, time + length)?;
+                    certain = self.certain_until(&step, &graph);
+                }
                 if certain < step.span.hi() {
                     // Not longer than what is certain; the next float below makes up for the rounding of the sum.
                     let stop = (time + certain).next_down();
@@ -250,7 +258,9 @@ impl EnclosedFlock {
             };
             pair = crossing.first().copied().or(pair);
             let next = switched(graph, |pair| crossing.contains(&pair));
-            if crossing.iter().all(monotone) && self.doubtful(&end.hull(), &next).is_empty() {
+            // A time in which nothing may cross would only be followed by another one.
+            let crosses = !crossing.is_empty() && crossing.iter().all(monotone);
+            if crosses && self.doubtful(&end.hull(), &next).is_empty() {
                 let event =
                     |&(i, j): &Pair| EnclosedEvent { pair: (i, j), linked: next.has_edge(i, j), from: time, to };
                 let events = crossing.iter().map(event).collect();
