@@ -207,6 +207,10 @@ impl Moment for WithKnown<'_> {
         self.moment.measure(quantity, arguments, precision)
     }
 
+    fn own(&self, name: &str, precision: u32) -> Result<Measured, Failure> {
+        self.moment.own(name, precision)
+    }
+
     fn known(&self, node: &Node) -> Option<Judged> {
         self.known.iter().find(|(own, _)| std::ptr::eq(*own, node)).map(|(_, judged)| judged.clone())
     }
