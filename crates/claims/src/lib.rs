@@ -48,7 +48,7 @@ pub fn ledger() -> Result<Ledger, LedgerError> {
 /// The same with what another development proves.
 ///
 /// # Errors
-/// Those of [`ledger`].
+/// Those of [`ledger()`].
 pub fn ledger_with(development: &'static Development) -> Result<Ledger, LedgerError> {
     let mut ledger =
         Ledger::new().with_list(LISTED).with_record(RECORDED).with_evidence(EVIDENCE).with_proofs(development);

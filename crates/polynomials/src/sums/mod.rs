@@ -1,6 +1,6 @@
 //! Sums of squares: a polynomial that is not negative where others are not, proved by an identity.
 //!
-//! Floats propose Gram matrices ([`semidefinite`]); they are rounded on the affine space of the identity and checked exactly ([`gram`]). Where the polynomial
+//! Floats propose Gram matrices (`semidefinite`); they are rounded on the affine space of the identity and checked exactly (`gram`). Where the polynomial
 //! is zero at a point of the domain, every square must be zero there, too: the Gram matrices are looked for on the face that is left, so that the rounded
 //! ones can be positive definite on it.
 
