@@ -208,6 +208,8 @@ const asked = {
   "live-patterns": () => [["pattern", "--particles", "12", "--gains", "1/5,1/5,-1/25", "--json"]],
   "live-question": (text) => [["check", "-", "--replay", fs.mkdtempSync("/tmp/flockproof-"), "--json"], text("question")],
   "live-scenario": (text) => [["simulate", "-", "--json"], text("scenario")],
+  "live-law": (text) => [["simulate", "-", "--json"], text("scenario")],
+  "live-reach": (text) => [["reach", "-", "--json"], text("system")],
 };
 const endless = `[question]\nid = "endless"\nbudget = 1000000000\n[for]\nn = "1..1000000000"\n[holds]\nproperty = "n > 0"\ncontrols = ["n > 5"]\n`;
 
