@@ -359,7 +359,8 @@ class Law:
         """The law as a file."""
         from ._runs import toml
 
-        return toml({"law": self.table()})
+        # A bare name: scenarios take the tables of `law` by their headers.
+        return toml({"law": self.table()}).replace('["law"', "[law")
 
     def simulate(self, scenario: Mapping[str, Any], progress: Progress = None, *, member: int | None = None) -> Any:
         """Simulate the law: a scenario without ``model`` and ``law``."""

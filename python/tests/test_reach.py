@@ -52,7 +52,7 @@ def test_random_inputs_are_never_worse() -> None:
 
 
 def test_state_space_objects_are_modes() -> None:
-    system = scipy_signal.StateSpace([[0, 1], [-2, -1]], [[0], [1]], [[1, 0]], [[0]])
+    system = scipy_signal.StateSpace([[0.0, 1.0], [-2.0, -1.0]], [[0.0], [1.0]], [[1.0, 0.0]], [[0.0]])
     found = flockproof.reach({**TWO, "mode": {"only": system}})
     assert found.from_floats and not flockproof.reach(TWO).from_floats
     assert found[0].worst == flockproof.reach(TWO)[0].worst
