@@ -115,7 +115,7 @@ pub fn reach(system: &System, decided: &[Decided], digits: u32, progress: &dyn P
         @for found in decided {
             (verdict(word(found).0, word(found).1, found.verdict.word(), &found.check.text))
         }
-        pre { (reach::answer::text(system, decided, digits)) }
+        pre tabindex="0" { (reach::answer::text(system, decided, digits)) }
         (picture(&drawn, "reach", "What is asked for, all values at each time where the order of modes is fixed, and the motion found for the worst case."))
     };
     Ok(shown.into_string())
