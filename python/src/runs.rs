@@ -5,7 +5,7 @@ use super::refuse;
 use super::watch::{Watch, watched};
 use flockproof::report::{Provenance, TracksReport, digest};
 use flockproof::scenario::{End, Ensemble, Outcome, Row, Scenario, with_law};
-use flockproof::tracks::{Choices, Format, NearestRule, PositionsUsed, Tracks, analyse, null_models};
+use flockproof::tracks::{Choices, Format, NearestRule, PositionsUsed, Tracks, analyse};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -182,9 +182,8 @@ pub fn tracks<'py>(
     });
     let work = move |watch: &Arc<Watch>| {
         let analysis = analyse(&tracks, &choices, &**watch).map_err(|error| error.to_string())?;
-        let sample = analysis.sample();
-        let null = (sample.frames() > 0).then(|| null_models(&sample, shifts as usize, &chosen.seed, &**watch));
-        let null = null.transpose().map_err(|stopped| stopped.to_string())?;
+        let null =
+            analysis.null_models(shifts as usize, &chosen.seed, &**watch).map_err(|stopped| stopped.to_string())?;
         let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: null.as_ref() };
         let mut files = report.tables(&Provenance::new("flockproof.tracks/1", Some(&chosen.seed), configuration));
         if chosen.pictures {

@@ -6,7 +6,7 @@ use flockproof::arithmetic::Cancelled;
 use flockproof::report::{File, Provenance, TracksReport};
 use flockproof::tracks::{
     Choices, ChoicesError, Format, FormatError, NearestRule, PositionsUsed, School, Setting, Tracks, analyse,
-    null_models, synthetic_school,
+    synthetic_school,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -207,10 +207,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     interrupt::keep(&measured);
     interrupt::working();
-    let sample = analysis.sample();
-    let compared = sample.frames() > 0;
-    let null =
-        if compared { null_models(&sample, arguments.null, &arguments.seed, &watch).map(Some) } else { Ok(None) };
+    let null = analysis.null_models(arguments.null, &arguments.seed, &watch);
     interrupt::finishing();
     interrupt::kept();
     let Ok(null) = null else { return interrupted() };

@@ -7,7 +7,7 @@ use crate::guess::bad_order;
 use crate::orders::Times;
 use crate::prepared::Prepared;
 use crate::system::{Check, Condition, Range, Side, Switching, System};
-use crate::walk::{Depth, Leg, worst};
+use crate::walk::{Depth, Leg, longest_of, worst};
 use crate::witness::{Witness, attaining};
 use crate::worst::Worst;
 use arithmetic::{Cancelled, Enclosure, FloatInterval, Progress, Rational, rational};
@@ -277,19 +277,10 @@ fn guessed(
     let memory = Rational::from_float((30.0 / slowest.abs().max(1e-2)).ceil());
     let Some(until) = last.cloned().or(memory) else { return Ok(nothing) };
     let legs = bad_order(prepared, row, &until, progress)?;
-    let mut longest = vec![Rational::ZERO; prepared.motions.len()];
-    legs.iter().for_each(|(mode, duration)| longest[*mode] = longest[*mode].clone().max(duration.clone()));
+    let longest = longest_of(&legs, prepared.motions.len());
     let like = FloatInterval::point(0.0);
     let flows = Flows::new(&prepared.motions, &longest, &[], &like);
-    let walk: Vec<Leg> = legs
-        .iter()
-        .map(|(mode, duration)| Leg {
-            mode: *mode,
-            duration: Range::point(duration.clone()),
-            varies: false,
-            start: None,
-        })
-        .collect();
+    let walk: Vec<Leg> = legs.iter().map(Leg::fixed).collect();
     let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
     let value = worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value.and_then(|value| value.ends());
     Ok(Worst { lo: value.map(|(lo, _)| lo), hi, at: Some(Range::point(until)), legs })

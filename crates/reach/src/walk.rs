@@ -25,6 +25,22 @@ pub(crate) struct Leg {
     pub start: Option<usize>,
 }
 
+impl Leg {
+    /// One that lasts a known time.
+    pub fn fixed((mode, duration): &(usize, Rational)) -> Self {
+        Leg { mode: *mode, duration: Range::point(duration.clone()), varies: false, start: None }
+    }
+}
+
+/// The longest time of each of so many modes.
+pub(crate) fn longest_of(legs: &[(usize, Rational)], modes: usize) -> Vec<Rational> {
+    let mut longest = vec![Rational::ZERO; modes];
+    for (mode, duration) in legs {
+        longest[*mode] = longest[*mode].clone().max(duration.clone());
+    }
+    longest
+}
+
 /// A worst case with its derivatives by the durations that vary, in the order of the legs.
 #[derive(Debug, Clone)]
 pub(crate) struct Sums<T> {

@@ -2,8 +2,8 @@
 
 use super::measures::Moment;
 use super::{
-    Choices, ChoicesError, FrameMeasures, Gap, GroupState, Motion, PositionsUsed, Sample, Tracks, Vector, gaps,
-    smoothed,
+    Choices, ChoicesError, FrameMeasures, Gap, GroupState, Motion, NullModels, PositionsUsed, Sample, Tracks, Vector,
+    gaps, null_models, smoothed,
 };
 use arithmetic::{Cancelled, Progress};
 
@@ -157,6 +157,20 @@ impl Analysis {
             used.iter().map(|&i| rows.iter().filter_map(|row| row[i].clone()).collect()).collect()
         };
         Sample::new(of(&self.positions), of(&self.motion.headings), &self.choices)
+    }
+
+    /// The recording against all null models; `None` where no frame has a heading of every fish.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn null_models(
+        &self,
+        shifts: usize,
+        seed: &str,
+        progress: &dyn Progress,
+    ) -> Result<Option<NullModels>, Cancelled> {
+        let sample = self.sample();
+        (sample.frames() > 0).then(|| null_models(&sample, shifts, seed, progress)).transpose()
     }
 
     fn count_left_out(&self, tracks: &Tracks) -> LeftOut {

@@ -34,7 +34,8 @@ const SHORT_EDGE: f64 = 1e-3;
 /// A set in new variables may be wider by this factor; else it becomes a box.
 const MOST_GROWTH: f64 = 1.2;
 
-fn width_of(hull: &[FloatInterval]) -> f64 {
+/// The longest edge of a box.
+pub(super) fn longest_edge(hull: &[FloatInterval]) -> f64 {
     hull.iter().map(FloatInterval::width).fold(0.0, f64::max)
 }
 
@@ -62,6 +63,11 @@ impl Set {
         let whole = FloatInterval::between(0.0, 1.0);
         let around = |r: &f64| FloatInterval::between(-r, *r);
         self.polynomials.iter().zip(&self.rest.radii()).map(|(p, r)| range(&self.shape, p, whole) + around(r)).collect()
+    }
+
+    /// The longest edge of its [hull](Self::hull).
+    pub fn width(&self) -> f64 {
+        longest_edge(&self.hull())
     }
 
     /// How far the polynomials are from the set, at most.
@@ -122,16 +128,15 @@ impl Set {
             }
         }
         order.iter().for_each(|k| lengths[*k] = 0.0);
-        let own_rest = rest;
-        let rest = Cascade::of_edges(frame, lengths).plus(&values(&rounded))?;
-        let found = Set { shape: Arc::new(shape), polynomials, rest };
+        let around = Cascade::of_edges(frame, lengths).plus(&values(&rounded))?;
+        let found = Set { shape: Arc::new(shape), polynomials, rest: around };
         // With more wide numbers than variables the rest stays, and the set would only grow.
-        if found.rest_radius() > own_rest * LEAST_GAIN {
+        if found.rest_radius() > rest * LEAST_GAIN {
             return None;
         }
         // A parallelepiped around a box, as after a jump, may be much wider than the box.
         let hull = self.hull();
-        Some(if width_of(&found.hull()) > width_of(&hull) * MOST_GROWTH { Set::of_box(&hull) } else { found })
+        Some(if found.width() > longest_edge(&hull) * MOST_GROWTH { Set::of_box(&hull) } else { found })
     }
 
     /// The set plus a box; `None` where it is not bounded.

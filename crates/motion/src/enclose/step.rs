@@ -5,7 +5,7 @@ use super::errors::{TINY, UNIT};
 use super::expanded::Expanded;
 use super::expansion::{Expansion, range};
 use super::linear::IntervalMatrix;
-use super::set::Set;
+use super::set::{Set, longest_edge};
 use super::shape::Shape;
 use super::tape::{Derivatives, Tape};
 use super::variation::Variation;
@@ -151,7 +151,7 @@ impl<L: System> Flow<L> {
         let order = if is_point { ORDER } else { ORDER_OF_SETS };
         let hull = from.hull();
         let size = hull.iter().fold(1.0, |most: f64, x| most.max(x.magnitude()));
-        let width = hull.iter().map(FloatInterval::width).fold(0.0, f64::max);
+        let width = longest_edge(&hull);
         let aim = if is_point { CUT * size } else { (CUT_OF_SETS * width).max(CUT * size) };
         let mut length = self.length;
         loop {

@@ -236,9 +236,8 @@ impl<'c> MotionSubject<'c> {
         let (mut set, mut time) = (Set::of_numbers(start), 0.0);
         let mut tube = Tube { sections: Vec::new(), asked: until, failure: None };
         let none = Rc::new(Vec::new());
-        let width_of = |set: &Set| set.hull().iter().map(FloatInterval::width).fold(0.0, f64::max);
         // Where what is not known of the set as polynomials is wider than this, it only grows, in ever shorter steps.
-        let mut widest = (8.0 * width_of(&set)).max(0.25);
+        let mut widest = (8.0 * set.width()).max(0.25);
         let mut is_renewed = false;
         while time < until {
             self.progress.checkpoint()?;
@@ -250,11 +249,11 @@ impl<'c> MotionSubject<'c> {
                 Ok(step) => {
                     set = step.end.clone();
                     if step.is_renewed && !is_renewed {
-                        (is_renewed, widest) = (true, widest.max(8.0 * width_of(&set)));
+                        (is_renewed, widest) = (true, widest.max(8.0 * set.width()));
                     }
-                    let unknown = if is_renewed { width_of(&set) } else { 2.0 * set.rest_radius() };
+                    let unknown = if is_renewed { set.width() } else { 2.0 * set.rest_radius() };
                     if unknown > widest {
-                        let width = width_of(&set);
+                        let width = set.width();
                         tube.failure = Some(format!("at t = {} the enclosure is {width:.2} wide", clock(time)));
                         break;
                     }

@@ -100,9 +100,8 @@ fn switched(graph: &Graph, switches: impl Fn(Pair) -> bool) -> Graph {
 /// A set plus a box, with its shape kept or as a box, whichever is narrower.
 fn moved(set: &Set, hull: &[FloatInterval], shift: &[FloatInterval]) -> Option<Set> {
     let as_box = Set::of_box(&hull.iter().zip(shift).map(|(x, d)| *x + d).collect::<Vec<_>>());
-    let widest = |p: &Set| p.hull().iter().map(FloatInterval::width).fold(0.0, f64::max);
     let shaped = set.plus(shift)?;
-    Some(if widest(&shaped) < widest(&as_box) { shaped } else { as_box })
+    Some(if shaped.width() < as_box.width() { shaped } else { as_box })
 }
 
 impl System for FixedNetwork<'_> {
