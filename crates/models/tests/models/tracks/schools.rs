@@ -135,6 +135,13 @@ fn of_those_that_are_there(tracks: &Tracks) {
         assert_eq!(numbers(group), numbers(twin), "{i}");
     }
     assert_eq!(three, 348 - 286);
+    // Null models need frames with all fish: there are some, and none where one fish was seen once only.
+    assert!(analysis.null_models(0, "x", &Unwatched).expect("to its end").is_some());
+    let mut once = tracks.clone();
+    once.positions[2].iter_mut().skip(1).for_each(|place| *place = None);
+    let without = analyse(&once, &choices(Some(3)), &Unwatched).expect("analysed");
+    assert_eq!(without.whole_frames(), 0);
+    assert!(without.null_models(0, "x", &Unwatched).expect("to its end").is_none());
     let refused = |least| analyse(tracks, &choices(Some(least)), &Unwatched).expect_err("refused").to_string();
     assert!(refused(1).contains("between 2 and 4") && refused(5).contains("at least 5 fish"));
 }
