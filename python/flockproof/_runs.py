@@ -338,6 +338,7 @@ def tracks(
     columns: Mapping[str, str] | None = None,
     fps: float | None = None,
     max_gap: int = 0,
+    bridge: str = "line",
     min_fish: int | None = None,
     window: int | None = None,
     smooth_positions: bool = False,
@@ -359,14 +360,16 @@ def tracks(
     Parameters
     ----------
     data
-        A DataFrame (pandas, polars) or dictionary with the columns ``t`` (s), ``id``, ``x``, ``y``, or the path of
+        A DataFrame (pandas, polars) or dictionary with the columns ``t`` (s, or dates), ``id``, ``x``, ``y``, or the path of
         such a CSV file; or an array of shape (frames, individuals, 2) with ``fps``, NaN where one was not seen.
     columns
         Other names of those columns: ``{"frame": "t", "particle": "id"}``.
     fps
         Frames per second, where ``t`` counts frames.
     max_gap
-        Gaps of at most so many frames are bridged by straight lines and marked; 0: none.
+        Gaps of at most so many frames are bridged and marked; 0: none.
+    bridge
+        ``"line"``, or ``"spline"``: the cubic with the positions and velocities at both ends.
     min_fish
         Frames count in which at least so many fish have a heading; left out: all.
     window
@@ -421,6 +424,7 @@ def tracks(
         "columns": [f"{name}={meaning}" for name, meaning in (columns or {}).items()],
         "fps": fps,
         "max_gap": max_gap,
+        "bridge": bridge,
         "min_fish": min_fish,
         "window": window,
         "smooth_positions": bool(smooth_positions),

@@ -5,7 +5,7 @@ use super::refuse;
 use super::watch::{Watch, watched};
 use flockproof::report::{Provenance, TracksReport, digest};
 use flockproof::scenario::{End, Ensemble, Outcome, Row, Scenario, with_law};
-use flockproof::tracks::{Choices, Format, NearestRule, PositionsUsed, Tracks, analyse};
+use flockproof::tracks::{BridgeShape, Choices, Format, NearestRule, PositionsUsed, Tracks, analyse};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -131,6 +131,7 @@ pub struct Chosen {
     columns: Vec<String>,
     fps: Option<f64>,
     max_gap: u64,
+    bridge: String,
     min_fish: Option<usize>,
     window: Option<usize>,
     smooth_positions: bool,
@@ -170,12 +171,14 @@ pub fn tracks<'py>(
     if let Some(ids) = &chosen.ids {
         tracks = tracks.only(ids).map_err(refuse)?;
     }
-    let tracks = tracks.bridge(chosen.max_gap);
+    let shape = BridgeShape::ALL.into_iter().find(|(name, _)| *name == chosen.bridge);
+    let (_, shape) = shape.ok_or_else(|| refuse(format!("bridge = `{}` is neither line nor spline", chosen.bridge)))?;
+    let tracks = tracks.bridge(chosen.max_gap, shape);
     let choices = choices(&chosen, &tracks)?;
     choices.check(tracks.fish()).map_err(refuse)?;
     let configuration = json!({
         "command": "tracks", "file": {"name": source, "sha256": digest(text.as_bytes())}, "columns": chosen.columns,
-        "fps": chosen.fps, "max_gap": chosen.max_gap, "min_fish": chosen.min_fish, "ids": chosen.ids,
+        "fps": chosen.fps, "max_gap": chosen.max_gap, "bridge": chosen.bridge, "min_fish": chosen.min_fish, "ids": chosen.ids,
         "window": chosen.window, "smooth_positions": chosen.smooth_positions, "body_length": chosen.body_length,
         "zones": chosen.zones, "blind": chosen.blind, "still": chosen.still, "plain_nearest": chosen.plain_nearest,
         "nearest": chosen.nearest, "null": shifts, "at": at,

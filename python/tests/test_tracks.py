@@ -56,3 +56,39 @@ def test_gaps_are_bridged_and_groups_are_those_that_are_there() -> None:
         flockproof.tracks(data)
     with pytest.raises(ValueError, match="two columns are to be t"):
         flockproof.tracks(table(data, "t", "id"), columns={"a": "t", "b": "t"})
+
+
+def test_rotation_and_distances_stand_beside_null_models() -> None:
+    rng = np.random.default_rng(3)
+    data = circling(400) + 0.2 * rng.standard_normal((400, 6, 2)).cumsum(axis=0)
+    null = flockproof.tracks(data, fps=25, window=5, null=19).summary["null_models"]
+    smooth = np.lib.stride_tricks.sliding_window_view(data, 5, axis=0).mean(axis=3)
+    velocity = smooth[2:] - smooth[:-2]
+    heading = velocity / np.linalg.norm(velocity, axis=2, keepdims=True)
+    places = data[3:-3]
+    arm = places - places.mean(axis=1, keepdims=True)
+    arm /= np.linalg.norm(arm, axis=2, keepdims=True)
+    turn = (arm[:, :, 0] * heading[:, :, 1] - arm[:, :, 1] * heading[:, :, 0]).mean(axis=1)
+    assert null["observed"]["rotation"] == pytest.approx(np.abs(turn).mean(), abs=1e-9)
+    apart = np.linalg.norm(places[:, :, None] - places[:, None], axis=3) + 1e9 * np.eye(6)
+    assert null["observed"]["nearest_distance"] == pytest.approx(apart.min(axis=2).mean(), rel=1e-9)
+    assert null["shifted"]["headings shifted"]["nearest_distance"] is None
+    assert 0 < null["shifted"]["tracks shifted"]["nearest_distance"]["share_at_most"] <= 1
+
+
+def test_dates_and_splines() -> None:
+    data = circling(120)
+    data[50:53, 2] = np.nan
+    frames, fish = np.nonzero(~np.isnan(data).any(axis=2))
+    x, y = data[frames, fish].T
+    dates = np.datetime64("2024-05-01T12:00:00") + frames * np.timedelta64(40, "ms")
+    rows = {"t": dates, "id": fish, "x": x, "y": y}
+    dated = flockproof.tracks(rows, window=5, null=0, max_gap=3, bridge="spline").summary
+    assert dated["start"] == "2024-05-01T12:00:00" and dated["step"] == pytest.approx(0.04)
+    line = flockproof.tracks(rows, window=5, null=0, max_gap=3).summary
+    # On the circle the chord of four steps is too short, the cubic is not: the momentum is nearer to that without a gap.
+    whole = flockproof.tracks(circling(120), fps=25, window=5, null=0).summary
+    off = [abs(run["means"]["momentum"] - whole["means"]["momentum"]) for run in (dated, line)]
+    assert off[0] < off[1]
+    with pytest.raises(ValueError, match="neither line nor spline"):
+        flockproof.tracks(rows, bridge="arc")

@@ -5,8 +5,8 @@ use super::{CliError, output, progress};
 use flockproof::arithmetic::Cancelled;
 use flockproof::report::{File, Provenance, TracksReport};
 use flockproof::tracks::{
-    Choices, ChoicesError, Format, FormatError, NearestRule, PositionsUsed, School, Setting, Tracks, analyse,
-    synthetic_school,
+    BridgeShape, Choices, ChoicesError, Format, FormatError, NearestRule, PositionsUsed, School, Setting, Tracks,
+    analyse, synthetic_school,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ use std::process::ExitCode;
 #[command(after_help = "Times are in seconds, lengths in the unit of x and y, radii of zones in body lengths.\n\n\
 Examples:\n  flockproof tracks assets/example_tracks.csv --out out\n  flockproof tracks --synthetic milling --fish 20 --seed mine --out out")]
 pub struct Arguments {
-    /// Table with the columns t, id, x, y: seconds, a name for each fish, horizontal positions
+    /// Table with the columns t, id, x, y: seconds or dates, a name for each fish, horizontal positions
     #[arg(value_name = "FILE.csv", required_unless_present = "synthetic", conflicts_with = "synthetic")]
     file: Option<PathBuf>,
     /// Folder for summary.json, tables and pictures; it is made if it is missing
@@ -28,9 +28,12 @@ pub struct Arguments {
     /// Frames per second, where the column of time holds numbers of frames
     #[arg(long, value_name = "F", value_parser = super::help::finite, conflicts_with = "synthetic")]
     fps: Option<f64>,
-    /// Bridge gaps of at most so many frames by straight lines; they are marked
+    /// Bridge gaps of at most so many frames; they are marked
     #[arg(long, value_name = "FRAMES", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=1_000_000))]
     max_gap: u64,
+    /// How gaps are bridged: line, or spline (the cubic with positions and velocities at both ends)
+    #[arg(long, value_name = "SHAPE", default_value = "line", value_parser = bridge)]
+    bridge: (&'static str, BridgeShape),
     /// Use frames in which at least so many fish have a heading [default: all]
     #[arg(long, value_name = "N")]
     min_fish: Option<usize>,
@@ -97,6 +100,10 @@ const LARGEST_SCHOOL: usize = 5_000_000;
 /// More shifts than this say nothing more.
 const MOST_SHIFTS: usize = 100_000;
 
+fn bridge(name: &str) -> Result<(&'static str, BridgeShape), String> {
+    BridgeShape::ALL.into_iter().find(|(known, _)| *known == name).ok_or_else(|| "there are line, spline".to_string())
+}
+
 fn school(name: &str) -> Result<(&'static str, School), String> {
     let known = || School::ALL.map(|(name, _)| name).join(", ");
     let found = School::ALL.into_iter().find(|(known, _)| *known == name.replace("polarized", "polarised"));
@@ -157,7 +164,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     } else {
         tracks.only(&arguments.ids).map_err(|error| CliError::Use(format!("--ids: {error}")))?
     };
-    let tracks = tracks.bridge(arguments.max_gap);
+    let tracks = tracks.bridge(arguments.max_gap, arguments.bridge.1);
     let choices = choices(arguments, &tracks)?;
     if let (Some(at), [first, .., last]) = (arguments.at, tracks.frames.as_slice())
         && !(first.time..=last.time).contains(&at)
@@ -172,7 +179,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     let configuration = json!({
         "command": "tracks", "file": origin, "columns": arguments.columns, "fps": arguments.fps,
-        "max_gap": arguments.max_gap, "min_fish": arguments.min_fish, "ids": arguments.ids, "window": arguments.window,
+        "max_gap": arguments.max_gap, "bridge": arguments.bridge.0, "min_fish": arguments.min_fish, "ids": arguments.ids, "window": arguments.window,
         "smooth_positions": arguments.smooth_positions, "body_length": arguments.body_length, "zones": arguments.zones,
         "blind": arguments.blind, "still": arguments.still, "plain_nearest": arguments.plain_nearest,
         "nearest": arguments.nearest, "null": arguments.null, "at": arguments.at,

@@ -37,9 +37,16 @@ fn a_synthetic_school_can_be_analysed_again_from_its_table() {
     assert!(printed["means"]["W_nearest"]["3"].is_number());
     let on_disk = std::fs::read_to_string(format!("{again}/summary.json")).expect("written");
     assert_eq!(serde_json::from_str::<serde_json::Value>(&on_disk).expect("JSON"), printed);
-    for name in
-        ["frames.csv", "fish.csv", "gaps.csv", "histograms.csv", "histograms.svg", "potentials.png", "snapshot.svg"]
-    {
+    for name in [
+        "frames.csv",
+        "fish.csv",
+        "gaps.csv",
+        "histograms.csv",
+        "histograms.svg",
+        "order.svg",
+        "potentials.png",
+        "snapshot.svg",
+    ] {
         assert!(std::path::Path::new(again).join(name).exists(), "{name}");
     }
     let frames = std::fs::read_to_string(format!("{again}/frames.csv")).expect("written");
@@ -72,6 +79,8 @@ fn a_recording_with_gaps_is_bridged_and_says_on_what_it_rests() {
     let error = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert_eq!(refused.status.code(), Some(2));
     assert!(error.contains("--max-gap") && error.contains("--min-fish"), "{error}");
+    let spline = with(&["--max-gap", "5", "--min-fish", "8", "--bridge", "spline"]);
+    assert!(stdout(&spline).contains("positions and velocities at both ends"), "{}", stdout(&spline));
     let analysed = with(&["--max-gap", "5", "--min-fish", "8"]);
     let text = stdout(&analysed);
     assert!(analysed.status.success(), "{}", String::from_utf8_lossy(&analysed.stderr));
@@ -88,7 +97,7 @@ fn a_recording_with_gaps_is_bridged_and_says_on_what_it_rests() {
         "{gaps}"
     );
     let frames = std::fs::read_to_string(out.join("frames.csv")).expect("written");
-    assert!(frames.starts_with("t,seen,bridged,headings,"));
+    assert!(frames.starts_with("t,left_out,seen,bridged,headings,") && frames.contains(",window,10,"));
 }
 
 #[test]
@@ -105,6 +114,9 @@ fn bad_tracks_are_refused() {
     let good: String = (0..9).map(|i| format!("{i},a,{i},0\n{i},b,{i},9\n{i},c,{},{i}\n", 20 - i)).collect();
     let good = format!("t,id,x,y\n{good}");
     refuse("empty.csv", "", &[], "empty.csv: there are no rows");
+    refuse("arc.csv", &good, &["--bridge", "arc"], "there are line, spline");
+    let dates = good.replace("\n8,", "\n2024-05-01,");
+    refuse("dates.csv", &dates, &[], "dates.csv: line");
     refuse("text.csv", "t,id,x,y\n0,a,1,2\n0,b,here,2\n", &[], "text.csv: line 3: x is `here`");
     refuse("twice.csv", &format!("{good}3,b,0,0\n"), &[], "twice.csv: line 29: fish b at t = 3 is there twice");
     refuse("good.csv", &good, &["--zones", "2.4,1.4", "--window", "1"], "the zones 2.4, 1.4");

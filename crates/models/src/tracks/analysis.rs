@@ -7,6 +7,28 @@ use super::{
 };
 use arithmetic::{Cancelled, Progress};
 
+/// Why a frame is not in what needs the headings of all fish, or of as many as are asked for: the first reason that holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// Too few fish are there.
+    Missing,
+    /// Enough are there, but the windows of too many meet a gap or an end of the recording.
+    Window,
+    /// Enough have a velocity, but too many are at rest.
+    AtRest,
+}
+
+impl Reason {
+    /// As in `frames.csv` and the summary.
+    pub fn name(self) -> &'static str {
+        match self {
+            Reason::Missing => "missing",
+            Reason::Window => "window",
+            Reason::AtRest => "at_rest",
+        }
+    }
+}
+
 /// Why frames are not in what needs the headings of all fish, or of as many as are asked for; a frame counts once, at the first reason.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LeftOut {
@@ -173,22 +195,30 @@ impl Analysis {
         (sample.frames() > 0).then(|| null_models(&sample, shifts, seed, progress)).transpose()
     }
 
+    /// Why a frame of the recording is left out; `None` where it is used.
+    pub fn left_out_for(&self, tracks: &Tracks, frame: usize) -> Option<Reason> {
+        let least = self.choices.least_fish(tracks.fish());
+        let measures = self.frames.get(frame)?;
+        let seen = tracks.positions.iter().filter(|places| places[frame].is_some()).count();
+        match measures.group {
+            Some(_) => None,
+            None if seen < least => Some(Reason::Missing),
+            None if measures.moving.min(measures.seen) >= least => Some(Reason::AtRest),
+            None => Some(Reason::Window),
+        }
+    }
+
     fn count_left_out(&self, tracks: &Tracks) -> LeftOut {
         let mut counts = LeftOut { recorded: tracks.recorded_frames(), ..LeftOut::default() };
         counts.missing = counts.recorded - tracks.frames.len() as u64;
-        let least = self.choices.least_fish(tracks.fish());
-        for (i, frame) in self.frames.iter().enumerate() {
-            let seen = tracks.positions.iter().filter(|places| places[i].is_some()).count();
-            let reason = match &frame.group {
-                Some(group) => {
-                    counts.members += group.members.len() as u64;
-                    &mut counts.used
-                }
-                None if seen < least => &mut counts.missing,
-                None if frame.moving.min(frame.seen) >= least => &mut counts.still,
-                None => &mut counts.window,
-            };
-            *reason += 1;
+        counts.members = self.groups().map(|(_, group)| group.members.len() as u64).sum();
+        for i in 0..self.frames.len() {
+            *match self.left_out_for(tracks, i) {
+                None => &mut counts.used,
+                Some(Reason::Missing) => &mut counts.missing,
+                Some(Reason::Window) => &mut counts.window,
+                Some(Reason::AtRest) => &mut counts.still,
+            } += 1;
         }
         counts
     }

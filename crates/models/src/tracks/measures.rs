@@ -100,6 +100,12 @@ pub(super) struct Moment<'a> {
 }
 
 impl FrameMeasures {
+    /// The mean distance to the nearest neighbour, over the fish that have one.
+    pub fn mean_distance(&self) -> Option<f64> {
+        let distances: Vec<f64> = self.distances.iter().flatten().copied().collect();
+        (!distances.is_empty()).then(|| distances.iter().sum::<f64>() / distances.len() as f64)
+    }
+
     pub(super) fn new(frame: &Moment, choices: &Choices) -> Result<FrameMeasures, ArithmeticError> {
         let count = |of: &[Option<&Vector>]| of.iter().flatten().count();
         let mut measures = FrameMeasures {
@@ -169,7 +175,7 @@ fn group(
 }
 
 /// The mean of `<i e_k, z_k>`; a fish at the centre of mass counts as 0.
-fn rotation(positions: &[Vector], headings: &[Vector]) -> f64 {
+pub(super) fn rotation(positions: &[Vector], headings: &[Vector]) -> f64 {
     let centre = mean(positions);
     let turn = |(r, z): (&Vector, &Vector)| {
         let arm: Complex<f64> = r.clone() - &centre;

@@ -17,8 +17,10 @@ mod null;
 mod potential;
 mod read;
 mod synthetic;
+mod times;
 
-pub use analysis::{Analysis, FishSummary, LeftOut, analyse};
+pub use analysis::{Analysis, FishSummary, LeftOut, Reason, analyse};
+pub use bridge::BridgeShape;
 pub use choices::{Choices, ChoicesError, NearestRule, PositionsUsed};
 pub use gaps::{Gap, gaps};
 pub use histogram::Histogram;

@@ -1,7 +1,7 @@
 //! What the scaled potentials look like without any interaction: independent uniform headings, and headings or tracks shifted in
 //! time against each other.
 
-use super::measures::partners;
+use super::measures::{nearest_neighbour, partners, rotation};
 use super::potential::{complete_potential, mean, partner_potential};
 use super::{Choices, Histogram, Scale, Vector};
 use crate::oscillator::{Zone, Zones};
@@ -17,12 +17,17 @@ const ROUNDING: f64 = 1e-12;
 /// At least so many draws of independent uniform headings.
 const DRAWS: usize = 20_000;
 
+/// How many numbers [`Statistics`] has.
+const STATISTICS: usize = 10;
+
 /// Positions and headings of all fish in the frames that have all of them, `[frame][fish]`.
 #[derive(Debug, Clone)]
 pub struct Sample {
     positions: Vec<Vec<Vector>>,
     headings: Vec<Vec<Vector>>,
     partners: Vec<Vec<usize>>,
+    /// Mean distance to the nearest neighbour in each frame.
+    nearest: Vec<f64>,
     zones: Zones<f64>,
     too_near: Option<f64>,
 }
@@ -34,8 +39,12 @@ pub struct Statistics {
     pub positive: [f64; 3],
     /// Mean of that difference.
     pub difference: [f64; 3],
-    /// Mean of `|p_1|`.
+    /// Mean of `|p_1|`, the polarisation.
     pub order: f64,
+    /// Mean of the modulus of the rotation (milling, to either side).
+    pub rotation: f64,
+    /// Mean distance to the nearest neighbour, in the unit of the file.
+    pub nearest: f64,
     /// Mean of `cos theta_kj` over all arcs to neighbours in the zone of orientation; `None` where there are none.
     pub zone_alignment: Option<f64>,
     /// The difference with the scale of Figure S3.
@@ -44,7 +53,7 @@ pub struct Statistics {
 
 impl Statistics {
     /// Names, in the order of [`Statistics::values`].
-    pub const NAMES: [&'static str; 8] = [
+    pub const NAMES: [&'static str; STATISTICS] = [
         "positive_2/(n+1)",
         "positive_2/n+1",
         "positive_1/n",
@@ -53,12 +62,16 @@ impl Statistics {
         "difference_1/n",
         "order",
         "zone_alignment",
+        "rotation",
+        "nearest_distance",
     ];
 
     /// The numbers.
-    pub fn values(&self) -> [Option<f64>; 8] {
+    pub fn values(&self) -> [Option<f64>; STATISTICS] {
         let ([a, b, c], [d, e, f]) = (self.positive, self.difference);
-        [Some(a), Some(b), Some(c), Some(d), Some(e), Some(f), Some(self.order), self.zone_alignment]
+        let aligned = self.zone_alignment;
+        let [order, rotation, nearest] = [self.order, self.rotation, self.nearest].map(Some);
+        [Some(a), Some(b), Some(c), Some(d), Some(e), Some(f), order, aligned, rotation, nearest]
     }
 }
 
@@ -94,6 +107,8 @@ pub struct Comparison {
     pub at_least: (usize, usize),
     /// `(1 + number of shifts with at least the observed value)/(1 + number of shifts)`.
     pub share_at_least: f64,
+    /// The same with at most the observed value.
+    pub share_at_most: f64,
 }
 
 /// Independent uniform headings on the networks of the recording.
@@ -117,7 +132,7 @@ pub struct NullModels {
     /// Independent uniform headings.
     pub uniform: UniformShares,
     /// The two shifts: comparisons in the order of [`Statistics::NAMES`], and the differences of all shifts.
-    pub shifted: Vec<(NullKind, [Option<Comparison>; 8], Histogram)>,
+    pub shifted: Vec<(NullKind, [Option<Comparison>; STATISTICS], Histogram)>,
     /// How many shifts of each kind.
     pub shifts: usize,
 }
@@ -131,7 +146,8 @@ impl Sample {
     pub(super) fn new(positions: Vec<Vec<Vector>>, headings: Vec<Vec<Vector>>, choices: &Choices) -> Sample {
         let too_near = choices.too_near();
         let partners = positions.iter().map(|frame| partners(frame, too_near)).collect();
-        Sample { positions, headings, partners, zones: choices.zones(), too_near }
+        let nearest = positions.iter().map(|frame| mean_nearest(frame)).collect();
+        Sample { positions, headings, partners, nearest, zones: choices.zones(), too_near }
     }
 
     /// Number of frames.
@@ -151,6 +167,8 @@ impl Sample {
             positive: [0.0; 3],
             difference: [0.0; 3],
             order: 0.0,
+            rotation: 0.0,
+            nearest: 0.0,
             zone_alignment: None,
             histogram: difference_bins(),
         };
@@ -178,6 +196,11 @@ impl Sample {
             }
             statistics.histogram.add(Scale::Figure.difference(fish, complete, single));
             statistics.order += mean(&headings).norm_squared().sqrt();
+            statistics.rotation += rotation(positions, &headings).abs();
+            statistics.nearest += match &shifted {
+                None => self.nearest[i],
+                Some(positions) => mean_nearest(positions),
+            };
             for (k, z) in headings.iter().enumerate() {
                 for j in (0..fish).filter(|&j| j != k) {
                     if self.zones.senses(Zone::Orientation, z, &(positions[j].clone() - &positions[k])) {
@@ -187,7 +210,8 @@ impl Sample {
                 }
             }
         }
-        let means = statistics.difference.iter_mut().chain(&mut statistics.positive).chain([&mut statistics.order]);
+        let Statistics { positive, difference, order, rotation, nearest, .. } = &mut statistics;
+        let means = difference.iter_mut().chain(positive).chain([order, rotation, nearest]);
         means.for_each(|sum| *sum /= frames as f64);
         statistics.zone_alignment = (arcs > 0).then(|| cosines / arcs as f64);
         statistics
@@ -217,6 +241,13 @@ impl Sample {
         }
         shares
     }
+}
+
+/// The mean distance to the nearest neighbour in one frame.
+fn mean_nearest(positions: &[Vector]) -> f64 {
+    let distance =
+        |k: usize| (positions[nearest_neighbour(positions, k, None)].clone() - &positions[k]).norm_squared().sqrt();
+    (0..positions.len()).map(distance).sum::<f64>() / positions.len() as f64
 }
 
 /// `W_1` for `n = N - 1` and for `n = 1`, for so many fish with positions that are independent and uniform in a square and headings that are
@@ -266,10 +297,13 @@ pub fn null_models(
         let all = (0..shifts).into_par_iter().map(shifted).collect::<Result<Vec<Statistics>, Cancelled>>()?;
         let mut histogram = difference_bins();
         all.iter().for_each(|statistics| histogram.merge(&statistics.histogram));
-        let table: Vec<[Option<f64>; 8]> = all.iter().map(Statistics::values).collect();
+        let table: Vec<[Option<f64>; STATISTICS]> = all.iter().map(Statistics::values).collect();
         let seen = observed.values();
-        let comparisons =
-            std::array::from_fn(|c| comparison(seen[c]?, table.iter().filter_map(|row| row[c]).collect()));
+        let comparisons = std::array::from_fn(|c| match (kind, Statistics::NAMES[c]) {
+            // Positions stay, and with them all distances.
+            (NullKind::Headings, "nearest_distance") => None,
+            _ => comparison(seen[c]?, table.iter().filter_map(|row| row[c]).collect()),
+        });
         Ok((kind, comparisons, histogram))
     };
     let shifted = if shifts == 0 { vec![] } else { vec![compare(NullKind::Headings)?, compare(NullKind::Tracks)?] };
@@ -281,11 +315,14 @@ fn comparison(observed: f64, mut values: Vec<f64>) -> Option<Comparison> {
     let last = values.len().checked_sub(1)?;
     let point = |share: f64| values[(share * last as f64).round() as usize];
     let as_large = values.iter().filter(|&&x| x >= observed - ROUNDING).count();
+    let as_small = values.iter().filter(|&&x| x <= observed + ROUNDING).count();
+    let share = |shifts: usize| (1 + shifts) as f64 / (1 + values.len()) as f64;
     Some(Comparison {
         observed,
         mean: values.iter().sum::<f64>() / values.len() as f64,
         range: (point(0.025), point(0.975)),
         at_least: (as_large, values.len()),
-        share_at_least: (1 + as_large) as f64 / (1 + values.len()) as f64,
+        share_at_least: share(as_large),
+        share_at_most: share(as_small),
     })
 }

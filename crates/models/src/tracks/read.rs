@@ -1,6 +1,7 @@
 //! Reading trajectories: CSV with the columns `t,id,x,y` or others by name, rows and columns in any order, other columns ignored.
 
-use super::{Gap, Vector};
+use super::times::Clock;
+use super::{BridgeShape, Gap, Vector};
 use arithmetic::Complex;
 use std::collections::{BTreeMap, HashMap};
 
@@ -107,6 +108,30 @@ pub enum TracksError {
         /// The field.
         found: String,
     },
+    /// Not a date as in the first row.
+    #[error("line {line}: {column} is `{found}`, not a date like that of the first row, such as {example}")]
+    Date {
+        /// The line.
+        line: u64,
+        /// The column.
+        column: String,
+        /// The field.
+        found: String,
+        /// A date that is written as in the first row.
+        example: &'static str,
+    },
+    /// Dates where numbers of frames are said to be.
+    #[error(
+        "line {line}: {column} is the date `{found}`; frames per second are for numbers of frames, dates need none"
+    )]
+    DateAndRate {
+        /// The line.
+        line: u64,
+        /// The column.
+        column: String,
+        /// The field.
+        found: String,
+    },
     /// A number that is too large.
     #[error("line {line}: {column} is {found}, beyond 1e100")]
     Large {
@@ -192,12 +217,18 @@ pub struct Tracks {
     pub positions: Vec<Vec<Option<Vector>>>,
     /// The gaps that were bridged; none in what is read.
     pub bridged: Vec<Gap>,
+    /// How they were bridged.
+    pub bridged_by: BridgeShape,
+    /// The date of `t = 0` where the times of the file are dates: the first of them.
+    pub start: Option<String>,
 }
 
 /// A row of the table.
 struct Row {
     line: u64,
     time: f64,
+    /// The time as a date, in nanoseconds.
+    date: Option<i128>,
     id: String,
     place: Vector,
 }
@@ -216,7 +247,14 @@ impl Tracks {
     /// # Errors
     /// [`TracksError`], with the line.
     pub fn from_table(text: &str, format: &Format) -> Result<Tracks, TracksError> {
-        Tracks::from_rows(&rows(text, format)?)
+        let (mut rows, clock) = rows(text, format)?;
+        let first = rows.iter().filter_map(|row| row.date).min();
+        for row in &mut rows {
+            if let Some((first, date)) = first.zip(row.date) {
+                row.time = (date - first) as f64 / 1e9;
+            }
+        }
+        Ok(Tracks { start: first.map(|first| clock.text(first)), ..Tracks::from_rows(&rows)? })
     }
 
     fn from_rows(rows: &[Row]) -> Result<Tracks, TracksError> {
@@ -242,7 +280,7 @@ impl Tracks {
             return Err(TracksError::OneFish(only.clone()));
         }
         let (frames, step) = grid(&starts)?;
-        Ok(Tracks { ids, frames, step, positions, bridged: vec![] })
+        Ok(Tracks { ids, frames, step, positions, bridged: vec![], bridged_by: BridgeShape::Line, start: None })
     }
 
     /// Number of fish.
@@ -295,6 +333,8 @@ impl Tracks {
                     of_fish.map(move |gap| Gap { fish, ..gap.clone() })
                 })
                 .collect(),
+            bridged_by: self.bridged_by,
+            start: self.start.clone(),
         })
     }
 
@@ -320,8 +360,8 @@ impl Tracks {
     }
 }
 
-/// The rows, in the order of the file.
-fn rows(text: &str, format: &Format) -> Result<Vec<Row>, TracksError> {
+/// The rows, in the order of the file, and how their times are written.
+fn rows(text: &str, format: &Format) -> Result<(Vec<Row>, Clock), TracksError> {
     let broken = |error: &csv::Error| TracksError::Csv {
         line: error.position().map_or(0, csv::Position::line),
         what: "it cannot be read as CSV".to_string(),
@@ -342,13 +382,21 @@ fn rows(text: &str, format: &Format) -> Result<Vec<Row>, TracksError> {
     }
     let mut rows = Vec::new();
     let mut record = csv::StringRecord::new();
+    let mut clock = None;
     while reader.read_record(&mut record).map_err(|error| broken(&error))? {
-        rows.push(row(&record, format, &columns, header.len())?);
+        let clock = *clock.get_or_insert_with(|| Clock::of(record.get(columns[0]).unwrap_or_default()));
+        rows.push(row(&record, format, clock, &columns, header.len())?);
     }
-    if rows.is_empty() { Err(TracksError::Empty) } else { Ok(rows) }
+    clock.map(|clock| (rows, clock)).ok_or(TracksError::Empty)
 }
 
-fn row(record: &csv::StringRecord, format: &Format, columns: &[usize; 4], expected: usize) -> Result<Row, TracksError> {
+fn row(
+    record: &csv::StringRecord,
+    format: &Format,
+    clock: Clock,
+    columns: &[usize; 4],
+    expected: usize,
+) -> Result<Row, TracksError> {
     let line = record.position().map_or(0, csv::Position::line);
     if record.len() != expected {
         return Err(TracksError::Fields { line, found: record.len(), expected });
@@ -367,8 +415,16 @@ fn row(record: &csv::StringRecord, format: &Format, columns: &[usize; 4], expect
     if id.is_empty() || id.contains(char::is_control) {
         return Err(TracksError::NoId(line));
     }
-    let time = number(0)? / format.fps.unwrap_or(1.0);
-    Ok(Row { line, time, id, place: Complex::new(number(2)?, number(3)?) })
+    let place = Complex::new(number(2)?, number(3)?);
+    if clock == Clock::Numbers {
+        return Ok(Row { line, time: number(0)? / format.fps.unwrap_or(1.0), date: None, id, place });
+    }
+    let (column, found) = (format.columns[0].clone(), shown(field(0), 40));
+    match clock.date(field(0)) {
+        Some(_) if format.fps.is_some() => Err(TracksError::DateAndRate { line, column, found }),
+        Some(date) => Ok(Row { line, time: 0.0, date: Some(date), id, place }),
+        None => Err(TracksError::Date { line, column, found, example: clock.example() }),
+    }
 }
 
 /// A name as a field of CSV.

@@ -1,7 +1,7 @@
 //! Schools made by a rule, for tests, examples and figures: what the analysis should find is known.
 
 use super::read::{Frame, Tracks};
-use super::{Choices, Vector};
+use super::{BridgeShape, Choices, Vector};
 use crate::oscillator::{State, Zone, alignment, attraction, repulsion, steering_towards};
 use arithmetic::Complex;
 use arithmetic::random::{generator, normal, uniform};
@@ -108,6 +108,8 @@ pub fn synthetic_school(school: School, setting: &Setting) -> Tracks {
         step: setting.step,
         positions: (0..setting.fish).map(scaled).collect(),
         bridged: vec![],
+        bridged_by: BridgeShape::Line,
+        start: None,
     }
 }
 

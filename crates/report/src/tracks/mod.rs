@@ -58,6 +58,7 @@ impl TracksReport<'_> {
     pub fn pictures(&self, snapshot_at: Option<f64>) -> Result<Vec<File>, PictureError> {
         let pictures = [
             ("histograms", pictures::histograms(self)),
+            ("order", pictures::order(self)),
             ("potentials", pictures::potentials(self)),
             ("snapshot", pictures::snapshot(self, snapshot_at)),
         ];

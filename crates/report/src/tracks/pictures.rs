@@ -3,7 +3,7 @@
 use super::text::cut;
 use super::{TracksReport, tables};
 use crate::plot::{Axis, Panel, Picture, Series};
-use models::tracks::{Analysis, Histogram, Scale, Vector};
+use models::tracks::{Analysis, FrameMeasures, Histogram, Scale, Vector};
 use std::f64::consts::PI;
 
 const BLUE: &str = "#0b5fa5";
@@ -91,6 +91,37 @@ pub(crate) fn potential_panel(report: &TracksReport, title: &str) -> Panel {
 
 pub(super) fn potentials(report: &TracksReport) -> Picture {
     Picture::new(titled(report, "scaled phase potentials")).panel(potential_panel(report, ""))
+}
+
+/// Polarisation, rotation and the distance to the nearest neighbour over time.
+pub(super) fn order(report: &TracksReport) -> Picture {
+    let (frames, b) = (&report.analysis.frames, report.analysis.choices.body_length);
+    let line = |value: &dyn Fn(&FrameMeasures) -> Option<f64>| -> Vec<(f64, f64)> {
+        frames.iter().map(|frame| (frame.time, value(frame).unwrap_or(f64::NAN))).collect()
+    };
+    let nearest = line(&|frame| Some(frame.mean_distance()? / b));
+    let farthest = nearest.iter().map(|(_, d)| *d).filter(|d| d.is_finite()).fold(0.0, f64::max);
+    let highest = if farthest > 0.0 { 1.08 * farthest } else { 1.0 };
+    let states = Panel::new(
+        "",
+        Axis::linear("time (s)"),
+        Axis::linear("polarisation, rotation").between(-1.05, 1.05).ticks([-1.0, -0.5, 0.0, 0.5, 1.0]),
+    )
+    .series(
+        Series::line("polarisation |p_1|", line(&|frame| Some(frame.group.as_ref()?.order[0]))).colour(BLUE).size(2.0),
+    )
+    .series(
+        Series::dashed("rotation (milling; > 0 to the left)", line(&|frame| Some(frame.group.as_ref()?.rotation)))
+            .colour(RED)
+            .size(1.3),
+    );
+    let distances = Panel::new(
+        "",
+        Axis::linear("time (s)"),
+        Axis::linear("nearest neighbour (body lengths)").between(0.0, highest),
+    )
+    .series(Series::line("mean over the fish", nearest).colour(BLUE).size(1.6));
+    Picture::new(titled(report, "order over time")).grid(1, (760.0, 300.0)).panel(states).panel(distances)
 }
 
 pub(super) fn snapshot(report: &TracksReport, at: Option<f64>) -> Picture {

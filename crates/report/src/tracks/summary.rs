@@ -38,6 +38,7 @@ pub(super) fn summary(report: &TracksReport) -> Value {
         "fish": tracks.fish(),
         "frames": left.recorded,
         "step": tracks.step,
+        "start": tracks.start,
         "from": tracks.frames.first().map(|frame| frame.time),
         "to": tracks.frames.last().map(|frame| frame.time),
         "declaration": declaration(report),
@@ -64,6 +65,7 @@ fn declaration(report: &TracksReport) -> Value {
         "velocity": "central differences of positions averaged over the window; no window crosses a gap",
         "heading": "direction of the velocity",
         "at_rest": choices.still,
+        "bridges": (!report.tracks.bridged.is_empty()).then(|| report.tracks.bridged_by.words()),
         "least_fish": choices.least_fish(report.tracks.fish()),
         "body_length": choices.body_length,
         "zones_in_body_lengths": choices.zones.map(number),
@@ -120,7 +122,7 @@ fn null_models(report: &TracksReport, models: &NullModels) -> Value {
             json!({"positive": positive as f64 / draws as f64, "wilson_95": [low, high], "exact_mean_difference": mean}),
         );
     }
-    let named = |values: [Value; 8]| -> Map<String, Value> {
+    let named = |values: [Value; Statistics::NAMES.len()]| -> Map<String, Value> {
         Statistics::NAMES.iter().map(ToString::to_string).zip(values).collect()
     };
     let mut shifted = Map::new();
@@ -130,7 +132,7 @@ fn null_models(report: &TracksReport, models: &NullModels) -> Value {
                 let (low, high) = Share::new(c.at_least.0, c.at_least.1).interval();
                 json!({
                     "mean": c.mean, "points_2.5_97.5": [c.range.0, c.range.1],
-                    "share_at_least": c.share_at_least, "wilson_95": [low, high],
+                    "share_at_least": c.share_at_least, "share_at_most": c.share_at_most, "wilson_95": [low, high],
                 })
             })
         });

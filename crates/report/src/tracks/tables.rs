@@ -1,7 +1,7 @@
 //! CSV files of an analysis.
 
 use super::TracksReport;
-use models::tracks::{Gap, Histogram, Scale, csv_field};
+use models::tracks::{Gap, Histogram, Reason, Scale, csv_field};
 use std::fmt::Write;
 
 /// Six significant digits or so; empty for what is not there.
@@ -13,7 +13,7 @@ fn cell(x: Option<f64>) -> String {
 pub(super) fn frames(report: &TracksReport) -> String {
     let analysis = report.analysis;
     let mut text = String::from(
-        "t,seen,bridged,headings,p_1,p_2,momentum,rotation,nearest_distance_mean,W_single,W_complete,W_orientation,\
+        "t,left_out,seen,bridged,headings,p_1,p_2,momentum,rotation,nearest_distance_mean,W_single,W_complete,W_orientation,\
          orientation_arcs,S_single,S_complete,difference_figure,difference_text,difference_per_arc",
     );
     for n in &analysis.choices.nearest {
@@ -21,13 +21,12 @@ pub(super) fn frames(report: &TracksReport) -> String {
         let _ = write!(text, ",W_{n}");
     }
     text.push('\n');
-    for (frame, bridged) in analysis.frames.iter().zip(report.tracks.on_bridges()) {
+    for (i, (frame, bridged)) in analysis.frames.iter().zip(report.tracks.on_bridges()).enumerate() {
         let group = frame.group.as_ref();
-        let distances: Vec<f64> = frame.distances.iter().flatten().copied().collect();
-        let distance = (!distances.is_empty()).then(|| distances.iter().sum::<f64>() / distances.len() as f64);
         let difference = |scale: Scale| group.map(|g| g.difference(scale));
         let counts = [frame.seen, bridged, frame.headed].map(|count| count.to_string());
-        let mut cells = vec![frame.time.to_string()];
+        let reason = analysis.left_out_for(report.tracks, i).map_or("", Reason::name);
+        let mut cells = vec![frame.time.to_string(), reason.to_string()];
         cells.extend(counts);
         cells.extend(
             [
@@ -35,7 +34,7 @@ pub(super) fn frames(report: &TracksReport) -> String {
                 group.map(|g| g.order[1]),
                 group.map(|g| g.momentum),
                 group.map(|g| g.rotation),
-                distance,
+                frame.mean_distance(),
                 group.map(|g| g.single),
                 group.map(|g| g.complete),
                 group.map(|g| g.orientation),

@@ -63,6 +63,9 @@ fn heading(report: &TracksReport, text: &mut String) {
     let ends = [tracks.frames.first(), tracks.frames.last()].map(|frame| number(frame.map_or(0.0, |frame| frame.time)));
     // Writing to a string cannot fail, here and below.
     let _ = writeln!(text, "{}", cut(report.source, WIDTH));
+    if let Some(start) = &tracks.start {
+        let _ = writeln!(text, "t = 0 is {start}");
+    }
     let _ = writeln!(
         text,
         "{} fish, {} frames of {} s from t = {} to {}\n",
@@ -166,9 +169,10 @@ fn bridges(report: &TracksReport, text: &mut String) {
     let frames = report.tracks.on_bridges().iter().filter(|&&fish| fish > 0).count();
     let longest = bridged.iter().map(|gap| gap.frames).max().unwrap_or(0);
     let what = format!(
-        "{} gaps, the longest of {longest} frames, {positions} positions in {frames} frames, on straight lines at constant velocity; \
+        "{} gaps, the longest of {longest} frames, {positions} positions in {frames} frames, on {}; \
          see gaps.csv and the column bridged of frames.csv",
-        bridged.len()
+        bridged.len(),
+        report.tracks.bridged_by.words()
     );
     paragraph(text, "bridged", &what);
 }
@@ -252,21 +256,27 @@ fn potentials(report: &TracksReport, text: &mut String) {
     text.push('\n');
 }
 
+/// The place of the distance to the nearest neighbour: small where fish keep together.
+const NEAREST: usize = 9;
+
 /// The statistics that the text shows: their place among the names, and what they are called here.
-const SHOWN: [(usize, &str); 7] = [
+const SHOWN: [(usize, &str); 9] = [
     (0, "share > 0, 2/(n+1)"),
     (1, "share > 0, 2/n+1"),
     (2, "share > 0, 1/n"),
     (3, "mean, 2/(n+1)"),
     (5, "mean, 1/n"),
     (7, "cos in orient. zone"),
-    (6, "|p_1|"),
+    (6, "polarisation |p_1|"),
+    (8, "|rotation|"),
+    (NEAREST, "nearest (b lengths)"),
 ];
 
 fn null_models(report: &TracksReport, null: &NullModels, text: &mut String) {
     let fish = report.tracks.fish();
     text.push_str("Difference of the scaled potentials, n = N-1 less n = 1, beside schools without\n");
-    text.push_str("interaction. p: share of shifts with at least the value of the recording.\n\n");
+    text.push_str("interaction. p: share of shifts with at least the value of the recording; of the\n");
+    text.push_str("distance to the nearest neighbour: with at most that value.\n\n");
     text.push_str("                     recording  indep.   headings shifted    tracks shifted\n");
     text.push_str("                                uniform  mean         p      mean         p\n");
     let observed = null.observed.values();
@@ -278,10 +288,14 @@ fn null_models(report: &TracksReport, null: &NullModels, text: &mut String) {
             7 => "0".to_string(),
             _ => "-".to_string(),
         };
-        let seen = observed[place].map_or_else(|| "-".to_string(), four);
+        let unit = if place == NEAREST { report.analysis.choices.body_length } else { 1.0 };
+        let seen = observed[place].map_or_else(|| "-".to_string(), |x| four(x / unit));
         let _ = write!(text, "{name:20} {seen:>9} {uniform:>8}");
         for (_, comparisons, _) in &null.shifted {
-            let compared = |c: Comparison| format!("{:>9} {:>9.3}", four(c.mean), c.share_at_least);
+            let compared = |c: Comparison| {
+                let p = if place == NEAREST { c.share_at_most } else { c.share_at_least };
+                format!("{:>9} {p:>9.3}", four(c.mean / unit))
+            };
             let _ = write!(text, " {:>19}", comparisons[place].map_or_else(|| "-".to_string(), compared));
         }
         text.push('\n');
@@ -297,8 +311,8 @@ fn null_models(report: &TracksReport, null: &NullModels, text: &mut String) {
         0 => "No shifts were made (--null 0).".to_string(),
         shifts => {
             format!("{shifts} circular time shifts of each kind; p is at least {:.4}. \
-             Interaction shows in small p of |p_1|, of the cosine and of the mean with 1/n under shifted tracks; shifted headings \
-             also differ where fish only share a circulation.", 1.0 / (shifts + 1) as f64)
+             Interaction shows in small p of |p_1|, of the cosine, of the mean with 1/n and of the distance under shifted tracks; \
+             shifted headings also differ where fish only share a circulation, and rotation is large under both if they do.", 1.0 / (shifts + 1) as f64)
         }
     });
     let _ = writeln!(text, "{}", textwrap::fill(&verdict, WIDTH));

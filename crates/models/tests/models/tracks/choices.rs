@@ -4,8 +4,8 @@ use super::measures::{Asked, setting};
 use super::nulls::Told;
 use arithmetic::{Complex, Unwatched};
 use models::tracks::{
-    Choices, ChoicesError, Format, Histogram, NearestRule, PositionsUsed, Scale, School, Tracks, analyse, smoothed,
-    synthetic_school,
+    BridgeShape, Choices, ChoicesError, Format, Histogram, NearestRule, PositionsUsed, Scale, School, Tracks, analyse,
+    smoothed, synthetic_school,
 };
 use std::sync::atomic::AtomicUsize;
 
@@ -182,7 +182,7 @@ fn fish_are_summarised_as_they_swim() {
 /// Gaps of one fish, and a frame that nobody has: all swim on lines, so bridges are where they would have been.
 #[test]
 fn bridges_lie_on_lines() {
-    let tracks = three().bridge(2);
+    let tracks = three().bridge(2, BridgeShape::Line);
     assert_eq!((tracks.frames.len(), tracks.bridged.len()), (30, 4));
     let at = |fish: usize, i: usize| tracks.positions[fish][i].as_ref().map(|r| (r.re, r.im));
     let close = |found: Option<(f64, f64)>, (x, y): (f64, f64)| {
@@ -199,10 +199,69 @@ fn bridges_lie_on_lines() {
     let two = tracks.only(&["2".to_string(), "3".to_string()]).expect("fish");
     assert_eq!((two.bridged.len(), two.bridged[2].fish), (3, 1));
     // A single frame is bridged, two are not; what is gone at an end has no other side.
-    assert_eq!(three().bridge(1).bridged.len(), 3);
-    assert_eq!(three().bridge(0), three());
+    assert_eq!(three().bridge(1, BridgeShape::Line).bridged.len(), 3);
+    assert_eq!(three().bridge(0, BridgeShape::Line), three());
     let ends = "t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n1,b,0,0\n";
-    assert!(Tracks::from_csv(ends).expect("a recording").bridge(9).bridged.is_empty());
+    assert!(Tracks::from_csv(ends).expect("a recording").bridge(9, BridgeShape::Line).bridged.is_empty());
+}
+
+/// A spline goes through parabolas without an error that a line has, and where no second position is there it is the line.
+#[test]
+fn splines_keep_positions_and_velocities() {
+    // Fish a along x = t^3 - t, y = 5 t, without frames 4 to 6; fish b has a row at one side of its gap only.
+    let mut text = String::from("t,id,x,y\n");
+    for t in 0..12 {
+        if !(4..=6).contains(&t) {
+            text += &format!("{t},a,{},{}\n", t * t * t - t, 5 * t);
+        }
+        if ![1, 4, 5].contains(&t) {
+            text += &format!("{t},b,{t},{}\n", t * t);
+        }
+    }
+    let tracks = Tracks::from_csv(&text).expect("a recording").bridge(3, BridgeShape::Spline);
+    assert_eq!((tracks.bridged.len(), tracks.bridged_by), (3, BridgeShape::Spline));
+    let at = |fish: usize, i: usize| tracks.positions[fish][i].as_ref().map(|r| (r.re, r.im)).expect("a place");
+    // The cubic of Hermite by its four conditions: p(0) = 24, p(1) = 336, slopes 4 (24 - 6) and 4 (504 - 336).
+    let cubic = |s: f64| {
+        let (h00, h10) = ((1.0 + 2.0 * s) * (1.0 - s).powi(2), s * (1.0 - s).powi(2));
+        let (h01, h11) = (s * s * (3.0 - 2.0 * s), s * s * (s - 1.0));
+        24.0 * h00 + 72.0 * h10 + 336.0 * h01 + 672.0 * h11
+    };
+    for i in 4..7 {
+        let (x, y) = at(0, i);
+        assert!((x - cubic((i - 3) as f64 / 4.0)).abs() < 1e-12 && (y - 5.0 * i as f64).abs() < 1e-12, "{i}: {x}");
+    }
+    // Frame 1 of b: no row before frame 0, so the slope there is that of the line, 4 in a bridge; after it 2 (9 - 4).
+    assert!((at(1, 1).1 - (2.0 - (2.0 * 5.0 - 4.0) / 8.0)).abs() < 1e-12, "{:?}", at(1, 1));
+}
+
+/// Dates: seconds from the first one, in any order of rows, with and without an offset; one way of writing in a file.
+#[test]
+fn times_may_be_dates() {
+    let table = |dates: [&str; 3]| {
+        let rows = dates.iter().enumerate().flat_map(|(i, t)| ["a", "b"].map(|id| format!("{t},{id},{i},{id}\n")));
+        format!("t,id,x,y\n{}", rows.collect::<String>().replace(",a\n", ",0\n").replace(",b\n", ",1\n"))
+    };
+    let zoned =
+        Tracks::from_csv(&table(["2024-05-01T12:00:00.08Z", "2024-05-01T12:00:00Z", "2024-05-01T14:00:00.04+02"]));
+    let zoned = zoned.expect("a recording");
+    assert_eq!(zoned.start.as_deref(), Some("2024-05-01T12:00:00Z"));
+    assert_eq!(zoned.frames.iter().map(|frame| frame.time).collect::<Vec<_>>(), [0.0, 0.04, 0.08]);
+    assert_eq!(zoned.positions[0][2].as_ref().map(|r| r.re), Some(0.0));
+    let local = Tracks::from_csv(&table(["2024-02-28 23:59:59", "2024-02-29 00:00:00", "2024-02-29 00:00:01"]));
+    let local = local.expect("a recording");
+    assert_eq!((local.start.as_deref(), local.step), (Some("2024-02-28T23:59:59"), 1.0));
+    let refused = |dates, fps| {
+        let format = Format::new::<&str>(&[], fps).expect("a format");
+        Tracks::from_table(&table(dates), &format).expect_err("no recording").to_string()
+    };
+    let mixed = refused(["2024-05-01T12:00:00Z", "2024-05-01T12:00:01", "2"], None);
+    assert!(mixed.contains("line 4: t is `2024-05-01T12:00:01`, not a date like that of the first row"), "{mixed}");
+    let mixed = refused(["2024-05-01T12:00:00", "2024-05-01T12:00:01Z", "2"], None);
+    assert!(mixed.contains("line 4: t is `2024-05-01T12:00:01Z`"), "{mixed}");
+    assert!(refused(["1", "2024-05-01T12:00:01Z", "2"], None).contains("not a finite number"));
+    let rate = refused(["2024-05-01T12:00:00Z", "2024-05-01T12:00:01Z", "2024-05-01T12:00:02Z"], Some(25.0));
+    assert!(rate.contains("dates need none"), "{rate}");
 }
 
 /// Other names of columns, and times in frames.

@@ -4,8 +4,9 @@ use arithmetic::random::{generator, uniform};
 use arithmetic::{Cancelled, Complex, Progress, Unwatched};
 use models::oscillator::{Neighbours, phase_potential};
 use models::tracks::{
-    Choices, ChoicesError, Histogram, Motion, NearestRule, NullKind, Scale, School, Setting, Tracks, Vector, analyse,
-    complete_potential, gaps, nearest_neighbour, null_models, partner_potential, smoothed, synthetic_school,
+    Choices, ChoicesError, Histogram, Motion, NearestRule, NullKind, Scale, School, Setting, Statistics, Tracks,
+    Vector, analyse, complete_potential, gaps, nearest_neighbour, null_models, partner_potential, smoothed,
+    synthetic_school,
 };
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -251,6 +252,18 @@ fn no_shift_changes_nothing_and_a_common_shift_of_tracks_neither() {
     let arcs = analysis.mean(|g| g.orientation_arcs as f64);
     let cosine = 1.0 - analysis.mean(|g| g.orientation) * 10.0 / arcs;
     assert!((cosine - observed.zone_alignment.expect("arcs")).abs() < 1e-12);
+    assert!((analysis.mean(|g| g.rotation.abs()) - observed.rotation).abs() < 1e-12);
+    // All frames have all fish, and all those have a heading but at the ends.
+    let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
+    let used = analysis.frames.iter().filter(|frame| frame.group.is_some());
+    let nearest = mean(used.filter_map(|frame| frame.mean_distance()).collect());
+    assert!((nearest - observed.nearest).abs() < 1e-12);
+    // Distances are those of the file under shifted headings, and are not compared; one shifted fish is elsewhere.
+    let null = null_models(&sample, 3, "x", &Unwatched).expect("to its end");
+    let place = Statistics::NAMES.iter().position(|name| *name == "nearest_distance").expect("a name");
+    assert!(null.shifted[0].1[place].is_none());
+    let tracks = null.shifted[1].1[place].expect("compared");
+    assert!(tracks.mean != tracks.observed && tracks.share_at_least + tracks.share_at_most >= 1.0);
     assert_eq!(null_models(&sample, 0, "x", &Unwatched).expect("to its end").shifted.len(), 0);
 }
 

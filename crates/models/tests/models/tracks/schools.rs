@@ -2,7 +2,9 @@
 
 use super::measures::setting;
 use arithmetic::Unwatched;
-use models::tracks::{Analysis, Choices, NullModels, School, Tracks, analyse, null_models, synthetic_school};
+use models::tracks::{
+    Analysis, BridgeShape, Choices, NullModels, School, Tracks, analyse, null_models, synthetic_school,
+};
 use motion::Share;
 
 fn analysed(school: School, fish: usize, frames: usize) -> Analysis {
@@ -95,8 +97,8 @@ fn planted_gaps_are_reported_and_left_out() {
     assert_eq!(analysis.motion.velocities[0].iter().flatten().count(), 400 - 52);
     of_those_that_are_there(&tracks);
     // A bridge of ten frames on the straight line, and none of nine.
-    assert_eq!(tracks.clone().bridge(9), tracks);
-    let bridged = tracks.clone().bridge(10);
+    assert_eq!(tracks.clone().bridge(9, BridgeShape::Line), tracks);
+    let bridged = tracks.clone().bridge(10, BridgeShape::Line);
     assert_eq!((&bridged.bridged[..], bridged.on_bridges().iter().sum::<usize>()), (std::slice::from_ref(gap), 10));
     let place = |i: usize| bridged.positions[2][i].clone().expect("a position");
     let (a, b) = (place(199), place(210));
