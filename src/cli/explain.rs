@@ -36,17 +36,19 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     arguments.html.as_deref().map_or(Ok(()), output::check_writable)?;
     let ledger = verify::ledger()?;
-    let id = found(arguments, &ledger)?;
-    let ids = [id.clone()];
-    let bar = progress::spinner(&format!("checking {id} anew"));
+    let ids = found(arguments, &ledger)?;
+    let bar = progress::spinner(&format!("checking {} anew", ids.join(", ")));
     let options = Options::default();
     let report = ledger.verify(&ids, &options, |_| {});
     bar.finish_and_clear();
     if let Some(path) = &arguments.html {
-        write_page(path, &id, &report, &options, &ledger)?;
+        write_page(path, &ids[0], &report, &options, &ledger)?;
         return Ok(ExitCode::SUCCESS);
     }
-    for entry in &report.entries {
+    for (i, entry) in report.entries.iter().enumerate() {
+        if i > 0 {
+            output::print("\n")?;
+        }
         if arguments.json {
             let configuration = json!({"command": "explain", "claim": entry.id, "full": options.full});
             let provenance = Provenance::new("flockproof.explain/1", Some(&options.seed), configuration);
@@ -67,11 +69,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The id that is meant: itself, or that of the one claim at a place.
-fn found(arguments: &Arguments, ledger: &Ledger) -> Result<String, CliError> {
+/// The ids that are meant, at least one: itself, or those of the claims at a place. A page and a document have one claim.
+fn found(arguments: &Arguments, ledger: &Ledger) -> Result<Vec<String>, CliError> {
     let unknown = match ledger.select(&arguments.paper, std::slice::from_ref(&arguments.id)) {
         Ok(ids) => match ids.into_iter().next() {
-            Some(id) => return Ok(id),
+            Some(id) => return Ok(vec![id]),
             None => {
                 return Err(CliError::Use(format!(
                     "--paper: {} is not a claim of {}",
@@ -86,10 +88,10 @@ fn found(arguments: &Arguments, ledger: &Ledger) -> Result<String, CliError> {
     let all = catalogue(ledger);
     match of_place(&all, &arguments.paper, &arguments.id)[..] {
         [] => Err(verify::use_error(ledger, unknown)),
-        [one] => Ok(one.to_string()),
-        ref several => {
-            Err(CliError::Use(format!("several claims stand at `{}`: {}", arguments.id, several.join(", "))))
-        }
+        ref several if several.len() > 1 && (arguments.json || arguments.html.is_some()) => Err(CliError::Use(
+            format!("several claims stand at `{}`, choose one: {}", arguments.id, several.join(", ")),
+        )),
+        ref places => Ok(places.iter().map(ToString::to_string).collect()),
     }
 }
 

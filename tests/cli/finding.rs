@@ -51,10 +51,13 @@ fn claims_are_searched_and_filtered() {
 fn a_claim_is_found_by_its_place() {
     let text = stdout(&flockproof(&["explain", "lemma 2", "--paper", "veerman"]));
     assert!(text.starts_with("veerman.lem2  (Lemma 2"), "{text}");
-    assert_refused(
-        &["explain", "Theorem 2", "--paper", "tanner"],
-        "tanner2.thm2_coll, tanner2.thm2_pot, tanner2.thm2_vel",
-    );
+    let several = ["tanner2.thm2_coll", "tanner2.thm2_pot", "tanner2.thm2_vel"];
+    let theorem = ["explain", "Theorem 2", "--paper", "tanner"];
+    let text = stdout(&flockproof(&theorem));
+    let places: Vec<_> = several.iter().map(|id| text.find(&format!("{id}  (Theorem 2"))).collect();
+    assert!(places.is_sorted() && places[0] == Some(0), "{places:?}");
+    // A document has one claim.
+    assert_refused(&[&theorem[..], &["--json"]].concat(), "choose one: tanner2.thm2_coll, tanner2.thm2_pot");
     assert_refused(&["explain", "Theorem 99"], "Theorem 99");
     assert_refused(&["explain", "veerman.lem2", "--paper", "paley"], "is not a claim of paley");
     assert_refused(&["explain", "Lemma 2", "--paper", "reynolds"], "there is no paper reynolds");
