@@ -340,6 +340,7 @@ def tracks(
     max_gap: int = 0,
     bridge: str = "line",
     min_fish: int | None = None,
+    smoothing: str = "mean",
     window: int | None = None,
     smooth_positions: bool = False,
     body_length: float = 5.3,
@@ -372,10 +373,13 @@ def tracks(
         ``"line"``, or ``"spline"``: the cubic with the positions and velocities at both ends.
     min_fish
         Frames count in which at least so many fish have a heading; left out: all.
+    smoothing
+        Before velocities are taken: ``"mean"`` (moving average), ``"savgol"`` (cubics by least squares, Savitzky and
+        Golay) or ``"spline"`` (smoothing spline; an oscillation with a period of the window keeps half of its amplitude).
     window
-        Frames of the moving average for velocities, odd; left out: closest to 5 s.
+        Frames that are smoothed over, odd; left out: closest to 5 s.
     smooth_positions
-        Use the averaged positions for distances and networks too.
+        Use the smoothed positions for distances and networks too.
     body_length
         In the unit of x and y.
     zones
@@ -426,6 +430,7 @@ def tracks(
         "max_gap": max_gap,
         "bridge": bridge,
         "min_fish": min_fish,
+        "smoothing": smoothing,
         "window": window,
         "smooth_positions": bool(smooth_positions),
         "body_length": body_length,

@@ -5,7 +5,7 @@ use super::refuse;
 use super::watch::{Watch, watched};
 use flockproof::report::{Provenance, TracksReport, digest};
 use flockproof::scenario::{End, Ensemble, Outcome, Row, Scenario, with_law};
-use flockproof::tracks::{BridgeShape, Choices, Format, NearestRule, PositionsUsed, Tracks, analyse};
+use flockproof::tracks::{BridgeShape, Choices, Format, NearestRule, PositionsUsed, Smoothing, Tracks, analyse};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -133,6 +133,7 @@ pub struct Chosen {
     max_gap: u64,
     bridge: String,
     min_fish: Option<usize>,
+    smoothing: String,
     window: Option<usize>,
     smooth_positions: bool,
     body_length: f64,
@@ -179,7 +180,7 @@ pub fn tracks<'py>(
     let configuration = json!({
         "command": "tracks", "file": {"name": source, "sha256": digest(text.as_bytes())}, "columns": chosen.columns,
         "fps": chosen.fps, "max_gap": chosen.max_gap, "bridge": chosen.bridge, "min_fish": chosen.min_fish, "ids": chosen.ids,
-        "window": chosen.window, "smooth_positions": chosen.smooth_positions, "body_length": chosen.body_length,
+        "smoothing": chosen.smoothing, "window": chosen.window, "smooth_positions": chosen.smooth_positions, "body_length": chosen.body_length,
         "zones": chosen.zones, "blind": chosen.blind, "still": chosen.still, "plain_nearest": chosen.plain_nearest,
         "nearest": chosen.nearest, "null": shifts, "at": at,
     });
@@ -200,7 +201,11 @@ pub fn tracks<'py>(
 
 fn choices(chosen: &Chosen, tracks: &Tracks) -> PyResult<Choices> {
     let zones = Choices::radii_of_zones(&chosen.zones).map_err(|error| refuse(format!("zones: {error}")))?;
+    let smoothing = Smoothing::ALL.into_iter().find(|(name, _)| *name == chosen.smoothing);
+    let (_, smoothing) = smoothing
+        .ok_or_else(|| refuse(format!("smoothing = `{}` is none of mean, savgol, spline", chosen.smoothing)))?;
     Ok(Choices {
+        smoothing,
         window: chosen.window.unwrap_or(Choices::of_sidebar(tracks.step).window),
         positions: if chosen.smooth_positions { PositionsUsed::Smoothed } else { PositionsUsed::File },
         body_length: chosen.body_length,

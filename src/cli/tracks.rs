@@ -5,8 +5,8 @@ use super::{CliError, output, progress};
 use flockproof::arithmetic::Cancelled;
 use flockproof::report::{File, Provenance, TracksReport};
 use flockproof::tracks::{
-    BridgeShape, Choices, ChoicesError, Format, FormatError, NearestRule, PositionsUsed, School, Setting, Tracks,
-    analyse, synthetic_school,
+    BridgeShape, Choices, ChoicesError, Format, FormatError, NearestRule, PositionsUsed, School, Setting, Smoothing,
+    Tracks, analyse, synthetic_school,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -37,10 +37,13 @@ pub struct Arguments {
     /// Use frames in which at least so many fish have a heading [default: all]
     #[arg(long, value_name = "N")]
     min_fish: Option<usize>,
-    /// Frames of the moving average for velocities, odd [default: closest to 5 s]
+    /// How positions are smoothed before velocities are taken: mean (moving average), savgol (cubics by least squares, Savitzky and Golay) or spline (smoothing spline)
+    #[arg(long, value_name = "HOW", default_value = "mean", value_parser = smoothing)]
+    smoothing: Smoothing,
+    /// Frames that are smoothed over, odd [default: closest to 5 s]
     #[arg(long, value_name = "FRAMES")]
     window: Option<usize>,
-    /// Use the averaged positions for distances and networks too
+    /// Use the smoothed positions for distances and networks too
     #[arg(long)]
     smooth_positions: bool,
     /// Body length in the unit of x and y
@@ -100,6 +103,11 @@ const LARGEST_SCHOOL: usize = 5_000_000;
 /// More shifts than this say nothing more.
 const MOST_SHIFTS: usize = 100_000;
 
+fn smoothing(name: &str) -> Result<Smoothing, String> {
+    let found = Smoothing::ALL.into_iter().find(|(known, _)| *known == name);
+    found.map(|(_, smoothing)| smoothing).ok_or_else(|| "there are mean, savgol, spline".to_string())
+}
+
 fn bridge(name: &str) -> Result<(&'static str, BridgeShape), String> {
     BridgeShape::ALL.into_iter().find(|(known, _)| *known == name).ok_or_else(|| "there are line, spline".to_string())
 }
@@ -141,6 +149,7 @@ fn choices(arguments: &Arguments, tracks: &Tracks) -> Result<Choices, CliError> 
     let zones =
         Choices::radii_of_zones(&arguments.zones).map_err(|error| CliError::Use(format!("--zones: {error}")))?;
     Ok(Choices {
+        smoothing: arguments.smoothing,
         window: arguments.window.unwrap_or(sidebar.window),
         positions: if arguments.smooth_positions { PositionsUsed::Smoothed } else { PositionsUsed::File },
         body_length: arguments.body_length,
@@ -179,7 +188,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     let configuration = json!({
         "command": "tracks", "file": origin, "columns": arguments.columns, "fps": arguments.fps,
-        "max_gap": arguments.max_gap, "bridge": arguments.bridge.0, "min_fish": arguments.min_fish, "ids": arguments.ids, "window": arguments.window,
+        "max_gap": arguments.max_gap, "bridge": arguments.bridge.0, "min_fish": arguments.min_fish, "ids": arguments.ids, "smoothing": arguments.smoothing.name(), "window": arguments.window,
         "smooth_positions": arguments.smooth_positions, "body_length": arguments.body_length, "zones": arguments.zones,
         "blind": arguments.blind, "still": arguments.still, "plain_nearest": arguments.plain_nearest,
         "nearest": arguments.nearest, "null": arguments.null, "at": arguments.at,

@@ -3,7 +3,7 @@
 use super::measures::Moment;
 use super::{
     Choices, ChoicesError, FrameMeasures, Gap, GroupState, Motion, NullModels, PositionsUsed, Sample, Tracks, Vector,
-    gaps, null_models, smoothed,
+    gaps, null_models,
 };
 use arithmetic::{Cancelled, Progress};
 
@@ -93,10 +93,10 @@ pub fn analyse(tracks: &Tracks, choices: &Choices, progress: &dyn Progress) -> R
         return Err(ChoicesError::Recording { fish: tracks.fish(), frames: tracks.frames.len() });
     }
     progress.checkpoint()?;
-    let mut motion = Motion::new(tracks, choices.window, choices.still);
+    let mut motion = Motion::new(tracks, choices.smoothing, choices.window, choices.still);
     let mut positions = match choices.positions {
         PositionsUsed::File => tracks.positions.clone(),
-        PositionsUsed::Smoothed => (0..tracks.fish()).map(|k| smoothed(tracks, k, choices.window)).collect(),
+        PositionsUsed::Smoothed => motion.smoothed.clone(),
     };
     let of_frame = |rows: &'_ [Vec<Option<Vector>>], i: usize| -> Vec<Option<Vector>> {
         rows.iter().map(|row| row[i].clone()).collect()
@@ -120,7 +120,7 @@ pub fn analyse(tracks: &Tracks, choices: &Choices, progress: &dyn Progress) -> R
     let stopped = frames.len() < tracks.frames.len();
     let reached = stopped.then(|| tracks.first(frames.len()));
     let tracks = reached.as_ref().unwrap_or(tracks);
-    for rows in [&mut motion.velocities, &mut motion.headings, &mut positions] {
+    for rows in [&mut motion.smoothed, &mut motion.velocities, &mut motion.headings, &mut positions] {
         rows.iter_mut().for_each(|row| row.truncate(frames.len()));
     }
     let gaps = gaps(tracks);

@@ -1,5 +1,6 @@
 //! What the analysis has to choose, with the values of the sidebar where it gives them.
 
+use super::Smoothing;
 use crate::oscillator::Zones;
 use arithmetic::Cancelled;
 
@@ -17,14 +18,16 @@ pub enum NearestRule {
 pub enum PositionsUsed {
     /// As in the file.
     File,
-    /// Averaged over the window of the headings.
+    /// Smoothed as for the headings.
     Smoothed,
 }
 
 /// The choices of an analysis. Lengths are in the unit of the file, times in seconds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choices {
-    /// Frames of the moving average for velocities, odd.
+    /// How positions are smoothed before velocities are taken.
+    pub smoothing: Smoothing,
+    /// Frames that are smoothed over, odd.
     pub window: usize,
     /// Positions for networks and distances.
     pub positions: PositionsUsed,
@@ -50,6 +53,16 @@ pub enum ChoicesError {
     /// A window without a middle.
     #[error("the window of {0} frames has no middle frame; it must be odd")]
     EvenWindow(usize),
+    /// A window of too few frames for the smoothing.
+    #[error("the smoothing {name} needs a window of at least {least} frames, not {window}")]
+    ShortWindow {
+        /// The smoothing.
+        name: &'static str,
+        /// What it needs.
+        least: usize,
+        /// The window.
+        window: usize,
+    },
     /// Not a positive length.
     #[error("the body length {0} is not a positive number")]
     BodyLength(f64),
@@ -109,6 +122,7 @@ impl Choices {
         // A cast saturates, so that any step gives a window.
         let half = ((SECONDS / step - 1.0) / 2.0).round().clamp(0.0, 1e9) as usize;
         Choices {
+            smoothing: Smoothing::Mean,
             window: 2 * half + 1,
             positions: PositionsUsed::File,
             body_length: Self::BODY_LENGTH_OF_SIDEBAR,
@@ -141,6 +155,10 @@ impl Choices {
         let [repulsion, orientation, attraction] = self.zones;
         if self.window.is_multiple_of(2) {
             return Err(ChoicesError::EvenWindow(self.window));
+        }
+        if self.window < self.smoothing.least_window() {
+            let (name, least) = (self.smoothing.name(), self.smoothing.least_window());
+            return Err(ChoicesError::ShortWindow { name, least, window: self.window });
         }
         if !(self.body_length > 0.0 && self.body_length.is_finite()) {
             return Err(ChoicesError::BodyLength(self.body_length));

@@ -16,6 +16,7 @@ mod motion;
 mod null;
 mod potential;
 mod read;
+mod smoothing;
 mod synthetic;
 mod times;
 
@@ -25,13 +26,14 @@ pub use choices::{Choices, ChoicesError, NearestRule, PositionsUsed};
 pub use gaps::{Gap, gaps};
 pub use histogram::Histogram;
 pub use measures::{FrameMeasures, GroupState, ZonePresence, nearest_neighbour};
-pub use motion::{Motion, smoothed};
+pub use motion::Motion;
 pub use null::{
     Comparison, NullKind, NullModels, Sample, Statistics, UniformShares, null_models, uniform_draw, uniform_draws,
 };
 pub use potential::{Scale, complete_potential, partner_potential};
 pub use read::csv_field;
 pub use read::{Format, FormatError, Frame, Tracks, TracksError};
+pub use smoothing::{Smoothing, smoothed};
 pub use synthetic::{School, Setting, synthetic_school};
 
 use arithmetic::Complex;

@@ -13,7 +13,7 @@ use models::oscillator::{
 };
 use models::platoon::phase_margin::phase_margin;
 use models::platoon::{Communication, CommunicationGraph, Gains, accelerations, next_order, theorem1};
-use models::tracks::{Scale, Tracks, nearest_neighbour, partner_potential, smoothed};
+use models::tracks::{Scale, Smoothing, Tracks, nearest_neighbour, partner_potential, smoothed};
 
 #[test]
 fn links_to_agents_that_are_not_there_are_refused() {
@@ -58,8 +58,8 @@ fn fish_that_are_not_there_have_no_neighbours() {
     assert_eq!(partner_potential(&[1, 9], &places[..2]), 0.25);
     assert!(Scale::Figure.difference(0, 0.0, 0.0).is_finite());
     let tracks = Tracks::from_csv("t,id,x,y\n0,a,0,0\n0,b,1,0\n1,a,0,1\n1,b,1,1\n2,a,0,2\n2,b,1,2\n").expect("a table");
-    assert!(smoothed(&tracks, 7, 1).is_empty());
-    assert!(smoothed(&tracks, 0, usize::MAX).iter().all(Option::is_none));
+    assert!(smoothed(&tracks, 7, Smoothing::Mean, 1).0.is_empty());
+    assert!(smoothed(&tracks, 0, Smoothing::Mean, usize::MAX).0.iter().all(Option::is_none));
 }
 
 #[test]

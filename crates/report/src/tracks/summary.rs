@@ -1,7 +1,7 @@
 //! `summary.json`.
 
 use super::{TracksReport, tables};
-use models::tracks::{NearestRule, NullModels, PositionsUsed, Scale, Statistics};
+use models::tracks::{NearestRule, NullModels, PositionsUsed, Scale, Smoothing, Statistics};
 use motion::Share;
 use serde_json::{Map, Value, json};
 
@@ -62,7 +62,12 @@ fn declaration(report: &TracksReport) -> Value {
             PositionsUsed::File => "file",
             PositionsUsed::Smoothed => "smoothed",
         },
-        "velocity": "central differences of positions averaged over the window; no window crosses a gap",
+        "smoothing": choices.smoothing.name(),
+        "velocity": match choices.smoothing {
+            Smoothing::Mean => "central differences of positions averaged over the window; no window crosses a gap",
+            Smoothing::SavitzkyGolay => "slope of the cubic through the window by least squares; no window crosses a gap",
+            Smoothing::Spline => "slope of the smoothing spline of each run without a gap, lambda = (window/2 pi)^4",
+        },
         "heading": "direction of the velocity",
         "at_rest": choices.still,
         "bridges": (!report.tracks.bridged.is_empty()).then(|| report.tracks.bridged_by.words()),

@@ -1,7 +1,7 @@
 //! The analysis as a text of at most 80 columns.
 
 use super::{TracksReport, tables};
-use models::tracks::{Choices, Comparison, NearestRule, NullModels, PositionsUsed, Scale};
+use models::tracks::{Choices, Comparison, NearestRule, NullModels, PositionsUsed, Scale, Smoothing};
 use motion::Share;
 use std::fmt::Write;
 
@@ -85,15 +85,14 @@ fn declaration(report: &TracksReport, text: &mut String) {
         text,
         "headings",
         &format!(
-            "direction of the velocity: central differences of the positions averaged over {} frames ({seconds} s), so that speeds \
-             along a curved path are below those of the fish; no window crosses a gap{bridges}; at rest at a speed of at most {}",
-            choices.window,
+            "direction of the velocity: {}; nothing crosses a gap{bridges}; at rest at a speed of at most {}",
+            velocity(choices, &seconds),
             number(choices.still)
         ),
     );
     let positions = match choices.positions {
         PositionsUsed::File => "for distances and networks: as in the file",
-        PositionsUsed::Smoothed => "for distances and networks: averaged over the window",
+        PositionsUsed::Smoothed => "for distances and networks: smoothed",
     };
     paragraph(text, "positions", positions);
     paragraph(text, "zones", &zones(choices));
@@ -105,6 +104,23 @@ fn declaration(report: &TracksReport, text: &mut String) {
     };
     paragraph(text, "n = 1", &format!("{single}; of two at one distance the first in the list"));
     text.push('\n');
+}
+
+/// Where velocities come from.
+fn velocity(choices: &Choices, seconds: &str) -> String {
+    let window = choices.window;
+    match choices.smoothing {
+        Smoothing::Mean => format!(
+            "central differences of the positions averaged over {window} frames ({seconds} s), so that speeds along a curved path are below \
+             those of the fish"
+        ),
+        Smoothing::SavitzkyGolay => {
+            format!("slope of the cubic through {window} frames ({seconds} s) by least squares (Savitzky and Golay)")
+        }
+        Smoothing::Spline => format!(
+            "slope of the smoothing spline that keeps half of an oscillation with a period of {window} frames ({seconds} s)"
+        ),
+    }
 }
 
 fn zones(choices: &Choices) -> String {

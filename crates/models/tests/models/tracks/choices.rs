@@ -4,8 +4,8 @@ use super::measures::{Asked, setting};
 use super::nulls::Told;
 use arithmetic::{Complex, Unwatched};
 use models::tracks::{
-    BridgeShape, Choices, ChoicesError, Format, Histogram, NearestRule, PositionsUsed, Scale, School, Tracks, analyse,
-    smoothed, synthetic_school,
+    BridgeShape, Choices, ChoicesError, Format, Histogram, NearestRule, PositionsUsed, Scale, School, Smoothing,
+    Tracks, analyse, smoothed, synthetic_school,
 };
 use std::sync::atomic::AtomicUsize;
 
@@ -291,7 +291,7 @@ fn positions_are_those_that_are_chosen() {
         analyse(&tracks, &Choices { window: 5, positions, ..Choices::of_sidebar(0.1) }, &Unwatched).unwrap()
     };
     assert_eq!(of(PositionsUsed::File).positions, tracks.positions);
-    let means: Vec<_> = (0..4).map(|k| smoothed(&tracks, k, 5)).collect();
+    let means: Vec<_> = (0..4).map(|k| smoothed(&tracks, k, Smoothing::Mean, 5).0).collect();
     let averaged = of(PositionsUsed::Smoothed);
     assert_eq!(averaged.positions, means);
     assert_eq!(averaged.positions[0].iter().flatten().count(), 56);

@@ -4,8 +4,8 @@ use arithmetic::random::{generator, uniform};
 use arithmetic::{Cancelled, Complex, Progress, Unwatched};
 use models::oscillator::{Neighbours, phase_potential};
 use models::tracks::{
-    Choices, ChoicesError, Histogram, Motion, NearestRule, NullKind, Scale, School, Setting, Statistics, Tracks,
-    Vector, analyse, complete_potential, gaps, nearest_neighbour, null_models, partner_potential, smoothed,
+    Choices, ChoicesError, Histogram, Motion, NearestRule, NullKind, Scale, School, Setting, Smoothing, Statistics,
+    Tracks, Vector, analyse, complete_potential, gaps, nearest_neighbour, null_models, partner_potential, smoothed,
     synthetic_school,
 };
 use std::collections::HashMap;
@@ -45,7 +45,7 @@ fn naive_velocity(tracks: &Tracks, fish: usize, number: u64, window: usize) -> O
 fn velocities_are_means_of_central_differences_inside_a_run() {
     let tracks = holed(School::Independent, 3, 300, 0.02);
     for window in [1, 3, 11, 51] {
-        let motion = Motion::new(&tracks, window, 0.0);
+        let motion = Motion::new(&tracks, Smoothing::Mean, window, 0.0);
         let mut found = 0;
         for fish in 0..3 {
             for (i, frame) in tracks.frames.iter().enumerate() {
@@ -71,7 +71,7 @@ fn frames_are_measured_as_defined() {
     let tracks = synthetic_school(School::Milling, &setting(5, 200));
     let choices = Choices { window: 5, ..Choices::of_sidebar(0.1) };
     let analysis = analyse(&tracks, &choices, &Unwatched).expect("analysed");
-    let motion = Motion::new(&tracks, 5, choices.still);
+    let motion = Motion::new(&tracks, Smoothing::Mean, 5, choices.still);
     let mean =
         |list: &[Vector]| list.iter().fold(Complex::new(0.0, 0.0), |a, b| a + b).scale(&(1.0 / list.len() as f64));
     let mut compared = 0;
@@ -147,8 +147,8 @@ fn what_was_reached_of_an_analysis_is_that_of_the_first_frames() {
 #[test]
 fn a_window_as_long_as_the_recording_leaves_nothing_and_says_so() {
     let tracks = synthetic_school(School::Polarised, &setting(4, 60));
-    assert_eq!(smoothed(&tracks, 0, 61).iter().flatten().count(), 0);
-    assert_eq!(smoothed(&tracks, 0, 59).iter().flatten().count(), 2);
+    assert_eq!(smoothed(&tracks, 0, Smoothing::Mean, 61).0.iter().flatten().count(), 0);
+    assert_eq!(smoothed(&tracks, 0, Smoothing::Mean, 59).0.iter().flatten().count(), 2);
     let choices = Choices { window: 59, ..Choices::of_sidebar(0.1) };
     let error = analyse(&tracks, &choices, &Unwatched).expect_err("no velocity").to_string();
     assert!(error.contains("no frame has a heading of all 4 fish") && error.contains("--window"), "{error}");
@@ -362,7 +362,7 @@ fn recordings_whose_parts_do_not_fit_are_refused() {
         let error = ChoicesError::Recording { fish: 3, frames: tracks.frames.len() };
         // A gap is no fault of a recording.
         assert_eq!(analyse(tracks, &choices, &Unwatched).err(), (place < 5).then_some(error), "{place}");
-        Motion::new(tracks, 3, 0.0);
+        Motion::new(tracks, Smoothing::Mean, 3, 0.0);
         assert!(tracks.to_csv().starts_with("t,id,x,y\n") && tracks.recorded_frames() > 0);
         assert!(tracks.only(&["1".into(), "3".into()]).is_ok());
     }

@@ -5,4 +5,5 @@ mod measures;
 mod nulls;
 mod reading;
 mod schools;
+mod smoothing;
 mod synthetic;
