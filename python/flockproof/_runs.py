@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _native
+from . import _native, _recordings
 from ._flock import _refused
 from ._numbers import float_seen, number_text
 from ._progress import Progress, callback
@@ -337,13 +337,15 @@ def tracks(
     *,
     columns: Mapping[str, str] | None = None,
     fps: float | None = None,
+    part: str | None = None,
+    score: float = 0.0,
     max_gap: int = 0,
     bridge: str = "line",
     min_fish: int | None = None,
     smoothing: str = "mean",
     window: int | None = None,
     smooth_positions: bool = False,
-    body_length: float = 5.3,
+    body_length: float | None = None,
     zones: Sequence[float] = (1.4, 2.4),
     blind: float = 60.0,
     still: float = 0.0,
@@ -362,11 +364,17 @@ def tracks(
     ----------
     data
         A DataFrame (pandas, polars) or dictionary with the columns ``t`` (s, or dates), ``id``, ``x``, ``y``, or the path of
-        such a CSV file; or an array of shape (frames, individuals, 2) with ``fps``, NaN where one was not seen.
+        such a CSV file; an array of shape (frames, individuals, 2) with ``fps``, NaN where one was not seen; what
+        trackers write: idtracker.ai (CSV, .npy, .npz, .h5), SLEAP (CSV, .h5), DeepLabCut (CSV), a folder of TRex; a
+        dataset of movement or its .nc file, and through movement .slp and DeepLabCut's .h5. Pickles are read without
+        running them. Frame rate and body length come from the file where it has them.
     columns
         Other names of those columns: ``{"frame": "t", "particle": "id"}``.
     fps
         Frames per second, where ``t`` counts frames.
+    part, score
+        In tables of DeepLabCut and SLEAP: the body part that stands for a fish (left out: the mean of those that were
+        seen), and the smallest score or likelihood of a part that counts as seen.
     max_gap
         Gaps of at most so many frames are bridged and marked; 0: none.
     bridge
@@ -381,7 +389,7 @@ def tracks(
     smooth_positions
         Use the smoothed positions for distances and networks too.
     body_length
-        In the unit of x and y.
+        In the unit of x and y; left out: as the file says, else 5.3 (the sidebar's, in centimetres).
     zones
         Outer radii of repulsion, orientation and attraction in body lengths; the last may be left out.
     blind
@@ -423,17 +431,27 @@ def tracks(
     (2, 60)
     """
     float_seen("measured trajectories are floats")
-    text, source = _trajectories(data, fps)
+    recording = _recordings.read(data, part, score)
+    if recording is None:
+        text, source = _trajectories(data)
+    else:
+        source = Path(data).name if isinstance(data, (str, os.PathLike)) else recording.form
+        fps = _rate(recording, fps, source)
+        body_length = recording.body_length if body_length is None else body_length
+        text, _ = _trajectories(recording.table())
+        source, part, score = f"{source} ({recording.form})" if source != recording.form else source, None, 0.0
     chosen = {
         "columns": [f"{name}={meaning}" for name, meaning in (columns or {}).items()],
         "fps": fps,
+        "part": part,
+        "score": score,
         "max_gap": max_gap,
         "bridge": bridge,
         "min_fish": min_fish,
         "smoothing": smoothing,
         "window": window,
         "smooth_positions": bool(smooth_positions),
-        "body_length": body_length,
+        "body_length": 5.3 if body_length is None else body_length,
         "zones": list(zones),
         "blind": blind,
         "still": still,
@@ -453,17 +471,20 @@ def tracks(
     return Tracks(json.loads(named["summary.json"]), named, text)
 
 
-def _trajectories(data: Any, fps: float | None) -> tuple[str, str]:
+def _rate(recording: _recordings.Recording, fps: float | None, source: str) -> float | None:
+    """Frames per second; None where there are times in seconds."""
+    if recording.times is not None:
+        if fps is not None:
+            raise ValueError(f"{source}: it has times in seconds; leave fps out")
+        return None
+    if fps is None and recording.fps is None:
+        raise ValueError(f"{source} has no frame rate and comes with fps")
+    return recording.fps if fps is None else fps
+
+
+def _trajectories(data: Any) -> tuple[str, str]:
     if isinstance(data, (str, os.PathLike)):
         return _refused(data, lambda: Path(data).read_text(encoding="utf-8-sig")), Path(data).name
-    if isinstance(data, np.ndarray):
-        if data.ndim != 3 or data.shape[2] != 2 or fps is None:
-            raise ValueError(
-                f"an array has the shape (frames, individuals, 2) and comes with fps; this one has {data.shape}"
-            )
-        frames, individuals = np.nonzero(~np.isnan(data).any(axis=2))
-        x, y = data[frames, individuals].T
-        data = {"t": frames, "id": individuals + 1, "x": x.astype(float), "y": y.astype(float)}
     if isinstance(data, Mapping):
         columns = {str(key): list(values) for key, values in data.items()}
     elif hasattr(data, "columns") and hasattr(data, "__getitem__"):

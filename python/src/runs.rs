@@ -130,6 +130,8 @@ fn observables<'py>(py: Python<'py>, outcome: &Outcome) -> PyResult<Bound<'py, P
 pub struct Chosen {
     columns: Vec<String>,
     fps: Option<f64>,
+    part: Option<String>,
+    score: f64,
     max_gap: u64,
     bridge: String,
     min_fish: Option<usize>,
@@ -167,7 +169,7 @@ pub fn tracks<'py>(
     if shifts > MOST_SHIFTS {
         return Err(refuse(format!("null = {shifts} is more than {MOST_SHIFTS} shifts")));
     }
-    let format = Format::new(&chosen.columns, chosen.fps).map_err(refuse)?;
+    let format = Format::new(&chosen.columns, chosen.fps).map_err(refuse)?.of_parts(chosen.part.clone(), chosen.score);
     let mut tracks = Tracks::from_table(text, &format).map_err(refuse)?;
     if let Some(ids) = &chosen.ids {
         tracks = tracks.only(ids).map_err(refuse)?;
@@ -179,7 +181,7 @@ pub fn tracks<'py>(
     choices.check(tracks.fish()).map_err(refuse)?;
     let configuration = json!({
         "command": "tracks", "file": {"name": source, "sha256": digest(text.as_bytes())}, "columns": chosen.columns,
-        "fps": chosen.fps, "max_gap": chosen.max_gap, "bridge": chosen.bridge, "min_fish": chosen.min_fish, "ids": chosen.ids,
+        "fps": chosen.fps, "part": chosen.part, "score": chosen.score, "max_gap": chosen.max_gap, "bridge": chosen.bridge, "min_fish": chosen.min_fish, "ids": chosen.ids,
         "smoothing": chosen.smoothing, "window": chosen.window, "smooth_positions": chosen.smooth_positions, "body_length": chosen.body_length,
         "zones": chosen.zones, "blind": chosen.blind, "still": chosen.still, "plain_nearest": chosen.plain_nearest,
         "nearest": chosen.nearest, "null": shifts, "at": at,

@@ -16,7 +16,7 @@ use std::process::ExitCode;
 #[command(after_help = "Times are in seconds, lengths in the unit of x and y, radii of zones in body lengths.\n\n\
 Examples:\n  flockproof tracks assets/example_tracks.csv --out out\n  flockproof tracks --synthetic milling --fish 20 --seed mine --out out")]
 pub struct Arguments {
-    /// Table with the columns t, id, x, y: seconds or dates, a name for each fish, horizontal positions
+    /// Table with the columns t, id, x, y: seconds or dates, a name for each fish, horizontal positions; or one of idtracker.ai, DeepLabCut or SLEAP
     #[arg(value_name = "FILE.csv", required_unless_present = "synthetic", conflicts_with = "synthetic")]
     file: Option<PathBuf>,
     /// Folder for summary.json, tables and pictures; it is made if it is missing
@@ -28,6 +28,12 @@ pub struct Arguments {
     /// Frames per second, where the column of time holds numbers of frames
     #[arg(long, value_name = "F", value_parser = super::help::finite, conflicts_with = "synthetic")]
     fps: Option<f64>,
+    /// The body part that stands for a fish, in tables of DeepLabCut and SLEAP [default: the mean of those that were seen]
+    #[arg(long, value_name = "PART", conflicts_with = "synthetic")]
+    part: Option<String>,
+    /// Body parts with a smaller score or likelihood are not seen
+    #[arg(long, value_name = "P", default_value_t = 0.0, value_parser = super::help::finite, conflicts_with = "synthetic")]
+    score: f64,
     /// Bridge gaps of at most so many frames; they are marked
     #[arg(long, value_name = "FRAMES", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=1_000_000))]
     max_gap: u64,
@@ -138,6 +144,7 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
     let format = Format::new(&arguments.columns, arguments.fps).map_err(|error| {
         CliError::Use(format!("--{}: {error}", if matches!(error, FormatError::Rate(_)) { "fps" } else { "columns" }))
     })?;
+    let format = format.of_parts(arguments.part.clone(), arguments.score);
     let tracks = Tracks::from_table(&input.text, &format).map_err(|error| CliError::file(path, error))?;
     // The name only, so that the same file gives the same output wherever it is.
     let name = path.file_name().unwrap_or(path.as_os_str());
@@ -188,6 +195,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     let configuration = json!({
         "command": "tracks", "file": origin, "columns": arguments.columns, "fps": arguments.fps,
+        "part": arguments.part, "score": arguments.score,
         "max_gap": arguments.max_gap, "bridge": arguments.bridge.0, "min_fish": arguments.min_fish, "ids": arguments.ids, "smoothing": arguments.smoothing.name(), "window": arguments.window,
         "smooth_positions": arguments.smooth_positions, "body_length": arguments.body_length, "zones": arguments.zones,
         "blind": arguments.blind, "still": arguments.still, "plain_nearest": arguments.plain_nearest,

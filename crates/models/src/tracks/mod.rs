@@ -19,6 +19,7 @@ mod read;
 mod smoothing;
 mod synthetic;
 mod times;
+mod trackers;
 
 pub use analysis::{Analysis, FishSummary, LeftOut, Reason, analyse};
 pub use bridge::BridgeShape;
@@ -35,6 +36,7 @@ pub use read::csv_field;
 pub use read::{Format, FormatError, Frame, Tracks, TracksError};
 pub use smoothing::{Smoothing, smoothed};
 pub use synthetic::{School, Setting, synthetic_school};
+pub use trackers::Form;
 
 use arithmetic::Complex;
 

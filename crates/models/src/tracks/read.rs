@@ -1,6 +1,7 @@
 //! Reading trajectories: CSV with the columns `t,id,x,y` or others by name, rows and columns in any order, other columns ignored.
 
 use super::times::Clock;
+use super::trackers::{self, Form};
 use super::{BridgeShape, Gap, Vector};
 use arithmetic::Complex;
 use std::collections::{BTreeMap, HashMap};
@@ -14,7 +15,11 @@ pub struct Format {
     /// What the columns of time, name, x and y are called in the header.
     columns: [String; 4],
     /// Frames per second: then the column of time holds numbers of frames. Seconds without it.
-    fps: Option<f64>,
+    pub(super) fps: Option<f64>,
+    /// The body part that stands for a fish; the mean of those that were seen without it.
+    pub(super) part: Option<String>,
+    /// Body parts with a smaller score are not seen.
+    pub(super) least_score: f64,
 }
 
 /// Why a format cannot be used.
@@ -33,7 +38,7 @@ pub enum FormatError {
 
 impl Default for Format {
     fn default() -> Self {
-        Format { columns: COLUMNS.map(str::to_string), fps: None }
+        Format { columns: COLUMNS.map(str::to_string), fps: None, part: None, least_score: 0.0 }
     }
 }
 
@@ -59,7 +64,13 @@ impl Format {
             _ => Ok(format),
         }
     }
+
+    /// The same with a body part that stands for a fish, the mean of all that were seen without one, of scores of at least `least_score`.
+    pub fn of_parts(self, part: Option<String>, least_score: f64) -> Format {
+        Format { part, least_score, ..self }
+    }
 }
+
 /// Numbers beyond are refused, so that no square overflows.
 const LARGEST: f64 = 1e100;
 /// How far, as a share of the frame step, a step may be from a multiple of it: times are often written with three decimals.
@@ -107,6 +118,20 @@ pub enum TracksError {
         column: String,
         /// The field.
         found: String,
+    },
+    /// Numbers of frames without their rate.
+    #[error("times are numbers of frames in a table of this form ({form}): say how many frames there are in a second")]
+    NoRate {
+        /// The form.
+        form: &'static str,
+    },
+    /// A body part that is not there.
+    #[error("there is no body part `{part}`; there are {known}")]
+    NoPart {
+        /// The part.
+        part: String,
+        /// Those that are there.
+        known: String,
     },
     /// Not a date as in the first row.
     #[error("line {line}: {column} is `{found}`, not a date like that of the first row, such as {example}")]
@@ -215,6 +240,8 @@ pub struct Tracks {
     pub step: f64,
     /// `positions[fish][frame]`; `None` where the fish has no row.
     pub positions: Vec<Vec<Option<Vector>>>,
+    /// The form of the table.
+    pub form: Form,
     /// The gaps that were bridged; none in what is read.
     pub bridged: Vec<Gap>,
     /// How they were bridged.
@@ -223,14 +250,14 @@ pub struct Tracks {
     pub start: Option<String>,
 }
 
-/// A row of the table.
-struct Row {
-    line: u64,
-    time: f64,
+/// A fish in a frame of the table.
+pub(super) struct Row {
+    pub(super) line: u64,
+    pub(super) time: f64,
     /// The time as a date, in nanoseconds.
-    date: Option<i128>,
-    id: String,
-    place: Vector,
+    pub(super) date: Option<i128>,
+    pub(super) id: String,
+    pub(super) place: Vector,
 }
 
 impl Tracks {
@@ -247,14 +274,14 @@ impl Tracks {
     /// # Errors
     /// [`TracksError`], with the line.
     pub fn from_table(text: &str, format: &Format) -> Result<Tracks, TracksError> {
-        let (mut rows, clock) = rows(text, format)?;
+        let (mut rows, clock, form) = rows(text, format)?;
         let first = rows.iter().filter_map(|row| row.date).min();
         for row in &mut rows {
             if let Some((first, date)) = first.zip(row.date) {
                 row.time = (date - first) as f64 / 1e9;
             }
         }
-        Ok(Tracks { start: first.map(|first| clock.text(first)), ..Tracks::from_rows(&rows)? })
+        Ok(Tracks { form, start: first.map(|first| clock.text(first)), ..Tracks::from_rows(&rows)? })
     }
 
     fn from_rows(rows: &[Row]) -> Result<Tracks, TracksError> {
@@ -280,7 +307,16 @@ impl Tracks {
             return Err(TracksError::OneFish(only.clone()));
         }
         let (frames, step) = grid(&starts)?;
-        Ok(Tracks { ids, frames, step, positions, bridged: vec![], bridged_by: BridgeShape::Line, start: None })
+        Ok(Tracks {
+            ids,
+            frames,
+            step,
+            positions,
+            form: Form::Rows,
+            bridged: vec![],
+            bridged_by: BridgeShape::Line,
+            start: None,
+        })
     }
 
     /// Number of fish.
@@ -333,6 +369,7 @@ impl Tracks {
                     of_fish.map(move |gap| Gap { fish, ..gap.clone() })
                 })
                 .collect(),
+            form: self.form,
             bridged_by: self.bridged_by,
             start: self.start.clone(),
         })
@@ -360,8 +397,8 @@ impl Tracks {
     }
 }
 
-/// The rows, in the order of the file, and how their times are written.
-fn rows(text: &str, format: &Format) -> Result<(Vec<Row>, Clock), TracksError> {
+/// The rows, in the order of the file, how their times are written, and the form of the table.
+fn rows(text: &str, format: &Format) -> Result<(Vec<Row>, Clock, Form), TracksError> {
     let broken = |error: &csv::Error| TracksError::Csv {
         line: error.position().map_or(0, csv::Position::line),
         what: "it cannot be read as CSV".to_string(),
@@ -370,6 +407,17 @@ fn rows(text: &str, format: &Format) -> Result<(Vec<Row>, Clock), TracksError> {
     let header = reader.headers().map_err(|error| broken(&error))?.clone();
     if header.is_empty() {
         return Err(TracksError::Empty);
+    }
+    let form = Form::of(&header, &format.columns);
+    if form != Form::Rows {
+        let mut records = vec![header];
+        for record in reader.records() {
+            records.push(record.map_err(|error| broken(&error))?);
+        }
+        return Ok((trackers::rows(form, &records, format)?, Clock::Numbers, form));
+    }
+    if format.part.is_some() {
+        return Err(TracksError::NoPart { part: format.part.clone().unwrap_or_default(), known: "none".to_string() });
     }
     let mut columns = [0; 4];
     for (place, column) in columns.iter_mut().zip(&format.columns) {
@@ -387,7 +435,7 @@ fn rows(text: &str, format: &Format) -> Result<(Vec<Row>, Clock), TracksError> {
         let clock = *clock.get_or_insert_with(|| Clock::of(record.get(columns[0]).unwrap_or_default()));
         rows.push(row(&record, format, clock, &columns, header.len())?);
     }
-    clock.map(|clock| (rows, clock)).ok_or(TracksError::Empty)
+    clock.map(|clock| (rows, clock, form)).ok_or(TracksError::Empty)
 }
 
 fn row(
@@ -402,15 +450,7 @@ fn row(
         return Err(TracksError::Fields { line, found: record.len(), expected });
     }
     let field = |c: usize| record.get(columns[c]).unwrap_or_default();
-    let number = |c: usize| {
-        let (column, found) = (format.columns[c].clone(), shown(field(c), 40));
-        match field(c).parse::<f64>() {
-            // Without the negative zero, which is another time for a hash.
-            Ok(x) if x.abs() <= LARGEST => Ok(x + 0.0),
-            Ok(x) if x.is_finite() => Err(TracksError::Large { line, column, found }),
-            _ => Err(TracksError::Number { line, column, found }),
-        }
-    };
+    let number = |c: usize| number(record, columns[c], line, &format.columns[c]);
     let id = field(1).to_string();
     if id.is_empty() || id.contains(char::is_control) {
         return Err(TracksError::NoId(line));
@@ -427,13 +467,25 @@ fn row(
     }
 }
 
+/// A field as a number.
+pub(super) fn number(record: &csv::StringRecord, column: usize, line: u64, name: &str) -> Result<f64, TracksError> {
+    let field = record.get(column).unwrap_or_default();
+    let (column, found) = (name.to_string(), shown(field, 40));
+    match field.parse::<f64>() {
+        // Without the negative zero, which is another time for a hash.
+        Ok(x) if x.abs() <= LARGEST => Ok(x + 0.0),
+        Ok(x) if x.is_finite() => Err(TracksError::Large { line, column, found }),
+        _ => Err(TracksError::Number { line, column, found }),
+    }
+}
+
 /// A name as a field of CSV.
 pub fn csv_field(name: &str) -> String {
     if name.contains([',', '"', '\n', '\r']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name.to_string() }
 }
 
 /// The start of a field as part of a sentence.
-fn shown(field: &str, length: usize) -> String {
+pub(super) fn shown(field: &str, length: usize) -> String {
     field.chars().take(length).map(|c| if c.is_control() { '?' } else { c }).collect()
 }
 

@@ -107,6 +107,7 @@ pub fn synthetic_school(school: School, setting: &Setting) -> Tracks {
             .collect(),
         step: setting.step,
         positions: (0..setting.fish).map(scaled).collect(),
+        form: super::Form::Rows,
         bridged: vec![],
         bridged_by: BridgeShape::Line,
         start: None,

@@ -62,6 +62,7 @@ fn declaration(report: &TracksReport) -> Value {
             PositionsUsed::File => "file",
             PositionsUsed::Smoothed => "smoothed",
         },
+        "table": report.tracks.form.words(),
         "smoothing": choices.smoothing.name(),
         "velocity": match choices.smoothing {
             Smoothing::Mean => "central differences of positions averaged over the window; no window crosses a gap",

@@ -1,7 +1,7 @@
 //! The analysis as a text of at most 80 columns.
 
 use super::{TracksReport, tables};
-use models::tracks::{Choices, Comparison, NearestRule, NullModels, PositionsUsed, Scale, Smoothing};
+use models::tracks::{Choices, Comparison, Form, NearestRule, NullModels, PositionsUsed, Scale, Smoothing};
 use motion::Share;
 use std::fmt::Write;
 
@@ -63,6 +63,9 @@ fn heading(report: &TracksReport, text: &mut String) {
     let ends = [tracks.frames.first(), tracks.frames.last()].map(|frame| number(frame.map_or(0.0, |frame| frame.time)));
     // Writing to a string cannot fail, here and below.
     let _ = writeln!(text, "{}", cut(report.source, WIDTH));
+    if tracks.form != Form::Rows {
+        let _ = writeln!(text, "table: {}", tracks.form.words());
+    }
     if let Some(start) = &tracks.start {
         let _ = writeln!(text, "t = 0 is {start}");
     }

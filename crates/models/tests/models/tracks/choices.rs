@@ -4,7 +4,7 @@ use super::measures::{Asked, setting};
 use super::nulls::Told;
 use arithmetic::{Complex, Unwatched};
 use models::tracks::{
-    BridgeShape, Choices, ChoicesError, Format, Histogram, NearestRule, PositionsUsed, Scale, School, Smoothing,
+    BridgeShape, Choices, ChoicesError, Form, Format, Histogram, NearestRule, PositionsUsed, Scale, School, Smoothing,
     Tracks, analyse, smoothed, synthetic_school,
 };
 use std::sync::atomic::AtomicUsize;
@@ -334,4 +334,51 @@ fn no_fish_and_any_number_of_neighbours_are_answered() {
     let error = analyse(&nobody, &Choices::of_sidebar(0.1), &Unwatched).expect_err("no fish");
     assert_eq!(error, ChoicesError::NothingLeft("there are no fish in the recording".into()));
     assert_eq!(Scale::ALL.map(|scale| scale.ratio(i64::MAX)), [(2, i64::MAX), (i64::MAX, i64::MAX), (1, i64::MAX)]);
+}
+
+/// Tables of trackers: fish in one row, body parts with scores, and what is missing in them.
+#[test]
+fn tables_of_trackers_are_read() {
+    let at = |tracks: &Tracks, fish: usize, i: usize| tracks.positions[fish][i].as_ref().map(|r| (r.re, r.im));
+    let wide = "time,x1,y1,x2,y2,x10\n0,1,2,3,4,5\n0.5,1,2,,4,5\n1,1,2,nan,nan,5\n1.5,7,8,9,10,5\n";
+    let tracks = Tracks::from_csv(wide).expect("a recording");
+    assert_eq!((tracks.form, tracks.fish(), tracks.step), (Form::Wide, 2, 0.5));
+    assert_eq!((at(&tracks, 1, 0), at(&tracks, 1, 1), at(&tracks, 1, 2)), (Some((3.0, 4.0)), None, None));
+    let frames = Format::new::<&str>(&[], Some(2.0)).expect("a rate");
+    let counted = wide.replace("time", "frame").replace("\n0.5,", "\n1,").replace("\n1,1,2,nan", "\n2,1,2,nan");
+    let counted = counted.replace("\n1.5,", "\n3,");
+    assert_eq!(Tracks::from_table(&counted, &frames), Ok(tracks));
+    let error = |text: &str, format: &Format| Tracks::from_table(text, format).expect_err("refused").to_string();
+    assert!(error(&counted, &Format::default()).contains("how many frames there are in a second"));
+    assert!(error("when,x1,y1,x2,y2\n0,1,1,1,1\n", &frames).contains("no column `time`"));
+    assert!(error("time,x1,y1,x2,y2\n0,1,1,one,1\n", &frames).contains("line 2: x is `one`"));
+    let lab = "scorer,n,n,n,n,n,n,n,n,n,n,n,n\nindividuals,a,a,a,a,a,a,b,b,b,b,b,b\n\
+               bodyparts,nose,nose,nose,tail,tail,tail,nose,nose,nose,tail,tail,tail\n\
+               coords,x,y,likelihood,x,y,likelihood,x,y,likelihood,x,y,likelihood\n\
+               0,0,0,0.9,2,4,0.9,10,10,1,12,10,0.2\n1,0,0,0.9,,,,10,10,1,12,10,0.2\n2,0,0,0.1,2,4,0.1,10,10,1,12,10,1\n";
+    let tracks = Tracks::from_table(lab, &frames).expect("a recording");
+    assert_eq!((tracks.form, tracks.ids.as_slice()), (Form::DeepLabCut, ["a", "b"].map(str::to_string).as_slice()));
+    assert_eq!(
+        (at(&tracks, 0, 0), at(&tracks, 0, 1), at(&tracks, 1, 0)),
+        (Some((1.0, 2.0)), Some((0.0, 0.0)), Some((11.0, 10.0)))
+    );
+    let sure = Tracks::from_table(lab, &frames.clone().of_parts(None, 0.6)).expect("a recording");
+    assert_eq!((at(&sure, 0, 2), at(&sure, 1, 0), at(&sure, 1, 2)), (None, Some((10.0, 10.0)), Some((11.0, 10.0))));
+    let tail = Tracks::from_table(lab, &frames.clone().of_parts(Some("tail".to_string()), 0.0)).expect("a recording");
+    assert_eq!((at(&tail, 0, 0), at(&tail, 0, 1)), (Some((2.0, 4.0)), None));
+    let fin = frames.clone().of_parts(Some("fin".to_string()), 0.0);
+    assert!(error(lab, &fin).contains("no body part `fin`; there are nose, tail"));
+    assert!(error(lab, &Format::default()).contains("frames"));
+    let leap = "track,frame_idx,instance.score,nose.x,nose.y,nose.score,tail.x,tail.y,tail.score\n\
+                track_0,0,0.9,0,0,0.9,2,4,0.9\ntrack_1,0,0.9,10,10,1,12,10,0.2\ntrack_0,1,0.9,0,0,0.9,,,\ntrack_1,1,1,10,10,1,12,10,0.2\n\
+                track_1,2,1,10,10,1,12,10,1\ntrack_0,2,1,0,0,0.1,2,4,0.1\n";
+    for format in
+        [frames.clone(), frames.clone().of_parts(None, 0.6), frames.clone().of_parts(Some("tail".to_string()), 0.0)]
+    {
+        let (lab, leap) = (Tracks::from_table(lab, &format).unwrap(), Tracks::from_table(leap, &format).unwrap());
+        assert_eq!(lab.positions, leap.positions);
+    }
+    assert!(error("track,frame_idx\na,0\n", &frames).contains("no column `NAME.x`"));
+    assert!(error("scorer,a\ncoords,x\n", &frames).contains("no column `bodyparts`"));
+    assert!(error("t,id,x,y\n0,a,1,1\n", &fin).contains("no body part"));
 }
