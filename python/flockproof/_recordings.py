@@ -5,6 +5,8 @@ from __future__ import annotations
 import io
 import os
 import pickle
+import zipfile
+import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -66,7 +68,7 @@ def read(data: Any, part: str | None, score: float) -> Recording | None:
     if path.is_dir():
         return _trex(sorted(path.glob("*.npz")), path)
     if ending in (".npy", ".npz", ".pickle", ".pkl"):
-        contents = _refused(path, lambda: _arrays(path.read_bytes(), path))
+        contents = _refused(path, lambda: _arrays(path.read_bytes()))
         return of_array(contents) if isinstance(contents, np.ndarray) else _idtracker(contents)
     if ending in (".h5", ".hdf5"):
         return _hdf5(path, part, score)
@@ -119,14 +121,14 @@ def _unpickled(file: Any) -> Any:
         raise ValueError(f"the pickle cannot be read: {error}") from None
 
 
-def _arrays(contents: bytes, path: Path) -> Any:
+def _arrays(contents: bytes) -> Any:
     """An array, or a dictionary of what is in the file; `ValueError` for what is neither."""
     if contents[:2] == b"PK":
         try:
             with np.load(io.BytesIO(contents), allow_pickle=False) as file:
                 return {name: file[name] for name in file.files}
-        except ValueError as error:
-            raise ValueError(f"{path}: {error}") from None
+        except (ValueError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+            raise ValueError(f"it cannot be read: {error}") from None
     file = io.BytesIO(contents)
     if contents[:6] != b"\x93NUMPY":
         found = _unpickled(file)
@@ -164,7 +166,7 @@ def _trex(files: Sequence[Path], folder: Path) -> Recording:
         raise ValueError(f"{folder}: there is no .npz file in this folder, as TRex writes one for each individual")
     frames: list[Any] = []
     for file in files:
-        contents = _refused(file, lambda file=file: _arrays(file.read_bytes(), file))
+        contents = _refused(file, lambda file=file: _arrays(file.read_bytes()))
         key = next((key for key in ("X#wcentroid", "X#centroid", "X") if key in contents), None)
         if key is None or "frame" not in contents:
             raise ValueError(f"{file}: it has no `X#wcentroid` and `frame`, as TRex writes them")
@@ -204,7 +206,8 @@ def _hdf5(path: Path, part: str | None, score: float) -> Recording:
                 return _idtracker({**dict(file.attrs), **{key: file[key][()] for key in file if hasattr(file[key], "shape")}})
         return _movement(_with_movement(path, "DeepLabCut"), part, score)
 
-    return _refused(path, opened)
+    recording: Recording = _refused(path, opened)
+    return recording
 
 
 def _sleap(file: Any, part: str | None, score: float) -> Recording:
