@@ -214,6 +214,22 @@ impl Symbolic {
         a.made((a.fraction.0.clone() * &b.fraction.0, powers))
     }
 
+    /// Its coefficients of the arguments, and its constant, where it is an affine function of them.
+    pub fn affine(&self) -> Option<(Vec<Rational>, Rational)> {
+        if self.fraction.1.iter().any(|power| *power > 0) {
+            return None;
+        }
+        let (mut slopes, mut constant) = (vec![rational(0, 1); self.extension.arity], rational(0, 1));
+        for (monomial, c) in self.fraction.0.terms() {
+            match monomial.iter().sum() {
+                0u32 => constant = c.clone(),
+                1 => slopes.get_mut(monomial.iter().position(|power| *power == 1)?)?.clone_from(c),
+                _ => return None,
+            }
+        }
+        Some((slopes, constant))
+    }
+
     fn as_constant(&self) -> Option<Rational> {
         self.fraction.0.as_constant().filter(|c| c.is_zero() || self.fraction.1.iter().all(|power| *power == 0))
     }

@@ -67,7 +67,10 @@ fn found(evaluator: &Evaluator, node: &Node, wanted: bool) -> Result<Option<Deci
         }
         Kind::Always(always, parts) => {
             let best = best_time(evaluator, node, 0, wanted, *always != wanted)?;
-            at_time(evaluator, &parts[2], best, wanted)
+            match at_time(evaluator, &parts[2], best, wanted)? {
+                None => evaluator.at_instant(node, wanted, &|inner| found(inner, &parts[2], wanted)),
+                decisive => Ok(decisive),
+            }
         }
         Kind::Until(parts) => {
             // Where the second part comes too late, what stands in its way is the first one.

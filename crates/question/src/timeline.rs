@@ -71,6 +71,11 @@ pub(crate) trait Timeline {
     /// Everything that is measured in a piece, enclosed for all its times at once.
     fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure>;
 
+    /// Some instants of a piece at which what is measured is known exactly, and which may decide what happens at one instant only; each with times between which it is.
+    fn instants<'t>(&'t self, _: &Piece, _precision: u32) -> Vec<(Piece, Box<dyn Moment + 't>)> {
+        Vec::new()
+    }
+
     /// Two halves of a piece; `None` where it need not or cannot be divided.
     fn halves(&self, piece: &Piece) -> Option<[Piece; 2]>;
 

@@ -1,7 +1,9 @@
 //! What is measured on: the state at one time, over any scalar, with the network and the law.
 
 use super::model::Model;
-use arithmetic::{ArithmeticError, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed};
+use arithmetic::{
+    ArithmeticError, Complex, Dyadic, Field, Interval, PreciseNumber, Rational, Real, Ring, Sign, Signed,
+};
 use models::double_integrator::{self, Potential};
 use models::oscillator::{self, Everyone, Interaction, Neighbours, Steering};
 use motion::enclose::Expanded;
@@ -308,6 +310,29 @@ impl Measurable for Interval {
             Some(most) if (most.pi().square() - &most).is_certainly_positive() => Amount::Root(most),
             Some(_) => Amount::Unknown("two agents may move in opposite directions"),
         }
+    }
+}
+
+impl Measurable for PreciseNumber {
+    fn lesser(self, other: Self) -> Self {
+        PreciseNumber { number: self.number.extreme(&other.number, false, self.precision), ..self }
+    }
+
+    fn greater(self, other: Self) -> Self {
+        PreciseNumber { number: self.number.extreme(&other.number, true, self.precision), ..self }
+    }
+
+    fn size(&self) -> Self {
+        PreciseNumber { number: self.number.absolute(self.precision), ..*self }
+    }
+
+    fn potential<'p>(potential: &'p Potential, like: &Self) -> Result<ValueAt<'p, Self>, ArithmeticError> {
+        let value = potential.value_over(like)?;
+        Ok(Box::new(move |s| value.at(s)))
+    }
+
+    fn heading_spread(_: &Rows<Self>) -> Amount<Self> {
+        Amount::Unknown("headings are not known in closed form")
     }
 }
 

@@ -11,6 +11,7 @@ use crate::timeline::{Measured, Piece, Timeline, clock};
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::RealNumber as Number;
 use arithmetic::{Rational, rational};
+use std::collections::VecDeque;
 
 /// Judgements of one operator before it gives up dividing.
 pub(super) const MOST_JUDGED: usize = 20_000;
@@ -77,6 +78,25 @@ impl Evaluator<'_, '_> {
             }
         }
         Ok(())
+    }
+
+    /// What is found at an instant at which everything is known exactly, and the body of a time operator is `wanted`, while no length of time is known in which it is.
+    pub(crate) fn at_instant<R>(
+        &self,
+        node: &Node,
+        wanted: bool,
+        find: &dyn Fn(&Evaluator) -> Result<Option<R>, Failure>,
+    ) -> Result<Option<R>, Failure> {
+        let (timeline, Kind::Always(_, parts)) = (self.case.timeline()?, &node.kind) else { return Ok(None) };
+        let mut open = Vec::new();
+        self.each_time(node, 0, &mut |piece, truth, _| {
+            open.extend(matches!(truth, Truth::Unknown(_)).then(|| piece.clone()));
+            true
+        })?;
+        let operator = Operator { timeline, evaluator: self, body: &parts[2], negated: false };
+        operator.at_instants(open, &mut |inner, (truth, _)| {
+            if truth == Truth::of(wanted) { find(inner) } else { Ok(None) }
+        })
     }
 
     /// A quantity at time 0.
@@ -187,6 +207,9 @@ impl Span {
     }
 }
 
+/// What is made of the truth and the margin at an instant; nothing goes on.
+type Visit<'v, R> = dyn FnMut(&Evaluator, (Truth, Margin)) -> Result<Option<R>, Failure> + 'v;
+
 pub(super) struct Operator<'a, 'c, 'q> {
     pub timeline: &'a dyn Timeline,
     pub evaluator: &'a Evaluator<'c, 'q>,
@@ -211,12 +234,10 @@ pub(super) fn moving_names<'n>(evaluator: &Evaluator, node: &'n Node) -> Vec<&'n
 impl Operator<'_, '_, '_> {
     pub fn judge(&self, piece: &Piece) -> Judged {
         let moment = self.timeline.moment(piece)?;
-        let inner = Evaluator {
-            case: self.evaluator.case,
-            precision: self.evaluator.precision,
-            moment: Some(moment.as_ref()),
-            piece: Some(piece),
-        };
+        self.judge_at(&Evaluator { moment: Some(moment.as_ref()), piece: Some(piece), ..*self.evaluator })
+    }
+
+    fn judge_at(&self, inner: &Evaluator) -> Judged {
         let (truth, margin) = inner.judge(self.body)?;
         Ok(if self.negated { (truth.negated(), margin.negated()) } else { (truth, margin) })
     }
@@ -283,6 +304,9 @@ impl Operator<'_, '_, '_> {
                 return Ok((Truth::False, margin.least(found)));
             }
         }
+        if let Some(found) = self.fails_at_instant(open, sure.as_ref())? {
+            return Ok((Truth::False, margin.least(found)));
+        }
         match (doubt.or(covered.rest), missing) {
             (Some(doubt), _) => Ok((Truth::Unknown(doubt), margin)),
             (None, Some(failure)) => Err(failure),
@@ -307,6 +331,63 @@ impl Operator<'_, '_, '_> {
                 Ok((Truth::False, margin)) => return Ok(Some(margin)),
                 Ok(_) | Err(Failure::Refused(..) | Failure::Open(_)) => {}
                 Err(stopped) => return Err(stopped),
+            }
+        }
+        Ok(None)
+    }
+
+    /// The margin at an instant in undecided pieces at which everything is known exactly, if that is meant for sure and the body is false then: a value that is
+    /// touched, and not passed, has no length of time.
+    fn fails_at_instant(
+        &self,
+        open: Vec<Piece>,
+        sure: Option<&(Rational, Option<Rational>)>,
+    ) -> Result<Option<Margin>, Failure> {
+        let Some((from, to)) = sure else { return Ok(None) };
+        let is_meant = |piece: &Piece| {
+            let within = |end: &Rational| *end > piece.from && to.as_ref().is_none_or(|to| end <= to);
+            piece.from >= *from && piece.to.as_ref().is_some_and(within)
+        };
+        let open = open.into_iter().filter(is_meant).collect();
+        self.at_instants(open, &mut |_, (truth, margin)| Ok((truth == Truth::False).then_some(margin)))
+    }
+
+    /// What is found first at instants of undecided pieces at which everything is known exactly, of a body without time operators.
+    pub fn at_instants<R>(&self, open: Vec<Piece>, visit: &mut Visit<R>) -> Result<Option<R>, Failure> {
+        /// Judgements of pieces, and pieces in which instants are looked for.
+        const MOST: usize = 400;
+        const SHORTEST: i64 = 1 << 20;
+        let mut has_times = false;
+        self.body.visit(&mut |node| has_times |= matches!(node.kind, Kind::Always(..) | Kind::Until(_)));
+        let mut queue: VecDeque<Piece> = open.into_iter().filter(|_| !has_times).collect();
+        let (mut pieces, mut judged) = (Vec::new(), 0);
+        while let Some(piece) = queue.pop_front().filter(|_| pieces.len() < MOST) {
+            let length = piece.to.as_ref().map_or(rational(0, 1), |to| to - &piece.from);
+            let halves = self.timeline.halves(&piece).filter(|_| judged < MOST && length > rational(1, SHORTEST));
+            let Some(halves) = halves else {
+                pieces.push(piece);
+                continue;
+            };
+            for half in halves {
+                judged += 1;
+                match self.judge(&half) {
+                    Ok((Truth::Unknown(_), _)) => queue.push_back(half),
+                    Ok(_) | Err(Failure::Refused(..) | Failure::Open(_)) => {}
+                    Err(stopped) => return Err(stopped),
+                }
+            }
+        }
+        for piece in &pieces {
+            for (piece, moment) in self.timeline.instants(piece, self.evaluator.precision) {
+                let inner = Evaluator { moment: Some(moment.as_ref()), piece: Some(&piece), ..*self.evaluator };
+                match self.judge_at(&inner) {
+                    Ok(judged) => match visit(&inner, judged)? {
+                        None => {}
+                        found => return Ok(found),
+                    },
+                    Err(Failure::Refused(..) | Failure::Open(_)) => {}
+                    Err(stopped) => return Err(stopped),
+                }
             }
         }
         Ok(None)

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::number::Number;
 use crate::timeline::Measured;
-use arithmetic::{Dyadic, FloatInterval, Interval, Number as _, Rational};
+use arithmetic::{Dyadic, FloatInterval, Interval, Number as _, PreciseNumber, Rational};
 use motion::enclose::Expanded;
 use num_traits::ToPrimitive;
 use scenario::Amount;
@@ -26,6 +26,16 @@ impl Scalar for Rational {
 
     fn root(self, precision: u32) -> Option<Number> {
         Number::Exact(self).sqrt(precision).ok()
+    }
+}
+
+impl Scalar for PreciseNumber {
+    fn number(self) -> Number {
+        self.number
+    }
+
+    fn root(self, precision: u32) -> Option<Number> {
+        self.number.sqrt(precision).ok()
     }
 }
 

@@ -2,6 +2,7 @@
 //! sum over their modes instead.
 
 mod at;
+mod closed;
 mod exact;
 mod laws;
 mod modes;
@@ -15,6 +16,7 @@ use crate::timeline::{Covered, Moment, Piece, Timeline, clock};
 use crate::truth::Doubt;
 use arithmetic::{FloatInterval, Number, Progress, Rational, Ring, rational};
 use at::At;
+use closed::ClosedForm;
 use exact::Holds;
 use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
 use models::double_integrator::{
@@ -38,6 +40,7 @@ pub(crate) struct MotionSubject<'c> {
     progress: &'c dyn Progress,
     tube: RefCell<Rc<Tube>>,
     modal: OnceCell<Option<ModalPlatoon>>,
+    closed: OnceCell<Option<ClosedForm>>,
     rests: OnceCell<bool>,
 }
 
@@ -83,6 +86,7 @@ impl<'c> MotionSubject<'c> {
             progress,
             tube: RefCell::default(),
             modal: OnceCell::new(),
+            closed: OnceCell::new(),
             rests: OnceCell::new(),
         }
     }
@@ -120,6 +124,30 @@ impl<'c> MotionSubject<'c> {
             _ => None,
         });
         made.as_ref()
+    }
+
+    /// The motion in closed form, where its law is linear, its exponents are rational, and its agents are few; of a platoon relative to its leader without the swing.
+    fn closed(&self) -> Option<&ClosedForm> {
+        let made = || match &self.motion {
+            _ if !self.wide.is_empty() => None,
+            ExactMotion::Velocities { positions, velocities, potential, pairs, radius: None, headings: None } => {
+                let law = FixedNetwork { potential, edges: pairs };
+                let start = [positions.concat(), velocities.concat()].concat();
+                self.small(positions.len()).ok().and_then(|()| ClosedForm::of(&law, &start))
+            }
+            ExactMotion::Platoon { deviations, rates, gains, graph, swing, .. } => {
+                let law = PlatoonLaw { gains, graph, frequency: &swing.1 };
+                let relative = |list: &[Rational]| list.iter().map(|x| x - &list[0]).collect::<Vec<_>>();
+                let swing = vec![swing.0.clone(), rational(0, 1)];
+                let start = [relative(deviations), relative(rates), swing].concat();
+                self.small(deviations.len()).ok().and_then(|()| ClosedForm::of(&law, &start))
+            }
+            ExactMotion::Own(own) => {
+                self.small(own.agents()).ok().and_then(|()| ClosedForm::of(own.as_ref(), &own.start))
+            }
+            _ => None,
+        };
+        self.closed.get_or_init(made).as_ref()
     }
 
     /// How much of the start holds at all times of a piece.
@@ -474,6 +502,17 @@ impl Timeline for MotionSubject<'_> {
         };
         let holds = self.holds(piece);
         Ok(Box::new(At { subject: self, motion: &self.motion, holds, state, pairs: section.pairs.clone() }))
+    }
+
+    fn instants<'t>(&'t self, piece: &Piece, precision: u32) -> Vec<(Piece, Box<dyn Moment + 't>)> {
+        let Some((to, closed)) = piece.to.as_ref().zip(self.closed()) else { return Vec::new() };
+        let states = closed.states(&piece.from, to, precision).into_iter();
+        let instants = states.map(|(from, to, state)| {
+            let times = Piece { from, to: Some(to) };
+            let at = At { subject: self, motion: &self.motion, holds: self.holds(&times), state, pairs: None };
+            (times, Box::new(at) as Box<dyn Moment>)
+        });
+        instants.collect()
     }
 
     fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {

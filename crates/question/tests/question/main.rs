@@ -14,6 +14,7 @@ mod own;
 mod sets;
 mod sharp;
 mod states;
+mod touching;
 mod traces;
 
 use arithmetic::Unwatched;

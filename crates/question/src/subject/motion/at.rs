@@ -3,57 +3,60 @@
 use super::MotionSubject;
 use super::exact::Holds;
 use super::laws::phasors_of;
-use super::numbers::{BITS, widened};
+use super::numbers::BITS;
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::Quantity;
-use crate::number::Number;
-use crate::subject::measured::{index_of, measured};
+use crate::number::Number as Known;
+use crate::subject::measured::{Scalar, index_of, measured};
 use crate::timeline::{Measured, Moment};
-use arithmetic::{Complex, Field, FloatInterval, Number as _, Rational, Ring, rational};
+use arithmetic::{Complex, Field, Number, Rational, Ring, Sign, rational};
 use expressions::Variable;
 use models::double_integrator::Pair;
 use models::oscillator::{Neighbours, Orientation, Steering};
-use motion::enclose::Expanded;
-use scenario::{ExactMotion, Law, Links, Model, Rows, Sensing, View, measure};
+use scenario::{ExactMotion, Law, Links, Measurable, Model, Rows, Sensing, View, measure};
 use std::borrow::Cow;
 use std::rc::Rc;
 
-/// The states at all times of a piece.
-pub(super) struct At<'m, 'c> {
+/// The states at all times of a piece, or at an instant.
+pub(super) struct At<'m, 'c, T> {
     pub subject: &'m MotionSubject<'c>,
     pub motion: &'m ExactMotion,
     /// What of the start holds at these times.
     pub holds: Holds,
-    pub state: Vec<Expanded>,
+    pub state: Vec<T>,
     pub pairs: Option<Rc<Vec<Pair>>>,
 }
 
-impl At<'_, '_> {
+impl<T: Scalar + Measurable + Number> At<'_, '_, T> {
     /// The square of the distance of two agents in the plane.
-    fn square(&self, i: usize, j: usize) -> Expanded {
+    fn square(&self, i: usize, j: usize) -> T {
         let part = |k: usize| (self.state[2 * i + k].clone() - &self.state[2 * j + k]).square();
         part(0) + part(1)
     }
 
     /// So many numbers of each agent, which begin at `offset`.
-    fn rows(&self, agents: usize, width: usize, offset: usize) -> Rows<'_, Expanded> {
+    fn rows(&self, agents: usize, width: usize, offset: usize) -> Rows<'_, T> {
         let row = move |agent: usize| self.numbers(offset + width * agent, width);
         Rows::of(agents, move || (0..agents).map(row).collect())
     }
 
-    fn numbers(&self, from: usize, count: usize) -> Vec<Expanded> {
+    fn numbers(&self, from: usize, count: usize) -> Vec<T> {
         self.state[from..from + count].to_vec()
     }
 
-    /// The pairs whose squared distances are as they are wanted.
-    fn near(&self, agents: usize, wanted: impl Fn(FloatInterval) -> bool) -> Vec<Pair> {
+    /// The pairs that are or are not linked for certain, by the sign of the squared distance less that of the radius.
+    fn near(&self, agents: usize, radius: &Rational, wanted: impl Fn(Option<Sign>) -> bool) -> Vec<Pair> {
         let pairs = (0..agents).flat_map(|j| (0..j).map(move |i| (i, j)));
-        pairs.filter(|&(i, j)| wanted(self.square(i, j).range())).collect()
+        let beyond = |i: usize, j: usize| {
+            let square = self.square(i, j);
+            (square.clone() - square.rational(&radius.square())).sign()
+        };
+        pairs.filter(|&(i, j)| wanted(beyond(i, j))).collect()
     }
 
     /// The states as they are measured, with so many moments of phases; nothing of motions that are not enclosed.
-    fn view(&self, orders: usize) -> Option<View<'_, Expanded>> {
+    fn view(&self, orders: usize) -> Option<View<'_, T>> {
         let orders = orders as u32;
         Some(match self.motion {
             ExactMotion::Velocities { positions, potential, pairs, radius, headings, .. } => {
@@ -62,9 +65,9 @@ impl At<'_, '_> {
                     (Some(pairs), _) => Links::These(agents, Cow::Borrowed(pairs.as_slice())),
                     (None, None) => Links::These(agents, Cow::Borrowed(pairs)),
                     (None, Some(radius)) => {
-                        let square = FloatInterval::from_rational(radius).square();
-                        let must = self.near(agents, |apart| apart.hi() < square.lo());
-                        Links::Between(agents, [must, self.near(agents, |apart| apart.lo() <= square.hi())])
+                        let must = self.near(agents, radius, |sign| sign == Some(Sign::Negative));
+                        let may = self.near(agents, radius, |sign| sign != Some(Sign::Positive));
+                        Links::Between(agents, [must, may])
                     }
                 };
                 let model = if headings.is_some() { Model::Headings } else { Model::Velocities };
@@ -87,7 +90,7 @@ impl At<'_, '_> {
                 let agents = positions.len();
                 let phasors = phasors_of(&self.numbers(2 * agents, 2 * agents));
                 let velocities = phasors.clone();
-                let moved = move |z: &Complex<Expanded>| {
+                let moved = move |z: &Complex<T>| {
                     vec![z.re.clone() + z.re.rational(&drift[0]), z.im.clone() + z.im.rational(&drift[1])]
                 };
                 let like = self.state.first()?;
@@ -109,8 +112,8 @@ impl At<'_, '_> {
                 let w = deviations[0].rational(&swing.1);
                 deviations[0] = deviations[0].clone() + &self.state[2 * cars];
                 speeds[0] = speeds[0].clone() - self.state[2 * cars + 1].clone() * w;
-                let place = |(y, k): (&Expanded, i64)| vec![y.clone() - y.rational(&(spacing * rational(k, 1)))];
-                let places: Vec<Vec<Expanded>> = deviations.iter().zip(0..).map(place).collect();
+                let place = |(y, k): (&T, i64)| vec![y.clone() - y.rational(&(spacing * rational(k, 1)))];
+                let places: Vec<Vec<T>> = deviations.iter().zip(0..).map(place).collect();
                 let spacing = deviations[0].rational(spacing);
                 let tracked = (0..cars).flat_map(|k| graph.tracked_by(k).iter().map(move |(j, _)| (k, *j)));
                 View {
@@ -126,7 +129,7 @@ impl At<'_, '_> {
                     part.map_or_else(Rows::none, |part| self.rows(agents, part.stride, part.start))
                 };
                 let angles = own.angle().map_or_else(Vec::new, |part| self.numbers(part.start, agents));
-                let turned = |angle: &Expanded| angle.sin_cos().map(|(sin, cos)| Complex::new(cos, sin));
+                let turned = |angle: &T| angle.sin_cos().map(|(sin, cos)| Complex::new(cos, sin));
                 View {
                     positions: rows(own.position()),
                     velocities: rows(own.velocity()),
@@ -140,7 +143,7 @@ impl At<'_, '_> {
     }
 }
 
-fn aligned(frequency: &Rational, gain: &Rational, like: &Expanded) -> Steering<Expanded> {
+fn aligned<T: Field>(frequency: &Rational, gain: &Rational, like: &T) -> Steering<T> {
     let orientation = Orientation::Laplacian(gain.clone());
     Steering { frequency: frequency.clone(), orientation, spacing: models::oscillator::Spacing::None }.over(like)
 }
@@ -149,8 +152,8 @@ fn arcs(network: &Neighbours) -> Links<'_> {
     Links::These(network.particles(), network.arcs().collect())
 }
 
-impl Moment for At<'_, '_> {
-    fn measure(&self, quantity: &Quantity, arguments: &[Number], precision: u32) -> Result<Measured, Failure> {
+impl<T: Scalar + Measurable + Number> Moment for At<'_, '_, T> {
+    fn measure(&self, quantity: &Quantity, arguments: &[Known], precision: u32) -> Result<Measured, Failure> {
         let index = index_of(quantity, arguments)?;
         if let Some(exact) = self.subject.exact(quantity.name, index, self.holds, precision) {
             return Ok(Measured::Number(exact));
@@ -171,6 +174,6 @@ impl Moment for At<'_, '_> {
         };
         let unmeasured = |error| Failure::open(format!("`{name}` cannot be measured on the enclosure: {error}"), None);
         let found = own.number(name, &self.state).ok_or_else(|| Failure::open("there is no such number", None))?;
-        Ok(Measured::Number(Number::interval(widened(&found.map_err(unmeasured)?.range()))))
+        Ok(Measured::Number(found.map_err(unmeasured)?.number()))
     }
 }
