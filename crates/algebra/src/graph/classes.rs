@@ -244,7 +244,7 @@ pub fn planar_graphs(order: usize, progress: &dyn Progress) -> Result<Vec<Graph>
 /// # Errors
 /// [`Cancelled`].
 pub fn regular_graphs(order: usize, degree: usize, progress: &dyn Progress) -> Result<Vec<Graph>, Cancelled> {
-    if degree >= order || order * degree % 2 == 1 {
+    if degree >= order || (order * degree) % 2 == 1 {
         return Ok(Vec::new());
     }
     // Of a graph and its complement that with fewer edges.

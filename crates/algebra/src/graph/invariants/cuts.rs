@@ -40,7 +40,7 @@ impl Graph {
         let (mut inside, mut cut, mut own) = (0u64, 0usize, 0usize);
         let mut least: Option<(usize, usize)> = None;
         for step in 1..1u64 << order.saturating_sub(1) {
-            if step % (1 << 12) == 0 {
+            if step.is_multiple_of(1 << 12) {
                 progress.checkpoint()?;
             }
             let v = step.trailing_zeros() as usize;

@@ -41,7 +41,7 @@ pub(super) fn signs(graph: &Graph, second: &Interval, precision: u32) -> Result<
     };
     for first in 0..order {
         if sign(first, first)? != 0 {
-            let turned = if order % 2 == 0 { 1 } else { -1 };
+            let turned = if order.is_multiple_of(2) { 1 } else { -1 };
             return (0..order).map(|i| Ok(turned * sign(i, first)?)).collect::<Result<Vec<i64>, Failure>>().map(Some);
         }
     }
