@@ -5,7 +5,7 @@ use super::refuse;
 use super::watch::{briefly, watched};
 use flockproof::arithmetic::{ArithmeticError, Interval, Number, Progress, Rational, Signed, decimal};
 use flockproof::graph::read::read_graph_file;
-use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
+use flockproof::graph::{AnyGraph, LaplacianKind, NamedGraph, WeightedGraph};
 use flockproof::matrix::read::read_normalised;
 use flockproof::matrix::{MatrixError, StochasticMatrix, prefix_products, stabilisers, tau_2_squared};
 use flockproof::platoon::state_space::StateSpace;
@@ -167,7 +167,7 @@ pub enum GraphInput {
 /// Why a text is not the name of a graph; nothing where it is one.
 #[pyfunction]
 pub fn graph_name_problem(name: &str) -> Option<String> {
-    name.parse::<NamedGraph>().err().map(|error| error.to_string())
+    name.parse::<AnyGraph>().err().map(|error| error.to_string())
 }
 
 type Part = (Ends, Option<Ends>, usize, Option<Ratio>);
@@ -201,7 +201,7 @@ fn found_spectrum(
     digits: Option<u32>,
 ) -> Result<(usize, &'static str, String, Vec<Part>), String> {
     let spectrum = match graph {
-        GraphInput::Words(what, name) if what == "name" && root == 1 => {
+        GraphInput::Words(what, name) if what == "name" && root == 1 && name.parse::<NamedGraph>().is_ok() => {
             let named: NamedGraph = name.parse().map_err(|error: flockproof::graph::NameError| error.to_string())?;
             named_spectrum(&named, kind, digits)
         }
@@ -247,8 +247,8 @@ fn stored(graph: GraphInput) -> Result<WeightedGraph, String> {
             Ok(file.graph)
         }
         GraphInput::Words(_, name) => {
-            let named: NamedGraph = name.parse().map_err(|error: flockproof::graph::NameError| error.to_string())?;
-            named.build().map_err(|error| error.to_string())
+            let found: AnyGraph = name.parse().map_err(|error: flockproof::graph::GraphTextError| error.to_string())?;
+            Ok(found.weighted())
         }
     }
 }

@@ -19,6 +19,12 @@ pub struct Arguments {
     /// Print all names that a question may use, with what they mean
     #[arg(long)]
     names: bool,
+    /// List so many counterexamples, in the order of the family, each with both sides and its margin
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    all: Option<u64>,
+    /// List the members at which an inequality of the property is an equation, so many at most
+    #[arg(long, value_name = "K", num_args = 0..=1, require_equals = true, default_missing_value = "20", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    tight: Option<u64>,
     /// Write a counterexample as a question of its own into this folder [default: the current one]
     #[arg(long, value_name = "DIR", default_value = ".", hide_default_value = true)]
     replay: PathBuf,
@@ -53,6 +59,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     for path in &arguments.files {
         let mut question = read(path)?;
         question.certified = arguments.certificate.is_some();
+        question.listed_counterexamples = arguments.all.unwrap_or(0);
+        question.listed_tight = arguments.tight.unwrap_or(0);
+        if arguments.tight.is_some() && question.cannot_be_tight() {
+            let why = "--tight lists members at which `<=` or `>=` is an equation, and the property has neither";
+            return Err(CliError::file(path, why));
+        }
         let watch = interrupt::Watch::with(progress::bar());
         let decided = decide(&question, &watch);
         watch.finish();

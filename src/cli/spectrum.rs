@@ -4,7 +4,7 @@ use super::{CliError, output, progress};
 use flockproof::arithmetic::threads::side_by_side;
 use flockproof::arithmetic::{Interval, decimals, shown};
 use flockproof::graph::read::{GraphFile, read_graph_file};
-use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
+use flockproof::graph::{AnyGraph, LaplacianKind, NamedGraph, WeightedGraph};
 use flockproof::report::Provenance;
 use flockproof::spectrum::{Eigenvalue, Method, Spectrum, SpectrumError, graph_spectrum, named_spectrum};
 use serde_json::{Value, json};
@@ -18,12 +18,12 @@ is read too.\n\n\
 Examples:\n  flockproof spectrum --graph ring:12\n  flockproof spectrum --graph circulant:12:1,3 --kind walk --digits 40\n  flockproof spectrum --graph edges.txt --json"
 )]
 pub struct Arguments {
-    /// A graph, such as ring:12, cycle:5, path:30, complete:5, star:7, circulant:12:1,3, platoon1:8, platoon2:8 (8 followers
-    /// and the leader), geometric:50:1/4:7 (points, radius, seed), or a file: an edge
-    /// list, Matrix Market or GraphML; `-` is standard input
+    /// A graph, such as ring:12, cycle:5, path:30, complete:5, star:7, petersen, hypercube:3, grid:3x4, bipartite:3,4, circulant:12:1,3,
+    /// platoon1:8, platoon2:8 (8 followers and the leader), geometric:50:1/4:7 (points, radius, seed), edges:4:1-2,2-3 or
+    /// arcs:4:1-2,2-3 (vertices, edges), graph6:.., sparse6:.., or a file: an edge list, graph6, Matrix Market or GraphML; `-` is standard input
     #[arg(long, value_name = "SPEC|FILE")]
     graph: String,
-    /// laplacian, out-degree, in-degree, normalised, walk, reduced (without one vertex, see --root) or adjacency
+    /// laplacian, out-degree, in-degree, normalised (or normalized), walk, reduced (without one vertex, see --root) or adjacency
     #[arg(long, value_name = "KIND", default_value = "laplacian")]
     kind: String,
     /// The vertex that `reduced` leaves out, its number from 1 or its name in the file [default: 1]
@@ -106,9 +106,9 @@ pub fn of_text(name: &str, list: output::Input, kind: &str, most: usize) -> Resu
         let (graph, directed) = (file.graph.clone(), file.directed);
         (graph, directed, of_file(&arguments, kind, file, list.origin)?)
     } else {
-        let named: NamedGraph = name.parse().map_err(|error| wrong(&error))?;
-        small(named.order())?;
-        (named.build().map_err(|error| wrong(&error))?, named.is_directed(), of_name(&arguments, kind, &named)?)
+        let found: AnyGraph = name.parse().map_err(|error| wrong(&error))?;
+        small(found.order())?;
+        (found.weighted(), found.is_directed(), of_named(&arguments, kind, &found)?)
     };
     Ok(OfText { document: stamped(&arguments, kind, &found), graph, directed, spectrum: found.spectrum })
 }
@@ -139,9 +139,9 @@ fn find(arguments: &Arguments, kind: LaplacianKind) -> Result<Found, CliError> {
     let graph = &arguments.graph;
     let path = Path::new(graph);
     // A file wins over a name only where the name means nothing.
-    match graph.parse::<NamedGraph>() {
+    match graph.parse::<AnyGraph>() {
         Ok(_) if arguments.zero_based => Err(zero_based_name(graph)),
-        Ok(named) => of_name(arguments, kind, &named),
+        Ok(found) => of_named(arguments, kind, &found),
         Err(_) if path.exists() || graph == "-" => {
             let (file, origin) = read_file(path, arguments.zero_based)?;
             of_file(arguments, kind, file, origin)
@@ -149,6 +149,17 @@ fn find(arguments: &Arguments, kind: LaplacianKind) -> Result<Found, CliError> {
         Err(error) if graph.contains(':') => Err(CliError::Use(format!("--graph: {error}"))),
         Err(error) => Err(CliError::Use(format!("--graph: there is no file of that name, and {error}"))),
     }
+}
+
+/// A graph that is said in the argument itself: closed forms are for those with names.
+fn of_named(arguments: &Arguments, kind: LaplacianKind, graph: &AnyGraph) -> Result<Found, CliError> {
+    if let AnyGraph::Named(named, _) = graph {
+        return of_name(arguments, kind, named);
+    }
+    let root = root_of(arguments, graph.order(), |word| word.parse().ok())?;
+    let found = graph_spectrum(&graph.weighted(), kind, root - 1, arguments.digits);
+    let spectrum = found.map_err(|error| CliError::Use(format!("{}: {error}", arguments.graph)))?;
+    Ok(Found { spectrum, root, file: None, labels: None })
 }
 
 fn of_name(arguments: &Arguments, kind: LaplacianKind, named: &NamedGraph) -> Result<Found, CliError> {

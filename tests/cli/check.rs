@@ -97,10 +97,32 @@ fn wrong_input() {
         let path = file(&folder, "question.toml", question(property, control).as_bytes());
         assert_refused(&["check", &path], named);
     }
-    let missing = format!("{QUESTION}property = \"edges > 0\"\n");
-    assert_refused(&["check", &file(&folder, "question.toml", missing.as_bytes())], "controls");
+    let path = file(&folder, "question.toml", question("planar", "edges < 0").as_bytes());
+    assert_refused(&["check", "--tight", &path], "--tight");
+    assert_refused(&["check", "--all", "0", &path], "--all");
     let unread = question("edges > 0", "edges < 0").replace("[for]", "scenario = \"flock.toml\"\n[for]");
     assert_refused(&["check", &file(&folder, "question.toml", unread.as_bytes())], "line 3, column 12");
+}
+
+/// Counterexamples and members with equality in order, each graph a text that `spectrum` reads; controls that the program made.
+#[test]
+fn members_are_listed() {
+    let folder = folder("check-members");
+    let text = format!("{QUESTION}property = \"edges <= n\"\n");
+    let path = file(&folder, "question.toml", text.as_bytes());
+    let replay = folder.to_string_lossy().into_owned();
+    let output = flockproof(&["check", &path, "--json", "--all", "2", "--tight=3", "--replay", &replay]);
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let document: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(document["controls"]["made"], true);
+    for (key, count) in [("counterexamples", 2), ("tight", 3)] {
+        let members = document[key]["members"].as_array().expect("a list");
+        assert_eq!(members.len(), count, "{document}");
+        for member in members {
+            let graph = member["member"]["graph"].as_str().expect("a graph");
+            assert!(flockproof(&["spectrum", "--graph", graph]).status.success(), "{graph}");
+        }
+    }
 }
 
 /// Sums of squares as files: they say the question itself where it is one of polynomials, and the separate checker agrees.

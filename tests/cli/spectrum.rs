@@ -78,7 +78,9 @@ fn bad_spectra_are_refused() {
     ask("ring:99999999999999999999", &[], "number of vertices");
     ask("circulant:12:1,13", &[], "an offset");
     ask("platoon2:0", &[], "number of followers");
-    ask("wheel:5", &[], "names no graph");
+    ask("wheels:5", &[], "names no graph");
+    ask("graph6:D", &[], "characters");
+    ask("edges:3:1-2,2-1", &[], "already");
     ask("no such file", &[], "there is no file");
     ask("ring:5", &["--kind", "signless"], "--kind");
     ask("ring:5", &["--digits", "0"], "digits");

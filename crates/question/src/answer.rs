@@ -3,6 +3,7 @@
 use crate::bindings::Bindings;
 use crate::decisive::Decisive;
 use crate::error::QuestionError;
+use crate::members::{Listed, Member};
 use crate::names::Subject;
 use crate::outcome::{Outcome, Unsettled};
 use crate::question::Question;
@@ -69,7 +70,7 @@ pub struct Answer {
     pub shorter: Option<String>,
     /// A question of this one instance, as the text of a file; `None` where there is no counterexample, or the question is that already.
     pub replay: Option<String>,
-    /// Encloses the smallest margin of all cases that were looked at.
+    /// Encloses the smallest margin of all cases that were looked at; of a property that is false, the margin at the counterexample.
     pub margin: Option<Margin>,
     /// A point at which the margin is 0, where the property holds on a continuum.
     pub attained: Option<Bindings>,
@@ -79,6 +80,10 @@ pub struct Answer {
     pub uncertified: u64,
     /// What is open of a continuum.
     pub unsettled: Option<Unsettled>,
+    /// More counterexamples, where they were asked for.
+    pub counterexamples: Option<Listed>,
+    /// Members at which an inequality of the property is an equation, where they were asked for.
+    pub tight: Option<Listed>,
     /// The same of each inequality of the property by itself, under the time operators around it; `None` where it was nowhere compared.
     pub inequalities: Vec<(String, Option<Margin>)>,
     /// Whether the smallest margin is the smallest one of these.
@@ -89,6 +94,8 @@ pub struct Answer {
     pub undecided: u64,
     /// For each control whether it was refuted.
     pub controls: Vec<bool>,
+    /// The controls where the program made them itself, because the question has none.
+    pub made: Option<Vec<String>>,
     /// The reason of the verdict, one sentence or two.
     pub why: String,
 }
@@ -144,6 +151,9 @@ impl Answer {
             cases: outcome.cases,
             undecided: outcome.open,
             controls: refuted.to_vec(),
+            made: None,
+            counterexamples: None,
+            tight: None,
             why,
         }
     }
@@ -158,7 +168,12 @@ impl Answer {
             |margin: Option<&Margin>| margin.and_then(Margin::decimals).map(|(lo, hi)| json!({"lo": lo, "hi": hi}));
         let sides = |own: &Decisive| json!({"inequality": own.inequality, "left": own.left, "right": own.right, "time": own.time});
         let own = |(text, margin): &(String, Option<Margin>)| json!({"inequality": text, "margin": enclosed(margin.as_ref())});
-        json!({
+        let member = |own: &Member| {
+            let decisive = own.decisive.as_ref().map(sides);
+            json!({"member": named(&own.bindings), "decisive": decisive, "margin": enclosed(Some(&own.margin))})
+        };
+        let listed = |list: &Listed| json!({"what": list.what, "members": list.members.iter().map(member).collect::<Vec<_>>(), "cut": list.cut});
+        let mut document = json!({
             "schema": "flockproof.check/1",
             "id": self.id,
             "verdict": self.verdict.word(),
@@ -172,9 +187,18 @@ impl Answer {
             "inequalities": self.inequalities.iter().map(own).collect::<Vec<_>>(),
             "cases": self.cases,
             "undecided": self.undecided,
-            "controls": {"refuted": self.refuted(), "total": self.controls.len()},
+            "controls": {"refuted": self.refuted(), "total": self.controls.len(), "made": self.made.is_some()},
             "why": self.why,
-        })
+        });
+        if let Some(made) = &self.made {
+            document["controls"]["what"] = json!(made);
+        }
+        for (key, list) in [("counterexamples", &self.counterexamples), ("tight", &self.tight)] {
+            if let Some(list) = list {
+                document[key] = listed(list);
+            }
+        }
+        document
     }
 
     fn refuted(&self) -> usize {
@@ -204,7 +228,8 @@ impl Answer {
         };
         if let Some(between) = between(self.margin.as_ref()) {
             let at = self.attained.as_ref().map_or(String::new(), |at| format!(" at ({at})"));
-            let _ = writeln!(text, "smallest margin {between}{at}");
+            let what = if self.verdict == Verdict::False { "margin there" } else { "smallest margin" };
+            let _ = writeln!(text, "{what} {between}{at}");
         }
         let several = self.is_conjunction && self.inequalities.len() > 1;
         for (inequality, margin) in self.inequalities.iter().filter(|_| several) {
@@ -212,7 +237,28 @@ impl Answer {
                 let _ = writeln!(text, "  of {inequality}: {between}");
             }
         }
-        let _ = writeln!(text, "controls refuted: {} of {}", self.refuted(), self.controls.len());
+        match &self.made {
+            None => {
+                let _ = writeln!(text, "controls refuted: {} of {}", self.refuted(), self.controls.len());
+            }
+            Some(made) => {
+                let _ = writeln!(text, "controls made by the program, all refuted: {}", made.len());
+                made.iter().for_each(|control| {
+                    let _ = writeln!(text, "  {control}");
+                });
+            }
+        }
+        let lists = [("counterexamples", &self.counterexamples), ("members with equality", &self.tight)];
+        for (what, list) in lists.into_iter().filter_map(|(what, list)| Some((what, list.as_ref()?))) {
+            let more = if list.cut { ", and there are more" } else { "" };
+            let _ = writeln!(text, "{what}: {}{more}", list.members.len());
+            for Member { bindings, decisive, margin } in &list.members {
+                let sides =
+                    decisive.as_ref().map(|own| format!("; {}: {} and {}", own.inequality, own.left, own.right));
+                let margin = between(Some(margin)).map(|between| format!("; margin {between}"));
+                let _ = writeln!(text, "  {bindings}{}{}", sides.unwrap_or_default(), margin.unwrap_or_default());
+            }
+        }
         if let Some(file) = replay {
             let _ = writeln!(text, "replay: flockproof check {file}");
         }
@@ -312,7 +358,7 @@ impl Question {
 
     /// Whether the property is decided without enclosures: only rational quantities and operations.
     pub(crate) fn is_exact(&self) -> bool {
-        const ENCLOSED: [&str; 15] = [
+        const ENCLOSED: [&str; 18] = [
             "sqrt",
             "sin",
             "cos",
@@ -320,6 +366,9 @@ impl Question {
             "log",
             "pi",
             "lambda",
+            "spectral_radius",
+            "second_modulus",
+            "fiedler_sign",
             "peak",
             "peak_frequency",
             "gain",

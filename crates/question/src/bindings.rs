@@ -1,9 +1,8 @@
 //! What the names of a question stand for in one case.
 
-use algebra::graph::{Graph, NamedGraph, WeightedGraph};
+use algebra::graph::AnyGraph;
 use algebra::matrix::StochasticMatrix;
 use arithmetic::{Rational, rational, simplest_between};
-use num_traits::One;
 use polynomials::Side;
 use std::fmt;
 use std::sync::Arc;
@@ -20,80 +19,9 @@ pub enum Value {
     /// Every real number.
     Any,
     /// A graph.
-    Graph(Arc<GraphValue>),
+    Graph(Arc<AnyGraph>),
     /// A sequence of stochastic matrices, the first factor first.
     Matrices(Arc<Vec<StochasticMatrix>>),
-}
-
-/// A graph as a family gives it.
-#[derive(Debug, Clone)]
-pub enum GraphValue {
-    /// Undirected, all weights 1.
-    Simple(Graph),
-    /// Undirected, with weights.
-    Weighted(WeightedGraph),
-    /// Of arcs; it stays directed where there is an arc back for each of them.
-    Directed(WeightedGraph),
-    /// One with a name.
-    Named(NamedGraph, WeightedGraph),
-}
-
-impl GraphValue {
-    /// The graph with its weights.
-    pub fn weighted(&self) -> WeightedGraph {
-        match self {
-            GraphValue::Simple(graph) => WeightedGraph::from(graph),
-            GraphValue::Weighted(graph) | GraphValue::Directed(graph) | GraphValue::Named(_, graph) => graph.clone(),
-        }
-    }
-
-    /// Number of vertices.
-    pub fn order(&self) -> usize {
-        match self {
-            GraphValue::Simple(graph) => graph.order(),
-            GraphValue::Weighted(graph) | GraphValue::Directed(graph) | GraphValue::Named(_, graph) => graph.order(),
-        }
-    }
-
-    /// Whether it is made of arcs: as its family or its text says, whatever the arcs are.
-    pub fn is_directed(&self) -> bool {
-        match self {
-            GraphValue::Simple(_) | GraphValue::Weighted(_) => false,
-            GraphValue::Directed(_) => true,
-            GraphValue::Named(name, _) => name.is_directed(),
-        }
-    }
-
-    /// The arcs without weights, from 0.
-    pub fn arcs(&self) -> Vec<(usize, usize)> {
-        match self {
-            GraphValue::Simple(graph) => graph.edges().into_iter().flat_map(|(i, j)| [(i, j), (j, i)]).collect(),
-            GraphValue::Weighted(graph) | GraphValue::Directed(graph) | GraphValue::Named(_, graph) => {
-                graph.adjacency().entries().map(|(i, j, _)| (i, j)).collect()
-            }
-        }
-    }
-}
-
-impl fmt::Display for GraphValue {
-    /// A text that a question reads again: `edges:N:..`, `arcs:N:..` with weights `*w` other than 1, or the name.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let graph = match self {
-            GraphValue::Named(name, _) => return write!(f, "{name}"),
-            GraphValue::Simple(graph) => &WeightedGraph::from(graph),
-            GraphValue::Weighted(graph) | GraphValue::Directed(graph) => graph,
-        };
-        let directed = self.is_directed();
-        write!(f, "{}:{}:", if directed { "arcs" } else { "edges" }, graph.order())?;
-        let listed = graph.adjacency().entries().filter(|(i, j, _)| directed || i <= j);
-        for (k, (i, j, weight)) in listed.enumerate() {
-            write!(f, "{}{}-{}", if k > 0 { "," } else { "" }, i + 1, j + 1)?;
-            if !weight.is_one() {
-                write!(f, "*{weight}")?;
-            }
-        }
-        Ok(())
-    }
 }
 
 impl Value {

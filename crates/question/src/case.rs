@@ -25,8 +25,10 @@ pub(crate) struct Case<'q> {
     pub bindings: Bindings,
     /// Whether something was asked for that no box, however small, has.
     pub points_only: Cell<bool>,
+    /// The vertices that names inside sums over a graph stand for, the innermost last.
+    pub places: RefCell<Vec<(String, usize)>>,
     progress: &'q dyn Progress,
-    graphs: RefCell<BTreeMap<String, Rc<GraphSubject>>>,
+    graphs: RefCell<BTreeMap<String, Rc<GraphSubject<'q>>>>,
     moving: OnceCell<Result<Moving<'q>, Failure>>,
 }
 
@@ -41,7 +43,15 @@ enum Moving<'q> {
 impl<'q> Case<'q> {
     pub fn new(question: &'q Question, bindings: Bindings, progress: &'q dyn Progress) -> Self {
         let points_only = Cell::new(false);
-        Case { question, bindings, points_only, progress, graphs: RefCell::default(), moving: OnceCell::new() }
+        Case {
+            question,
+            bindings,
+            points_only,
+            places: RefCell::default(),
+            progress,
+            graphs: RefCell::default(),
+            moving: OnceCell::new(),
+        }
     }
 
     /// A case whose motion is a run in floating point.
@@ -69,7 +79,10 @@ impl<'q> Case<'q> {
         precision: u32,
     ) -> Result<Measured, Failure> {
         match quantity.subject {
-            Subject::Graph => self.graph(quantity, owner)?.measure(quantity.name, arguments, precision),
+            Subject::Graph => {
+                let graph = self.graph(owner).ok_or_else(|| missing(quantity))?;
+                graph.measure(quantity.name, arguments, precision)
+            }
             Subject::Platoon => {
                 let platoon = PlatoonSubject::new(&self.bindings, self.question.communication(), self.progress)?;
                 if platoon.is_of_points_only(quantity.name) {
@@ -92,18 +105,19 @@ impl<'q> Case<'q> {
         }
     }
 
-    fn graph(&self, quantity: &'static Quantity, owner: Option<&str>) -> Result<Rc<GraphSubject>, Failure> {
+    /// The graph of that name, or the first one.
+    pub fn graph(&self, owner: Option<&str>) -> Option<Rc<GraphSubject<'q>>> {
         let mut graphs = self.bindings.iter().filter_map(|(name, value)| match value {
             Value::Graph(graph) if owner.is_none_or(|owner| owner == name) => Some((name, graph)),
             _ => None,
         });
-        let (name, graph) = graphs.next().ok_or_else(|| missing(quantity))?;
+        let (name, graph) = graphs.next()?;
         if let Some(known) = self.graphs.borrow().get(name) {
-            return Ok(known.clone());
+            return Some(known.clone());
         }
-        let subject = Rc::new(GraphSubject::new(graph.clone(), self.question.kind()));
+        let subject = Rc::new(GraphSubject::new(graph.clone(), self.question.kind(), self.progress));
         self.graphs.borrow_mut().insert(name.to_string(), subject.clone());
-        Ok(subject)
+        Some(subject)
     }
 
     fn moving(&self) -> Result<&Moving<'q>, Failure> {

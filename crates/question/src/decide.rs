@@ -7,6 +7,7 @@ use crate::division::Division;
 use crate::error::{Problem, QuestionError};
 use crate::evaluate::Evaluator;
 use crate::failure::Failure;
+use crate::made;
 use crate::names::Subject;
 use crate::number::Number;
 use crate::outcome::{Decided, Judged, Outcome};
@@ -132,10 +133,25 @@ pub enum Tabulated {
 pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, QuestionError> {
     let property = question.asked()?;
     let outcome = over_family(question, property, progress)?;
+    let mut made = None;
     let mut refuted = Vec::new();
     for control in &question.controls {
         refuted.push(over_family(question, control, progress)?.truth == Truth::False);
     }
+    let unmet = made::unmet(question, property, &outcome, progress)?;
+    if question.controls.is_empty() {
+        let found = made::controls(question, property, &outcome, progress)?;
+        refuted = vec![true; found.controls.len()];
+        made = Some(found);
+    }
+    let counterexamples = match question.listed_counterexamples {
+        0 => None,
+        most => Some(question.counterexamples(property, most, progress)?),
+    };
+    let tight = match question.listed_tight {
+        0 => None,
+        most => question.tight(property, most, progress)?,
+    };
     let shrunk = match &outcome.counterexample {
         Some(found) => {
             let simpler = match question.law() {
@@ -150,11 +166,26 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
     };
     let decisive = match &shrunk {
         Some((simpler, _)) if question.law().is_none() => {
-            question.decisive(&simpler.property, &simpler.bindings, progress)?
+            question.decisive(&simpler.property, &simpler.bindings, false, progress)?
+        }
+        _ => None,
+    };
+    // What stands beside a counterexample is measured there.
+    let there = match &shrunk {
+        Some((simpler, _)) if question.law().is_none() => {
+            Some(question.decide_point(property, &simpler.bindings, progress)?)
         }
         _ => None,
     };
     let mut answer = Answer::new(question, outcome, shrunk, refuted);
+    if let Some(there) = there.filter(|_| answer.verdict == Verdict::False) {
+        answer.margin = Some(there.margin);
+        answer.inequalities.iter_mut().zip(there.inequalities).for_each(|(own, margin)| own.1 = Some(margin));
+    }
+    (answer.counterexamples, answer.tight) = (counterexamples, tight);
+    let remarks = unmet.into_iter().chain(made.iter().flat_map(|made| made.remarks.clone()));
+    answer.why = std::iter::once(answer.why).chain(remarks).collect::<Vec<String>>().join(" ");
+    answer.made = made.map(|made| made.controls.iter().map(|control| control.node.to_string()).collect());
     answer.decisive = decisive.filter(|_| answer.counterexample.is_some());
     if let Some(law) = question.law().filter(|_| answer.verdict == Verdict::Holds) {
         let (grades, how) = law.told();
@@ -172,7 +203,7 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
 }
 
 /// A property over the whole family, up to its first counterexample. The result does not depend on the number of threads.
-fn over_family(
+pub(crate) fn over_family(
     question: &Question,
     expression: &Expression,
     progress: &dyn Progress,

@@ -12,8 +12,8 @@ use crate::timeline::Piece;
 use crate::truth::{Margin, Truth};
 use arithmetic::Progress;
 
-/// Bits that are tried.
-const BITS: [u32; 3] = [FIRST_BITS, 4 * FIRST_BITS, 32 * FIRST_BITS];
+/// Bits that are tried: eigenvalues of which there are closed forms or rational ones show themselves above those that floating point has.
+const BITS: [u32; 3] = [FIRST_BITS + 1, 4 * FIRST_BITS, 32 * FIRST_BITS];
 
 /// An inequality with the values of its sides.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,18 +29,19 @@ pub struct Decisive {
 }
 
 impl Question {
-    /// What makes a property false at a point; `None` where no inequality does.
+    /// What makes a property `wanted`, which is its truth at a point; `None` where no inequality does.
     pub(crate) fn decisive(
         &self,
         property: &Expression,
         at: &Bindings,
+        wanted: bool,
         progress: &dyn Progress,
     ) -> Result<Option<Decisive>, QuestionError> {
         let case = Case::new(self, at.clone(), progress);
         for precision in BITS {
             progress.checkpoint()?;
             let evaluator = Evaluator { case: &case, precision, moment: None, piece: None };
-            match found(&evaluator, &property.node, false) {
+            match found(&evaluator, &property.node, wanted) {
                 Ok(Some(found)) => return Ok(Some(found)),
                 Err(Failure::Cancelled) => progress.checkpoint()?,
                 // It was confirmed before; only its sides cannot be shown.

@@ -1,13 +1,12 @@
 //! What the names of `[for]` range over, as it is written, and the members that were made of it.
 
-use crate::bindings::{GraphValue, Value};
+use crate::bindings::Value;
 use crate::error::Problem;
 use crate::names::FAMILIES;
 use crate::syntax::{Kind, Located, Node, parse_domain};
-use algebra::graph::{ArcList, Graph, NamedGraph, WeightedGraph, read::read_graph_file};
+use algebra::graph::{AnyGraph, GraphTextError, NamedGraph};
 use algebra::matrix::{StochasticMatrix, read::read_sequence};
-use arithmetic::{Rational, parse_rational, rational, shown};
-use num_traits::One;
+use arithmetic::{Rational, parse_rational, rational};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 
@@ -51,41 +50,35 @@ pub(crate) fn read_domain(text: &str, files: &dyn Fn(&str) -> Result<String, Str
     let other = |message: String| (0, Problem::Other(message));
     if let Some(name) = trimmed.strip_prefix("file:") {
         let content = files(name).map_err(other)?;
-        return read_file(name, &content).map(Domain::Given).map_err(other);
+        return read_file(name, &content).map_err(other);
     }
     if let Some(rest) = trimmed.strip_prefix("matrices:") {
         return read_matrices(rest).map(|list| Domain::Given(Value::Matrices(Arc::new(list)))).map_err(other);
     }
-    for (prefix, directed) in [("edges:", false), ("arcs:", true)] {
-        if let Some(rest) = trimmed.strip_prefix(prefix) {
-            let start = text.len() - text.trim_start().len() + prefix.len();
-            let graph = read_arcs(rest, directed).map_err(|(at, message)| (start + at, Problem::Other(message)))?;
-            return Ok(Domain::Given(Value::Graph(Arc::new(graph))));
-        }
-    }
-    if trimmed.contains(':') {
-        let name: NamedGraph = trimmed.parse().map_err(|error| other(format!("{error}")))?;
-        return named(name).map(Domain::Given).map_err(other);
+    // A graph by its name, or by its edges; of the names without a colon only those that are known.
+    if trimmed.contains(':') || trimmed.starts_with(">>") || trimmed.parse::<NamedGraph>().is_ok() {
+        let graph: AnyGraph =
+            text.parse().map_err(|error: GraphTextError| (error.at(), Problem::Other(error.to_string())))?;
+        return Ok(Domain::Given(Value::Graph(Arc::new(graph))));
     }
     parse_domain(text).map(Domain::Written)
 }
 
-/// The graph of that name.
-pub(crate) fn named(name: NamedGraph) -> Result<Value, String> {
-    let graph = name.build().map_err(|error| error.to_string())?;
-    Ok(Value::Graph(Arc::new(GraphValue::Named(name, graph))))
-}
-
-/// A graph, or a sequence of matrices where it is none.
-fn read_file(name: &str, text: &str) -> Result<Value, String> {
-    let graph = match read_graph_file(text, false) {
-        Ok(file) if file.directed => return Ok(Value::Graph(Arc::new(GraphValue::Directed(file.graph)))),
-        Ok(file) => return Ok(Value::Graph(Arc::new(GraphValue::Weighted(file.graph)))),
+/// A graph, several of them, or a sequence of matrices where it is none.
+fn read_file(name: &str, text: &str) -> Result<Domain, String> {
+    let error = match AnyGraph::read_file(text, false) {
+        Ok(graphs) => {
+            let mut given = graphs.into_iter().map(|graph| Domain::Given(Value::Graph(Arc::new(graph))));
+            return Ok(match (given.next(), given.len()) {
+                (Some(only), 0) => only,
+                (first, _) => Domain::List(first.into_iter().chain(given).map(|graph| (0, graph)).collect()),
+            });
+        }
         Err(error) => error,
     };
     match read_sequence(text) {
-        Ok(list) => Ok(Value::Matrices(Arc::new(list))),
-        Err(error) => Err(format!("{name}: neither a graph ({graph}) nor stochastic matrices ({error})")),
+        Ok(list) => Ok(Domain::Given(Value::Matrices(Arc::new(list)))),
+        Err(other) => Err(format!("{name}: neither a graph ({error}) nor stochastic matrices ({other})")),
     }
 }
 
@@ -97,43 +90,6 @@ fn read_matrices(text: &str) -> Result<Vec<StochasticMatrix>, String> {
         StochasticMatrix::from_rows(&rows).map_err(|error| error.to_string())
     };
     text.split('|').map(matrix).collect()
-}
-
-/// `4:1-2,2-3`, with `*w` after an arc of another weight than 1. What is wrong is told with its byte of the text.
-fn read_arcs(text: &str, directed: bool) -> Result<GraphValue, (usize, String)> {
-    let form = || (0, format!("`{}` is not of the form 4:1-2,2-3: vertices, edges", shown(text)));
-    let (order, list) = text.split_once(':').ok_or_else(form)?;
-    let most = if directed { 1000 } else { 10_000 };
-    let order: usize = order.trim().parse().ok().filter(|n| (1..=most).contains(n)).ok_or_else(form)?;
-    let vertex = |word: &str| word.trim().parse().ok().filter(|v| (1..=order).contains(v)).map(|v: usize| v - 1);
-    let what = if directed { "arc" } else { "edge" };
-    let (mut arcs, mut simple, mut at) = (ArcList::default(), !directed, text.len() - list.len());
-    for (item, number) in list.split(',').zip(1..) {
-        let start = at;
-        at += item.len() + 1;
-        let item = item.trim();
-        if item.is_empty() {
-            continue;
-        }
-        let (pair, weight) = item.split_once('*').unwrap_or((item, "1"));
-        let (i, j) = pair.split_once('-').ok_or_else(form)?;
-        let (i, j) = vertex(i).zip(vertex(j)).ok_or_else(form)?;
-        let weight = parse_rational(weight).map_err(|error| (start, error.to_string()))?;
-        simple &= i != j && weight.is_one();
-        arcs.add((i, j), weight, !directed, number).map_err(|first: usize| {
-            let why =
-                format!("the {what} `{}`, number {number} of the list, is its number {first} already", shown(item));
-            (start, why)
-        })?;
-    }
-    let arcs = arcs.into_arcs();
-    if simple {
-        let edges: Vec<(usize, usize)> = arcs.iter().map(|(i, j, _)| (*i, *j)).filter(|(i, j)| i < j).collect();
-        let graph = Graph::from_edges(order, &edges).map(GraphValue::Simple);
-        return graph.map_err(|error| (0, error.to_string()));
-    }
-    let graph = WeightedGraph::from_arcs(order, arcs);
-    Ok(if directed { GraphValue::Directed(graph) } else { GraphValue::Weighted(graph) })
 }
 
 impl Domain {
@@ -178,14 +134,14 @@ impl Domain {
     }
 }
 
-/// Classes of graphs that were made, by kind and order.
-pub(crate) type Classes = Mutex<BTreeMap<(u8, usize), Arc<Vec<Arc<GraphValue>>>>>;
+/// Classes of graphs that were made, by kind, order and degree.
+pub(crate) type Classes = Mutex<BTreeMap<(u8, usize, usize), Arc<Vec<Arc<AnyGraph>>>>>;
 
 /// Members without their values, as far as that helps to count them.
 #[derive(Debug)]
 pub(crate) enum Members {
     Integers(i64, i64),
-    Graphs(Arc<Vec<Arc<GraphValue>>>),
+    Graphs(Arc<Vec<Arc<AnyGraph>>>),
     Listed(Vec<Value>),
 }
 

@@ -69,11 +69,6 @@ pub enum Problem {
         /// What it should be.
         expected: &'static str,
     },
-    /// No control.
-    #[error(
-        "`controls` is missing in [holds]: at least one altered property that must turn out false, so that the check is seen to bite"
-    )]
-    NoControls,
     /// A number of arguments.
     #[error("`{name}` takes {expected}, not {found}")]
     Arguments {

@@ -6,14 +6,17 @@ mod until;
 
 pub(crate) use time::horizon;
 
+use crate::binder::{Binder, Gathered};
 use crate::bindings::Value;
 use crate::case::Case;
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::{FUNCTIONS, OWN};
+use crate::subject::graph::kind_number;
 use crate::syntax::{Kind, Node, Relation};
 use crate::timeline::{Measured, Moment, Piece};
 use crate::truth::{Margin, Truth};
+use algebra::graph::LaplacianKind;
 use arithmetic::{Interval, Sign, rational};
 use arithmetic::{Obstacle, RealNumber as Number};
 use num_integer::Integer;
@@ -61,6 +64,18 @@ fn joined(parts: impl Iterator<Item = Judged>, stops: bool) -> Judged {
         Some(_) => Ok((truth, Margin { lo: f64::NEG_INFINITY, ..margin })),
         None => Ok((truth, margin)),
     }
+}
+
+/// The kind of matrix that an argument names.
+pub(crate) fn kind_argument(node: &Node) -> Result<Number, (usize, Problem)> {
+    let name = match &node.kind {
+        Kind::Name { name, called: false, .. } => name.as_str(),
+        _ => "",
+    };
+    let names = LaplacianKind::NAMES.iter().map(|(name, _)| *name);
+    kind_number(name)
+        .map(Number::integer)
+        .ok_or_else(|| (node.at, Problem::unknown("kind of matrix", &node.to_string(), names)))
 }
 
 impl Evaluator<'_, '_> {
@@ -150,7 +165,12 @@ impl Evaluator<'_, '_> {
             return Some(integer(arguments)? == last);
         }
         let own = name.rsplit('.').next() == Some("lambda");
-        if own && name == other {
+        // Of one and the same matrix.
+        if own
+            && name == other
+            && arguments.len() == others.len()
+            && arguments.iter().skip(1).map(ToString::to_string).eq(others.iter().skip(1).map(ToString::to_string))
+        {
             return Some(integer(arguments)? <= integer(others)?);
         }
         None
@@ -290,6 +310,10 @@ impl Evaluator<'_, '_> {
             return self.number(node).map(Measured::Number);
         };
         if !called {
+            let place = self.case.places.borrow().iter().rev().find(|(own, _)| own == name).map(|(_, vertex)| *vertex);
+            if let Some(vertex) = place {
+                return Ok(Measured::Number(Number::integer(vertex as i64)));
+            }
             if name == "n" {
                 self.same_order().map_err(|problem| Failure::Refused(node.at, problem))?;
             }
@@ -307,6 +331,10 @@ impl Evaluator<'_, '_> {
                 None => {}
             }
         }
+        if let Some(binder) = Binder::of(node, |name| self.case.question.is_known(name)) {
+            let binder = binder.map_err(|(at, problem)| Failure::Refused(at, problem))?;
+            return self.gathered(&binder, node).map(Measured::Number);
+        }
         if FUNCTIONS.iter().any(|function| function.name == name) {
             return self.function(name, arguments, node);
         }
@@ -315,7 +343,11 @@ impl Evaluator<'_, '_> {
             None => (None, name.as_str()),
         };
         let quantity = self.case.quantity(owner, own_name).map_err(|problem| Failure::Refused(node.at, problem))?;
-        let arguments = arguments.iter().map(|node| self.number(node)).collect::<Result<Vec<_>, _>>()?;
+        let argument = |(place, node): (usize, &Node)| match quantity.arguments.get(place) {
+            Some(&"kind") => kind_argument(node).map_err(|(at, problem)| Failure::Refused(at, problem)),
+            _ => self.number(node),
+        };
+        let arguments = arguments.iter().enumerate().map(argument).collect::<Result<Vec<_>, _>>()?;
         let found = match self.moment {
             Some(moment) if std::ptr::eq(quantity, &OWN) => moment.own(name, self.precision),
             Some(moment) if quantity.moves => moment.measure(quantity, &arguments, self.precision),
@@ -326,6 +358,48 @@ impl Evaluator<'_, '_> {
             Failure::Refused(_, problem) => Failure::Refused(node.at, problem),
             other => other,
         })
+    }
+
+    /// What a binder makes of the values of its body.
+    fn gathered(&self, binder: &Binder, node: &Node) -> Result<Number, Failure> {
+        let graph = binder.graph(self.case, node.at)?;
+        let depth = self.case.places.borrow().len();
+        let mut values = Vec::new();
+        for place in binder.places(&graph) {
+            let named = binder.names.iter().zip(place).map(|(name, vertex)| (name.to_string(), vertex));
+            self.case.places.borrow_mut().extend(named);
+            let value = self.gathered_value(binder);
+            self.case.places.borrow_mut().truncate(depth);
+            values.extend(value?);
+        }
+        let precision = self.precision;
+        let mut values = values.into_iter();
+        if matches!(binder.gathered, Gathered::Sum | Gathered::Count) {
+            return Ok(values.fold(Number::integer(0), |sum, value| sum.plus(&value, precision)));
+        }
+        let larger = binder.gathered == Gathered::Largest;
+        let none =
+            || Failure::Refused(node.at, Problem::Other("there is nothing whose extreme could be taken".to_string()));
+        let first = values.next().ok_or_else(none)?;
+        Ok(values.fold(first, |best, value| best.extreme(&value, larger, precision)))
+    }
+
+    /// The value for the present names; nothing where the condition leaves them out.
+    fn gathered_value(&self, binder: &Binder) -> Result<Option<Number>, Failure> {
+        let decided = |node: &Node| match self.judge(node)?.0 {
+            Truth::True => Ok(true),
+            Truth::False => Ok(false),
+            Truth::Unknown(doubt) => Err(Failure::Open(doubt)),
+        };
+        if let Some(condition) = binder.condition
+            && !decided(condition)?
+        {
+            return Ok(None);
+        }
+        match binder.gathered {
+            Gathered::Count => Ok(Some(Number::integer(i64::from(decided(binder.body)?)))),
+            _ => self.number(binder.body).map(Some),
+        }
     }
 
     /// Refuses a bound `n` that hides another number of vertices of the only graph.

@@ -1,8 +1,8 @@
 //! The members of what the names of `[for]` range over, one after the other.
 
-use crate::bindings::{Bindings, GraphValue, Value};
+use crate::bindings::{Bindings, Value};
 use crate::case::Case;
-use crate::domain::{Domain, Members, named};
+use crate::domain::{Domain, Members};
 use crate::error::Problem;
 use crate::evaluate::Evaluator;
 use crate::failure::Failure;
@@ -10,8 +10,11 @@ use crate::names::FAMILIES;
 use crate::question::Question;
 use crate::subject::graph::changed_by_one_link;
 use crate::syntax::{Kind, Node};
-use algebra::graph::classes::{LARGEST_CLASSES, LARGEST_DIGRAPH_CLASSES, connected_graphs, digraphs, graphs, trees};
-use algebra::graph::{Graph, NamedGraph};
+use algebra::graph::classes::{
+    LARGEST_CLASSES, LARGEST_DIGRAPH_CLASSES, LARGEST_SPARSE_CLASSES, bipartite_graphs, connected_graphs, digraphs,
+    graphs, planar_graphs, regular_graphs, trees,
+};
+use algebra::graph::{AnyGraph, Graph};
 use algebra::matrix::StochasticMatrix;
 use arithmetic::RealNumber as Number;
 use arithmetic::{Progress, Rational, random, rational, shown};
@@ -26,20 +29,28 @@ enum Class {
     All,
     Trees,
     Digraphs,
+    Bipartite,
+    Planar,
+    /// Of this degree.
+    Regular,
 }
 
 /// Trees of larger orders take longer than a question should.
 const LARGEST_TREES: usize = 16;
 
-const CLASSES: [(&str, Class, usize); 4] = [
+const CLASSES: [(&str, Class, usize); 7] = [
     ("connected", Class::Connected, LARGEST_CLASSES),
     ("all", Class::All, LARGEST_CLASSES),
     ("trees", Class::Trees, LARGEST_TREES),
     ("digraphs", Class::Digraphs, LARGEST_DIGRAPH_CLASSES),
+    ("bipartite", Class::Bipartite, LARGEST_SPARSE_CLASSES),
+    ("planar", Class::Planar, LARGEST_CLASSES),
+    ("regular", Class::Regular, LARGEST_SPARSE_CLASSES),
 ];
 
 impl Class {
-    /// Known numbers of classes, for orders from 1 (OEIS A001349, A000088, A000055, A000273).
+    /// Known numbers of classes, for orders from 1 (OEIS A001349, A000088, A000055, A000273,
+    /// A033995, A005470); nothing of regular graphs, whose number depends on the degree.
     fn counts(self) -> &'static [u64] {
         match self {
             Class::Connected => &[1, 1, 2, 6, 21, 112, 853, 11117, 261_080, 11_716_571, 1_006_700_565, 164_059_830_476],
@@ -49,13 +60,16 @@ impl Class {
                 2_144_505, 5_623_756,
             ],
             Class::Digraphs => &[1, 3, 16, 218, 9608, 1_540_944, 882_033_440, 1_793_359_192_848],
+            Class::Bipartite => &[1, 2, 3, 7, 13, 35, 88, 303, 1119, 5479, 32303, 251_135, 2_527_712],
+            Class::Planar => &[1, 2, 4, 11, 33, 142, 822, 6966, 79853, 1_140_916, 18_681_008],
+            Class::Regular => &[],
         }
     }
 
     fn size(self, order: usize) -> String {
         match self.counts().get(order - 1) {
             Some(count) => count.to_string(),
-            None => format!("more than {}", self.counts().last().copied().unwrap_or(0)),
+            None => self.counts().last().map_or("too many".to_string(), |most| format!("more than {most}")),
         }
     }
 }
@@ -158,7 +172,8 @@ impl Maker<'_> {
                 let problem = Problem::TooLarge { what: format!("{name}({order})"), size: class.size(order), most };
                 return Err(Failure::Refused(node.at, problem));
             }
-            return Ok(Members::Graphs(self.class(class, order)?));
+            let degree = arguments.get(1).map_or(Ok(0), |node| self.count(node, "the degree", 0, 1000))?;
+            return Ok(Members::Graphs(self.class(class, order, degree)?));
         }
         match name {
             "integers" => {
@@ -182,7 +197,7 @@ impl Maker<'_> {
                     };
                     return Err(Failure::Refused(arguments[1].at, problem));
                 }
-                Ok(Members::Listed(vec![Value::Graph(Arc::new(GraphValue::Simple(self.random(order, &p, node)?)))]))
+                Ok(Members::Listed(vec![Value::Graph(Arc::new(AnyGraph::Simple(self.random(order, &p, node)?)))]))
             }
             "with_link" | "without_link" => {
                 let given = match &arguments[0].kind {
@@ -192,11 +207,11 @@ impl Maker<'_> {
                 let Some(Value::Graph(graph)) = given else {
                     return Err(refuse(format!("`{name}` takes the name of a graph that is bound before")));
                 };
-                let GraphValue::Simple(graph) = graph.as_ref() else {
+                let AnyGraph::Simple(graph) = graph.as_ref() else {
                     return Err(refuse(format!("`{name}` takes an undirected graph whose links all have weight 1")));
                 };
                 let changed = changed_by_one_link(graph, name == "with_link").into_iter();
-                Ok(Members::Listed(changed.map(|g| Value::Graph(Arc::new(GraphValue::Simple(g)))).collect()))
+                Ok(Members::Listed(changed.map(|g| Value::Graph(Arc::new(AnyGraph::Simple(g)))).collect()))
             }
             "joined" => {
                 let named = |node: &Node| match &node.kind {
@@ -233,9 +248,9 @@ impl Maker<'_> {
             }
             // The graphs that have names.
             _ => {
-                let order = self.count(&arguments[0], vertices, 1, 1 << 20)?;
-                let found: NamedGraph = format!("{name}:{order}").parse().map_err(|e| refuse(format!("{e}")))?;
-                Ok(Members::Listed(vec![named(found).map_err(refuse)?]))
+                let order = self.count(&arguments[0], "its number", 0, 1 << 20)?;
+                let found: AnyGraph = format!("{name}:{order}").parse().map_err(|e| refuse(format!("{e}")))?;
+                Ok(Members::Listed(vec![Value::Graph(Arc::new(found))]))
             }
         }
     }
@@ -262,19 +277,22 @@ impl Maker<'_> {
         Ok(Graph::from_fn(order, |i, j| joined[j * (j - 1) / 2 + i]))
     }
 
-    fn class(&self, class: Class, order: usize) -> Made<Arc<Vec<Arc<GraphValue>>>> {
-        let key = (class as u8, order);
+    fn class(&self, class: Class, order: usize, degree: usize) -> Made<Arc<Vec<Arc<AnyGraph>>>> {
+        let key = (class as u8, order, degree);
         let mut made = self.question.classes().lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(known) = made.get(&key) {
             return Ok(known.clone());
         }
-        let simple = |list: Vec<Graph>| list.into_iter().map(|g| Arc::new(GraphValue::Simple(g))).collect::<Vec<_>>();
+        let simple = |list: Vec<Graph>| list.into_iter().map(|g| Arc::new(AnyGraph::Simple(g))).collect::<Vec<_>>();
         let list = match class {
             Class::Connected => simple(connected_graphs(order, self.progress)?),
             Class::All => simple(graphs(order, self.progress)?),
             Class::Trees => simple(trees(order, self.progress)?),
+            Class::Bipartite => simple(bipartite_graphs(order, self.progress)?),
+            Class::Planar => simple(planar_graphs(order, self.progress)?),
+            Class::Regular => simple(regular_graphs(order, degree, self.progress)?),
             Class::Digraphs => {
-                digraphs(order, self.progress)?.into_iter().map(|g| Arc::new(GraphValue::Directed(g))).collect()
+                digraphs(order, self.progress)?.into_iter().map(|g| Arc::new(AnyGraph::Directed(g))).collect()
             }
         };
         let list = Arc::new(list);

@@ -4,10 +4,12 @@
 //! files: those that a question names are given to it. `notes/questions.md` has the language with examples.
 
 mod answer;
+mod binder;
 mod bindings;
 mod case;
 mod decide;
 mod decisive;
+mod definitions;
 mod division;
 mod domain;
 mod draw;
@@ -19,6 +21,8 @@ mod family;
 mod floats;
 mod formula;
 mod inequalities;
+mod made;
+mod members;
 pub mod names;
 mod number;
 mod outcome;
@@ -35,13 +39,16 @@ mod timeline;
 mod truth;
 mod tube;
 
+/// A graph, as a family gives it.
+pub use algebra::graph::AnyGraph;
 pub use answer::{Answer, Verdict};
-pub use bindings::{Bindings, GraphValue, Value};
+pub use bindings::{Bindings, Value};
 pub use decide::{Tabulated, decide};
 pub use decisive::Decisive;
 pub use drawn::Instance;
 pub use error::{Place, Problem, QuestionError};
 pub use expressions::nearest_ids;
+pub use members::{Listed, Member};
 pub use number::Number;
 pub use outcome::{Decided, Outcome, Unsettled};
 /// Proofs by sums of squares.

@@ -70,8 +70,13 @@ const fn fixed(
     Quantity { name, subject, arguments, is_truth: false, moves: false, meaning }
 }
 
-const fn truth(subject: Subject, name: &'static str, meaning: &'static str) -> Quantity {
-    Quantity { name, subject, arguments: &[], is_truth: true, moves: false, meaning }
+const fn truth(
+    subject: Subject,
+    name: &'static str,
+    arguments: &'static [&'static str],
+    meaning: &'static str,
+) -> Quantity {
+    Quantity { name, subject, arguments, is_truth: true, moves: false, meaning }
 }
 
 /// A number of a law of one's own: of its state, or an observable, by a name of its own.
@@ -100,18 +105,127 @@ const FIXED: &[Quantity] = &[
         &[],
         "largest number of neighbours; of a directed graph, of arcs from a vertex",
     ),
+    fixed(Subject::Graph, "degree", &["i"], "number of neighbours of vertex i; of a directed graph, of arcs from it"),
+    fixed(Subject::Graph, "in_degree", &["i"], "number of arcs to vertex i; of an undirected graph, its degree"),
+    truth(
+        Subject::Graph,
+        "adjacent",
+        &["i", "j"],
+        "vertices i and j are joined; of a directed graph, by an arc from i to j",
+    ),
+    fixed(
+        Subject::Graph,
+        "distance",
+        &["i", "j"],
+        "least number of edges, or arcs, from vertex i to vertex j; only where there is a way",
+    ),
+    fixed(
+        Subject::Graph,
+        "eccentricity",
+        &["i"],
+        "largest distance from vertex i; only where every vertex can be reached from it",
+    ),
     fixed(
         Subject::Graph,
         "diameter",
         &[],
         "largest distance of two vertices along edges; only where every vertex can be reached from every other",
     ),
-    truth(Subject::Graph, "connected", "every vertex can be reached from every other, along arcs in a directed graph"),
+    fixed(
+        Subject::Graph,
+        "radius",
+        &[],
+        "smallest eccentricity; only where every vertex can be reached from every other",
+    ),
+    fixed(Subject::Graph, "girth", &[], "length of a shortest cycle; only where there is one"),
+    truth(
+        Subject::Graph,
+        "connected",
+        &[],
+        "every vertex can be reached from every other, along arcs in a directed graph",
+    ),
+    truth(Subject::Graph, "bipartite", &[], "two colours are enough: there is no odd cycle"),
+    truth(Subject::Graph, "regular", &[], "all vertices have the same number of neighbours"),
+    truth(Subject::Graph, "planar", &[], "it can be drawn in the plane without crossings"),
+    truth(Subject::Graph, "tree", &[], "connected and without cycles"),
+    fixed(
+        Subject::Graph,
+        "edge_connectivity",
+        &[],
+        "least number of edges whose removal disconnects it; 0 of a single vertex",
+    ),
+    fixed(
+        Subject::Graph,
+        "vertex_connectivity",
+        &[],
+        "least number of vertices whose removal leaves it disconnected or with a single vertex",
+    ),
+    fixed(Subject::Graph, "clique_number", &[], "number of vertices of a largest clique, up to 64 vertices"),
+    fixed(
+        Subject::Graph,
+        "independence_number",
+        &[],
+        "largest number of vertices of which no two are joined, up to 64 vertices",
+    ),
+    fixed(Subject::Graph, "chromatic_number", &[], "least number of colours, up to 64 vertices"),
+    fixed(Subject::Graph, "matching_number", &[], "number of edges of a largest matching"),
+    fixed(Subject::Graph, "spanning_trees", &[], "number of spanning trees"),
+    fixed(
+        Subject::Graph,
+        "resistance",
+        &["i", "j"],
+        "effective resistance between vertices i and j, every edge being a resistance of 1; only of connected graphs",
+    ),
+    fixed(
+        Subject::Graph,
+        "kirchhoff_index",
+        &[],
+        "sum of the effective resistances of all pairs of vertices; only of connected graphs",
+    ),
+    fixed(
+        Subject::Graph,
+        "cheeger",
+        &[],
+        "Cheeger constant: least size of a cut over the smaller sum of degrees of its two sides, up to 24 vertices",
+    ),
+    fixed(
+        Subject::Graph,
+        "isoperimetric_number",
+        &[],
+        "least size of a cut over the number of vertices on its smaller side, up to 24 vertices",
+    ),
+    fixed(Subject::Graph, "automorphisms", &[], "number of automorphisms, up to 64 vertices"),
     fixed(
         Subject::Graph,
         "lambda",
-        &["k"],
-        "k-th smallest eigenvalue (of a directed graph: real part), counted with multiplicity, of the matrix that `kind` in [question] names",
+        &["k", "kind"],
+        "k-th smallest eigenvalue (of a directed graph: real part), counted with multiplicity, of the matrix that `kind` names; `lambda(k)` of that of `kind` in [question]",
+    ),
+    fixed(
+        Subject::Graph,
+        "spectral_radius",
+        &[],
+        "largest modulus of an eigenvalue of the matrix of weights, none of which may be negative",
+    ),
+    fixed(
+        Subject::Graph,
+        "fiedler_sign",
+        &["i"],
+        "-1, 0 or 1: the sign at vertex i of the eigenvector of the second smallest Laplacian eigenvalue, whose first entry that is not 0 is positive; only where that eigenvalue is simple",
+    ),
+    truth(Subject::Graph, "rooted", &[], "some vertex is reached from every other along arcs"),
+    truth(Subject::Graph, "strongly_connected", &[], "the same as `connected`"),
+    fixed(
+        Subject::Graph,
+        "period",
+        &[],
+        "greatest common divisor of the lengths of all closed walks; only where every vertex can be reached from every other",
+    ),
+    fixed(
+        Subject::Graph,
+        "second_modulus",
+        &[],
+        "second largest modulus of an eigenvalue, counted with multiplicity, of the stochastic matrix D^-1 A; only where every vertex has a neighbour and no weight is negative",
     ),
     fixed(
         Subject::Platoon,
@@ -121,7 +235,7 @@ const FIXED: &[Quantity] = &[
     ),
     fixed(Subject::Platoon, "peak_frequency", &[], "angular frequency of the peak, rad/s"),
     fixed(Subject::Platoon, "gain", &["k", "w"], "amplitude of follower k at the angular frequency w"),
-    truth(Subject::Platoon, "stable", "the followers come to rest behind a leader at rest"),
+    truth(Subject::Platoon, "stable", &[], "the followers come to rest behind a leader at rest"),
     fixed(Subject::Platoon, "abscissa", &[], "largest real part of the modes of the platoon, 1/s"),
     fixed(
         Subject::Matrices,
@@ -135,10 +249,16 @@ const FIXED: &[Quantity] = &[
         &[],
         "largest distance of two rows of the product in the 2-norm, as `ergodicity` prints it",
     ),
+    fixed(
+        Subject::Matrices,
+        "second_modulus",
+        &[],
+        "second largest modulus of an eigenvalue of the product, counted with multiplicity",
+    ),
     fixed(Subject::Flock, "last_switch", &[], "last time at which the network changes; 0 where it never does"),
     fixed(Subject::Flock, "switches", &[], "number of times at which the network changes"),
     fixed(Subject::Flock, "flocks", &[], "number of connected parts of the network at the end"),
-    truth(Subject::Flock, "steady", "the network changes finitely often and then never again"),
+    truth(Subject::Flock, "steady", &[], "the network changes finitely often and then never again"),
 ];
 
 /// All quantities: those that do not move, then the observables of flocks and of motions.
@@ -204,6 +324,20 @@ pub const FUNCTIONS: &[Function] = &[
     function("initial", 1, 1, "a moving quantity at time 0"),
 ];
 
+/// What goes through the vertices, the edges or the pairs of a graph.
+const SUMS: [(&str, &str); 7] = [
+    ("sum(i, e)", "sum of e over all vertices i, numbers from 1"),
+    (
+        "sum(edge(i, j), e)",
+        "the same over all edges, each once with i < j; of a directed graph over all arcs from i to j",
+    ),
+    ("sum(pair(i, j), e)", "the same over all pairs of vertices i < j"),
+    ("sum(i where p, e)", "the same over those for which p is true; also of edges and pairs"),
+    ("count(i, p)", "for how many p is true; also of edges and pairs"),
+    ("max(vertex(i), e)", "largest value of e; also of edges and pairs, and only where there is one"),
+    ("min(vertex(i), e)", "smallest value of e; also of edges and pairs, and only where there is one"),
+];
+
 /// A family in `[for]`.
 #[derive(Debug)]
 pub struct Family {
@@ -234,6 +368,21 @@ pub const FAMILIES: &[Family] = &[
     family("trees(n)", "trees", 1, 1, "all trees on n vertices up to isomorphism, n <= 16"),
     family("digraphs(n)", "digraphs", 1, 1, "all directed graphs on n vertices up to isomorphism, n <= 5"),
     family(
+        "bipartite(n)",
+        "bipartite",
+        1,
+        1,
+        "all bipartite graphs on n vertices up to isomorphism, connected or not, n <= 11",
+    ),
+    family("planar(n)", "planar", 1, 1, "all planar graphs on n vertices up to isomorphism, connected or not, n <= 9"),
+    family(
+        "regular(n, d)",
+        "regular",
+        2,
+        2,
+        "all graphs on n vertices of degree d up to isomorphism, connected or not, n <= 11",
+    ),
+    family(
         "random(n, p)",
         "random",
         2,
@@ -253,16 +402,26 @@ pub const FAMILIES: &[Family] = &[
     family("path(n)", "path", 1, 1, "the graph path:n"),
     family("complete(n)", "complete", 1, 1, "the graph complete:n"),
     family("star(n)", "star", 1, 1, "the graph star:n"),
+    family("wheel(n)", "wheel", 1, 1, "the graph wheel:n, n >= 4"),
+    family("hypercube(d)", "hypercube", 1, 1, "the graph hypercube:d"),
+    family("empty(n)", "empty", 1, 1, "the graph empty:n, without edges"),
     family("platoon1(m)", "platoon1", 1, 1, "the communication graph platoon1:m"),
     family("platoon2(m)", "platoon2", 1, 1, "the communication graph platoon2:m"),
-    family("ring:12, circulant:12:1,3, ..", "", 0, 0, "a graph by its name, as for `spectrum --graph`"),
+    family(
+        "petersen, grid:3x4, bipartite:3,4, circulant:12:1,3, ..",
+        "",
+        0,
+        0,
+        "a graph by its name, as for `spectrum --graph`",
+    ),
     family("edges:4:1-2,2-3 and arcs:4:1-2,2-3", "", 0, 0, "the graph on 4 vertices with these edges, or arcs"),
+    family("graph6:.., sparse6:.., digraph6:..", "", 0, 0, "the graph in that format of nauty and networkx"),
     family(
         "file:NAME",
         "",
         0,
         0,
-        "the graph, or the sequence of stochastic matrices, in a file, as for `spectrum` and `ergodicity`",
+        "the graph, each of the graphs in graph6 or sparse6, or the sequence of stochastic matrices, in a file, as for `spectrum` and `ergodicity`",
     ),
     family(
         "stochastic(n, d)",
@@ -327,6 +486,7 @@ fn sections() -> Vec<(String, Vec<(String, &'static str)>)> {
             "Functions".to_string(),
             FUNCTIONS.iter().map(|function| (function.name.to_string(), function.meaning)).collect(),
         ),
+        ("Over a graph".to_string(), SUMS.iter().map(|(form, meaning)| (form.to_string(), *meaning)).collect()),
     ];
     for subject in [Subject::Graph, Subject::Platoon, Subject::Matrices, Subject::Flock, Subject::Motion] {
         let own = quantities().iter().filter(|quantity| quantity.subject == subject);

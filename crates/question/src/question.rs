@@ -5,10 +5,11 @@ mod count;
 mod read;
 mod used;
 
+use crate::definitions::Definition;
 use crate::domain::{Bound, Classes, Domain, Members, Sort};
 use crate::error::{Place, Problem, QuestionError};
 use crate::failure::Failure;
-use crate::names::{FUNCTIONS, Subject, quantities};
+use crate::names::{FUNCTIONS, Subject, quantities, quantity_of};
 use crate::scenario_file::ScenarioFile;
 use crate::states::LawFile;
 use crate::syntax::Node;
@@ -48,18 +49,29 @@ pub struct Question {
     /// The byte where `[values]` begins.
     values_at: usize,
     subjects: Vec<Subject>,
+    definitions: Vec<Definition>,
     classes: Classes,
     /// Members of the names that depend on no other.
     alone: Vec<OnceLock<Arc<Members>>>,
     starts: OnceLock<Vec<u64>>,
     /// Whether sums of squares are looked for first, so that as much as possible has a certificate.
     pub certified: bool,
+    /// How many counterexamples are listed; 0 where none beside the one that decides are.
+    pub listed_counterexamples: u64,
+    /// How many members are listed at which an inequality of the property is an equation; 0 where none are.
+    pub listed_tight: u64,
 }
 
 impl Question {
     /// A problem at a byte of the file.
     pub(crate) fn at(&self, byte: usize, problem: Problem) -> QuestionError {
         QuestionError::At { place: Place::of(&self.text, byte), problem }
+    }
+
+    /// Whether a name stands for something by itself: it is bound, a quantity, a function.
+    pub(crate) fn is_known(&self, name: &str) -> bool {
+        let is_quantity = || quantity_of(name.rsplit('.').next().unwrap_or(name), self.subjects()).is_some();
+        self.sort(name).is_some() || FUNCTIONS.iter().any(|function| function.name == name) || is_quantity()
     }
 
     /// The sort of a bound name.

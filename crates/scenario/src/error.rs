@@ -123,6 +123,9 @@ pub enum Problem {
     /// A value of another kind.
     #[error("it should be {0}")]
     Shape(String),
+    /// A text that is no graph.
+    #[error(transparent)]
+    Graph(#[from] algebra::graph::GraphTextError),
     /// Not one of the names.
     #[error("`{found}` is not known; allowed are {allowed}")]
     Name {

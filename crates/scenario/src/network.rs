@@ -1,9 +1,9 @@
 //! Who senses whom: the graph of a scenario, fixed or made from positions, with its switches.
 
 use super::error::{ConfigError, Problem};
-use super::source::{Section, Source};
+use super::source::{Entry, Section, Source};
 use super::view::{Links, Sensing};
-use algebra::graph::{ArcList, NamedGraph};
+use algebra::graph::{AnyGraph, ArcList, GraphTextError, NamedGraph};
 use arithmetic::{Complex, Field, Rational, rational};
 use models::oscillator::{Everyone, Interaction, Neighbours};
 use std::borrow::Cow;
@@ -113,6 +113,11 @@ impl Network {
             };
         };
         let entry = section.need("kind", &KINDS.map(|(name, _)| name).join(", "))?;
+        let word = entry.word()?;
+        if word.contains(':') || word.parse::<NamedGraph>().is_ok() {
+            section.allow(&["kind"], " whose kind names the graph")?;
+            return Network::of_text(order, &entry, can);
+        }
         let kind = entry.choice(&KINDS)?;
         let needs = |needs| entry.problem(Problem::Network { model: can.model, needs });
         if !can.positions && matches!(kind, Kind::Within | Kind::Nearest) {
@@ -179,6 +184,29 @@ impl Network {
         }
         let pairs = (0..order).flat_map(|i| (i + 1..order).map(move |j| (i, j))).collect();
         Ok(Network::fixed(order, pairs, false, declaration))
+    }
+
+    /// A graph as all commands read it: `hypercube:3`, `edges:4:1-2,2-3`, `graph6:..`; all weights must be 1.
+    fn of_text(order: usize, entry: &Entry, can: Abilities) -> Result<Self, ConfigError> {
+        let refused = |why: String| entry.problem(Problem::Range(why));
+        let graph: AnyGraph =
+            entry.word()?.parse().map_err(|error: GraphTextError| entry.problem(Problem::Graph(error)))?;
+        if graph.order() != order {
+            return Err(refused(format!(
+                "a graph on {order} vertices, one for each agent, and not on {}",
+                graph.order()
+            )));
+        }
+        if graph.is_directed() && !can.directed {
+            return Err(entry.problem(Problem::Network { model: can.model, needs: "an undirected graph" }));
+        }
+        let weights = graph.weighted();
+        if weights.adjacency().entries().any(|(i, j, weight)| i == j || *weight != rational(1, 1)) {
+            return Err(refused("a graph without loops whose edges all have weight 1".to_string()));
+        }
+        let directed = graph.is_directed();
+        let pairs: Vec<Pair> = graph.arcs().into_iter().filter(|(i, j)| directed || i < j).collect();
+        Ok(Network::fixed(order, pairs, directed, format!("fixed network {graph}")))
     }
 
     fn named(order: usize, graph: &NamedGraph, section: &Section) -> Result<Self, ConfigError> {

@@ -4,7 +4,7 @@ use super::super::{CliError, output, progress, spectrum};
 use super::peak::Found;
 use super::{Arguments, followers};
 use flockproof::arithmetic::{ArithmeticError, Interval, Rational, Unwatched, decimals};
-use flockproof::graph::NamedGraph;
+use flockproof::graph::AnyGraph;
 use flockproof::matrix::RationalMatrix;
 use flockproof::platoon::gain_margin::{GainMargin, gain_margin};
 use flockproof::platoon::growth::peak_of_car;
@@ -77,12 +77,9 @@ fn on_a_graph(arguments: &Arguments) -> Result<Platoon, CliError> {
         return Err(CliError::Use(why.to_string()));
     }
     let path = Path::new(&arguments.graph);
-    let (weighted, labels, file) = match arguments.graph.parse::<NamedGraph>() {
+    let (weighted, labels, file) = match arguments.graph.parse::<AnyGraph>() {
         Ok(_) if arguments.zero_based => return Err(spectrum::zero_based_name(&arguments.graph)),
-        Ok(named) => {
-            let built = named.build().map_err(|error| CliError::Use(format!("--graph: {error}")))?;
-            (built, None, None)
-        }
+        Ok(found) => (found.weighted(), None, None),
         Err(_) if path.exists() || arguments.graph == "-" => {
             let (file, origin) = spectrum::read_file(path, arguments.zero_based)?;
             (file.graph, file.labels, Some(origin))

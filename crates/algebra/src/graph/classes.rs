@@ -11,6 +11,8 @@ use std::collections::BTreeSet;
 
 /// Largest order of [`graphs`] and [`connected_graphs`].
 pub const LARGEST_CLASSES: usize = 9;
+/// Largest order of [`bipartite_graphs`] and [`regular_graphs`]: the code of a graph has 128 bits.
+pub const LARGEST_SPARSE_CLASSES: usize = 11;
 /// Largest order of [`digraphs`].
 pub const LARGEST_DIGRAPH_CLASSES: usize = 5;
 /// Largest order of [`trees`].
@@ -137,6 +139,11 @@ impl Arcs {
         best
     }
 
+    /// The undirected graph, where there is an arc back for each.
+    fn graph(&self) -> Graph {
+        Graph::from_fn(self.out.len(), |i, j| self.out[i] >> j & 1 == 1)
+    }
+
     fn from_code(order: usize, code: u128) -> Self {
         let mask = (1u128 << order) - 1;
         Arcs::new((0..order).map(|i| (code >> (i * order) & mask) as u16).collect())
@@ -151,9 +158,14 @@ fn bits(mut set: u16) -> impl Iterator<Item = usize> {
     })
 }
 
-/// The classes of an order, by the number of arcs and then the code; from those of the order before. `choices` lists the arcs from and
-/// to a new vertex.
-fn classes(order: usize, directed: bool, progress: &dyn Progress) -> Result<Vec<Arcs>, Cancelled> {
+/// The classes of an order, by the number of arcs and then the code; from those of the order before. `kept` says which are wanted: with a graph it has to
+/// keep what is left of it without any one vertex.
+fn classes(
+    order: usize,
+    directed: bool,
+    kept: impl Fn(&Arcs) -> bool + Sync,
+    progress: &dyn Progress,
+) -> Result<Vec<Arcs>, Cancelled> {
     let mut found = vec![Arcs::new(Vec::new())];
     for size in 1..=order {
         let children = |parent: &Arcs| {
@@ -170,7 +182,7 @@ fn classes(order: usize, directed: bool, progress: &dyn Progress) -> Result<Vec<
                         continue;
                     }
                     let graph = parent.joined(from, to);
-                    if graph.last_is_largest() {
+                    if graph.last_is_largest() && kept(&graph) {
                         codes.push((graph.count(), graph.code()));
                     }
                 }
@@ -193,11 +205,59 @@ fn classes(order: usize, directed: bool, progress: &dyn Progress) -> Result<Vec<
 /// # Errors
 /// [`Cancelled`].
 pub fn graphs(order: usize, progress: &dyn Progress) -> Result<Vec<Graph>, Cancelled> {
-    if order > LARGEST_CLASSES {
+    undirected(order, LARGEST_CLASSES, |_| true, progress)
+}
+
+fn undirected(
+    order: usize,
+    most: usize,
+    kept: impl Fn(&Arcs) -> bool + Sync,
+    progress: &dyn Progress,
+) -> Result<Vec<Graph>, Cancelled> {
+    if order > most {
         return Ok(Vec::new());
     }
-    let graph = |arcs: Arcs| Graph::from_fn(order, |i, j| arcs.out[i] >> j & 1 == 1);
-    Ok(classes(order, false, progress)?.into_iter().map(graph).collect())
+    Ok(classes(order, false, kept, progress)?.iter().map(Arcs::graph).collect())
+}
+
+/// One bipartite graph of each class of this order, connected or not (1, 2, 3, 7, 13, 35, 88, 303, 1119, 5479, 32303 for 1 to 11); none for orders above
+/// [`LARGEST_SPARSE_CLASSES`].
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn bipartite_graphs(order: usize, progress: &dyn Progress) -> Result<Vec<Graph>, Cancelled> {
+    undirected(order, LARGEST_SPARSE_CLASSES, |arcs| arcs.graph().is_bipartite(), progress)
+}
+
+/// One planar graph of each class of this order, connected or not (1, 2, 4, 11, 33, 142, 822, 6966, 79853 for 1 to 9); none for orders above
+/// [`LARGEST_CLASSES`].
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn planar_graphs(order: usize, progress: &dyn Progress) -> Result<Vec<Graph>, Cancelled> {
+    undirected(order, LARGEST_CLASSES, |arcs| arcs.graph().is_planar(), progress)
+}
+
+/// One graph of each class of this order whose vertices all have so many neighbours, connected or not (of degree 3: 1, 2, 6, 21 for 4, 6, 8, 10); none for
+/// orders above [`LARGEST_SPARSE_CLASSES`].
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn regular_graphs(order: usize, degree: usize, progress: &dyn Progress) -> Result<Vec<Graph>, Cancelled> {
+    if degree >= order || (order * degree) % 2 == 1 {
+        return Ok(Vec::new());
+    }
+    // Of a graph and its complement that with fewer edges.
+    let least = degree.min(order - 1 - degree);
+    // Each vertex that is still missing gives every other one neighbour at most.
+    let kept = |arcs: &Arcs| {
+        let missing = order - arcs.out.len();
+        arcs.out.iter().map(|row| row.count_ones() as usize).all(|own| own <= least && own + missing >= least)
+    };
+    let found = undirected(order, LARGEST_SPARSE_CLASSES, kept, progress)?;
+    let turned =
+        |graph: Graph| if least == degree { graph } else { Graph::from_fn(order, |i, j| !graph.has_edge(i, j)) };
+    Ok(found.into_iter().map(turned).collect())
 }
 
 /// One connected graph of each class of this order (1, 1, 2, 6, 21, 112, 853, 11117, 261080 for 1 to 9).
@@ -221,7 +281,7 @@ pub fn digraphs(order: usize, progress: &dyn Progress) -> Result<Vec<WeightedGra
         let list = (0..order).flat_map(|i| bits(arcs.out[i]).map(move |j| (i, j, rational(1, 1))).collect::<Vec<_>>());
         WeightedGraph::from_arcs(order, list)
     };
-    Ok(classes(order, true, progress)?.into_iter().map(graph).collect())
+    Ok(classes(order, true, |_| true, progress)?.into_iter().map(graph).collect())
 }
 
 /// One tree of each class of this order (1, 1, 1, 2, 3, 6, 11, 23, 47 for 1 to 9); none for orders above [`LARGEST_TREE_CLASSES`].

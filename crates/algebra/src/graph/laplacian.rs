@@ -61,8 +61,9 @@ impl LaplacianKind {
         Self::NAMES.iter().find(|(_, kind)| *kind == self).map_or("laplacian", |(name, _)| name)
     }
 
-    /// The kind of that name.
+    /// The kind of that name, in either spelling: `normalised` or `normalized`, `out-degree` or `out_degree`.
     pub fn from_name(name: &str) -> Option<Self> {
+        let name = name.replace("normalized", "normalised").replace('_', "-");
         Self::NAMES.iter().find(|(known, _)| *known == name).map(|(_, kind)| *kind)
     }
 

@@ -1,14 +1,18 @@
 //! Graphs: undirected simple ones, which the flocking networks are made of, and directed ones with rational weights.
 
+mod any;
 mod arc_list;
 pub mod classes;
 mod components;
+pub mod graph6;
+pub mod invariants;
 mod isomorphism;
 mod laplacian;
 mod named;
 pub mod read;
 mod weighted;
 
+pub use any::{AnyGraph, GraphTextError};
 pub use arc_list::ArcList;
 pub use components::{component_numbers, components};
 pub use laplacian::{LaplacianError, LaplacianKind};

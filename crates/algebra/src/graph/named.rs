@@ -13,6 +13,12 @@ use std::str::FromStr;
 /// Most vertices of a named graph.
 pub const LARGEST_ORDER: usize = 1 << 20;
 
+/// Largest side of a grid, and of a complete bipartite graph.
+const LARGEST_SIDE: usize = 1 << 10;
+
+/// Largest dimension of a hypercube.
+const LARGEST_DIMENSION: usize = 16;
+
 /// Most arcs of a named graph that is built.
 const MOST_ARCS: usize = 1 << 21;
 
@@ -37,6 +43,18 @@ pub enum NamedGraph {
     /// `platoon2:M`: each follower senses the cars in front and behind with weights 1/2; the last one only the car in front,
     /// with weight 1 (equation (2)).
     PlatoonTwo(usize),
+    /// `wheel:N`, N >= 4: the first vertex is joined to the N - 1 others, which form a ring.
+    Wheel(usize),
+    /// `empty:N`: no edges.
+    Empty(usize),
+    /// `bipartite:A,B`: each of the first A vertices is joined to each of the B others.
+    Bipartite(usize, usize),
+    /// `grid:AxB`: A rows of B vertices, each joined to the next in its row and in its column.
+    Grid(usize, usize),
+    /// `hypercube:D`: the 2^D words of D bits, joined where they differ in one bit.
+    Hypercube(usize),
+    /// `petersen`: the pairs of five things, joined where they have nothing in common; as two rings of five, the outer one first.
+    Petersen,
     /// `geometric:N:R:SEED`: N points at random in the unit square, joined at distance R or less.
     Geometric {
         /// Number of points.
@@ -83,8 +101,9 @@ pub enum NameError {
 }
 
 /// What there is, for messages.
-const FAMILIES: &str = "known are ring:N, cycle:N, path:N, complete:N, star:N, circulant:N:a,b,.., platoon1:M, \
-                        platoon2:M and geometric:N:R:SEED";
+const FAMILIES: &str = "known are ring:N, cycle:N, path:N, complete:N, star:N, wheel:N, empty:N, bipartite:A,B, grid:AxB, \
+                        hypercube:D, petersen, circulant:N:a,b,.., platoon1:M, platoon2:M, geometric:N:R:SEED, \
+                        edges:N:1-2,2-3, arcs:N:1-2,2-3, graph6:.., sparse6:.. and digraph6:..";
 
 impl FromStr for NamedGraph {
     type Err = NameError;
@@ -107,6 +126,21 @@ impl FromStr for NamedGraph {
             "path" => only("path:N", vertices, 1, LARGEST_ORDER).map(NamedGraph::Path),
             "complete" => only("complete:N", vertices, 1, LARGEST_ORDER).map(NamedGraph::Complete),
             "star" => only("star:N", vertices, 1, LARGEST_ORDER).map(NamedGraph::Star),
+            "wheel" => only("wheel:N", vertices, 4, LARGEST_ORDER).map(NamedGraph::Wheel),
+            "empty" => only("empty:N", vertices, 1, LARGEST_ORDER).map(NamedGraph::Empty),
+            "hypercube" => only("hypercube:D", "the dimension", 0, LARGEST_DIMENSION).map(NamedGraph::Hypercube),
+            "petersen" if parts.len() == 1 => Ok(NamedGraph::Petersen),
+            "petersen" => Err(NameError::Form { text: shown(text), form: "petersen" }),
+            "bipartite" | "grid" => {
+                let is_grid = parts[0] == "grid";
+                let form = if is_grid { "grid:AxB" } else { "bipartite:A,B" };
+                let wrong = || NameError::Form { text: shown(text), form };
+                let [_, sizes] = parts[..] else { return Err(wrong()) };
+                let (a, b) = sizes.split_once(if is_grid { 'x' } else { ',' }).ok_or_else(wrong)?;
+                let what = if is_grid { "a side" } else { "a number of vertices" };
+                let (a, b) = (integer(a, what, 1, LARGEST_SIDE)?, integer(b, what, 1, LARGEST_SIDE)?);
+                Ok(if is_grid { NamedGraph::Grid(a, b) } else { NamedGraph::Bipartite(a, b) })
+            }
             "platoon1" => {
                 only("platoon1:M", "the number of followers", 1, LARGEST_ORDER - 1).map(NamedGraph::PlatoonOne)
             }
@@ -148,6 +182,12 @@ impl fmt::Display for NamedGraph {
                 let offsets: Vec<String> = offsets.iter().map(ToString::to_string).collect();
                 write!(f, "circulant:{n}:{}", offsets.join(","))
             }
+            NamedGraph::Wheel(n) => write!(f, "wheel:{n}"),
+            NamedGraph::Empty(n) => write!(f, "empty:{n}"),
+            NamedGraph::Bipartite(a, b) => write!(f, "bipartite:{a},{b}"),
+            NamedGraph::Grid(a, b) => write!(f, "grid:{a}x{b}"),
+            NamedGraph::Hypercube(d) => write!(f, "hypercube:{d}"),
+            NamedGraph::Petersen => write!(f, "petersen"),
             NamedGraph::PlatoonOne(m) => write!(f, "platoon1:{m}"),
             NamedGraph::PlatoonTwo(m) => write!(f, "platoon2:{m}"),
             NamedGraph::Geometric { order, radius, seed } => write!(f, "geometric:{order}:{radius}:{seed}"),
@@ -164,8 +204,16 @@ impl NamedGraph {
             | NamedGraph::Path(n)
             | NamedGraph::Complete(n)
             | NamedGraph::Star(n)
+            | NamedGraph::Wheel(n)
+            | NamedGraph::Empty(n)
             | NamedGraph::Circulant(n, _)
             | NamedGraph::Geometric { order: n, .. } => *n,
+            NamedGraph::Bipartite(a, b) => a.saturating_add(*b),
+            NamedGraph::Grid(a, b) => a.saturating_mul(*b),
+            NamedGraph::Hypercube(d) => {
+                u32::try_from(*d).ok().and_then(|d| 1usize.checked_shl(d)).unwrap_or(usize::MAX)
+            }
+            NamedGraph::Petersen => 10,
             NamedGraph::PlatoonOne(m) | NamedGraph::PlatoonTwo(m) => m.saturating_add(1),
         }
     }
@@ -193,6 +241,8 @@ impl NamedGraph {
         let arcs = match self {
             NamedGraph::Complete(_) => n.saturating_mul(n),
             NamedGraph::Circulant(_, offsets) => 2 * n * offsets.len(),
+            NamedGraph::Bipartite(a, b) => 2 * a * b,
+            NamedGraph::Hypercube(d) => n * d,
             _ => n,
         };
         if arcs > MOST_ARCS {
@@ -209,6 +259,27 @@ impl NamedGraph {
             NamedGraph::Path(_) => undirected((1..n).map(|i| (i - 1, i)).collect()),
             NamedGraph::Complete(_) => undirected((0..n).flat_map(|j| (0..j).map(move |i| (i, j))).collect()),
             NamedGraph::Star(_) => undirected((1..n).map(|i| (0, i)).collect()),
+            NamedGraph::Wheel(_) => {
+                undirected((1..n).flat_map(|i| [(0, i), (i, if i + 1 < n { i + 1 } else { 1 })]).collect())
+            }
+            NamedGraph::Empty(_) => undirected(Vec::new()),
+            NamedGraph::Bipartite(a, _) => undirected((0..*a).flat_map(|i| (*a..n).map(move |j| (i, j))).collect()),
+            NamedGraph::Grid(_, b) => {
+                let next = |i: usize| {
+                    [(i, i + 1), (i, i + b)]
+                        .into_iter()
+                        .filter(move |&(i, j)| j < n && (j > i + 1 || j == i + b || j % b != 0))
+                };
+                undirected((0..n).flat_map(next).collect())
+            }
+            NamedGraph::Hypercube(d) => {
+                let flipped = |i: usize| (0..*d).map(move |k| (i, i ^ 1 << k)).filter(|(i, j)| i < j);
+                undirected((0..n).flat_map(flipped).collect())
+            }
+            NamedGraph::Petersen => {
+                let spokes = |i: usize| [(i, (i + 1) % 5), (i, i + 5), (i + 5, (i + 2) % 5 + 5)];
+                undirected((0..5).flat_map(spokes).collect())
+            }
             NamedGraph::Circulant(_, offsets) => {
                 // An offset of half the order joins each pair once.
                 let both = offsets.iter().flat_map(|&a| BTreeSet::from([a, n - a]));

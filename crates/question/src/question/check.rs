@@ -1,8 +1,10 @@
 //! Names and sorts of a question, checked before anything is computed.
 
 use super::Question;
+use crate::binder::{Binder, Gathered};
 use crate::domain::{Domain, Sort};
 use crate::error::{Problem, QuestionError};
+use crate::evaluate::kind_argument;
 use crate::names::{FAMILIES, FUNCTIONS, OWN, Subject, quantity_of, unknown_quantity};
 use crate::scenario_file::ScenarioFile;
 use crate::syntax::{Kind, Node};
@@ -102,6 +104,8 @@ pub(super) struct Check<'q> {
     pub question: &'q Question,
     /// Inside a time operator or `initial`.
     pub moving: bool,
+    /// The names of vertices inside sums over a graph, and of the parameters of a definition.
+    pub places: Vec<String>,
 }
 
 type Checked = Result<(), (usize, Problem)>;
@@ -178,6 +182,14 @@ impl Check<'_> {
     fn name(&mut self, node: &Node, name: &str, arguments: &[Node], called: bool, is_truth: bool) -> Checked {
         let at = |problem: Problem| (node.at, problem);
         let (number, truth) = ("a number", "something true or false");
+        if !called && self.places.iter().any(|own| own == name) {
+            return if is_truth { Err(at(Problem::expected(truth, number))) } else { Ok(()) };
+        }
+        if let Some(binder) = Binder::of(node, |name| self.question.is_known(name)) {
+            let binder = binder?;
+            self.binder(&binder, name).map_err(|(own, problem)| (own.unwrap_or(node.at), problem))?;
+            return if is_truth { Err(at(Problem::expected(truth, number))) } else { Ok(()) };
+        }
         if !called && let Some(sort) = self.question.sort(name) {
             let found = match sort {
                 Sort::Graph => "the name of a graph",
@@ -209,14 +221,16 @@ impl Check<'_> {
         if quantity.subject == Subject::Platoon {
             self.platoon(name).map_err(at)?;
         }
-        let optional = quantity.name == "order" && arguments.is_empty();
         let count = quantity.arguments.len();
-        if !optional {
-            check_count(name, (count, count), arguments.len()).map_err(at)?;
-        }
+        let least = count - usize::from(matches!(quantity.name, "order" | "lambda"));
+        check_count(name, (least, count), arguments.len()).map_err(at)?;
         for (argument, what) in arguments.iter().zip(quantity.arguments) {
+            if *what == "kind" {
+                kind_argument(argument)?;
+                continue;
+            }
             self.expect(argument, false)?;
-            if matches!(*what, "k" | "m") {
+            if matches!(*what, "k" | "m" | "i" | "j") {
                 self.integer(argument, name)?;
             }
         }
@@ -229,6 +243,28 @@ impl Check<'_> {
             (false, true) => Err(at(Problem::expected(truth, number))),
             _ => Ok(()),
         }
+    }
+
+    /// Something that goes through a graph; an error without a place is about it as a whole.
+    fn binder(&mut self, binder: &Binder, name: &str) -> Result<(), (Option<usize>, Problem)> {
+        let whole = |problem| (None, problem);
+        if let Some(known) = binder.names.iter().find(|name| self.places.iter().any(|own| own == *name)) {
+            return Err(whole(Problem::Other(format!("`{known}` stands for a vertex already"))));
+        }
+        if !self.question.subjects().contains(&Subject::Graph) {
+            return Err(whole(Problem::NoSubject {
+                name: name.to_string(),
+                subject: Subject::Graph.words(),
+                missing: Subject::Graph.needs().to_string(),
+            }));
+        }
+        self.owner(binder.owner, name, Subject::Graph).map_err(whole)?;
+        let depth = self.places.len();
+        self.places.extend(binder.names.iter().map(ToString::to_string));
+        let condition = binder.condition.map_or(Ok(()), |condition| self.expect(condition, true));
+        let checked = condition.and_then(|()| self.expect(binder.body, binder.gathered == Gathered::Count));
+        self.places.truncate(depth);
+        checked.map_err(|(at, problem)| (Some(at), problem))
     }
 
     /// Whose quantity it is, where several graphs are bound.

@@ -2,6 +2,7 @@
 
 use super::check::Check;
 use super::{BUDGET, Expression, Question};
+use crate::definitions::Definition;
 use crate::domain::{Bound, Classes, Domain, read_domain};
 use crate::error::{Place, Problem, QuestionError};
 use crate::inequalities::inequalities;
@@ -10,7 +11,7 @@ use crate::scenario_file::Files;
 use crate::scenario_file::{ScenarioFile, is_place};
 use crate::source::{Entry, Section, Source};
 use crate::states::LawFile;
-use crate::syntax::{KEYWORDS, parse_property};
+use crate::syntax::{KEYWORDS, Node, parse_property};
 use algebra::graph::LaplacianKind;
 use arithmetic::shown;
 use models::platoon::Communication;
@@ -19,7 +20,7 @@ use std::sync::{Arc, OnceLock};
 /// Largest budget.
 const LARGEST_BUDGET: u64 = 1_000_000_000;
 
-const SECTIONS: [&str; 4] = ["question", "for", "holds", "values"];
+const SECTIONS: [&str; 5] = ["question", "for", "define", "holds", "values"];
 
 impl Question {
     /// Reads a question. `files` gives the text of the files that it names.
@@ -29,17 +30,24 @@ impl Question {
     pub fn read(text: &str, files: Files) -> Result<Self, QuestionError> {
         let source = Source::parse(text)?;
         let sections = source.sections(&SECTIONS)?;
-        let [head, family, holds, values] = &sections;
+        let [head, family, definitions, holds, values] = &sections;
         let head = head.as_ref().ok_or_else(|| {
             let missing = "the section [question] is missing; it needs an `id`".to_string();
             QuestionError::At { place: Place::of(text, 0), problem: Problem::Other(missing) }
         })?;
         let mut question = Question::headed(text, head, files)?;
-        if let Some(family) = family {
-            question.read_family(family, files)?;
-        }
+        let restriction = match family {
+            Some(family) => question.read_family(family, files)?,
+            None => None,
+        };
         question.alone = question.bounds.iter().map(|_| OnceLock::new()).collect();
         question.subjects = question.found_subjects();
+        if let Some(definitions) = definitions {
+            question.read_definitions(definitions)?;
+        }
+        if let Some(entry) = restriction {
+            question.restriction = Some(question.expression(&entry, true)?);
+        }
         if let Some(holds) = holds {
             question.read_holds(holds)?;
         }
@@ -72,7 +80,10 @@ impl Question {
             None => LaplacianKind::Combinatorial,
             Some(entry) => {
                 let names = LaplacianKind::NAMES.iter().map(|(name, _)| *name).collect();
-                LaplacianKind::NAMES[chosen(&entry, "kind of matrix", names)?].1
+                match LaplacianKind::from_name(&entry.text()?.text) {
+                    Some(kind) => kind,
+                    None => LaplacianKind::NAMES[chosen(&entry, "kind of matrix", names)?].1,
+                }
             }
         };
         let communication = match head.get("communication") {
@@ -120,14 +131,18 @@ impl Question {
             values: Vec::new(),
             values_at: 0,
             subjects: Vec::new(),
+            definitions: Vec::new(),
             classes: Classes::default(),
             alone: Vec::new(),
             starts: OnceLock::new(),
             certified: false,
+            listed_counterexamples: 0,
+            listed_tight: 0,
         })
     }
 
-    fn read_family(&mut self, section: &Section, files: Files) -> Result<(), QuestionError> {
+    /// Reads what the names range over; `where` comes after the definitions.
+    fn read_family<'s>(&mut self, section: &Section<'s>, files: Files) -> Result<Option<Entry<'s>>, QuestionError> {
         let mut restriction = None;
         let mut every: Vec<(String, usize)> = Vec::new();
         for entry in section.entries() {
@@ -196,11 +211,45 @@ impl Question {
                 return Err(self.at(at, Problem::Other(why)));
             }
         }
-        if let Some(entry) = restriction {
-            self.subjects = self.found_subjects();
-            self.restriction = Some(self.expression(&entry, true)?);
+        Ok(restriction)
+    }
+
+    fn read_definitions(&mut self, section: &Section) -> Result<(), QuestionError> {
+        if self.law.is_some() {
+            let why = "a question about all states of a law has the definitions of the law".to_string();
+            return Err(section.problem(Problem::Other(why)));
+        }
+        for entry in section.entries() {
+            let key = parse_property(&entry.key).ok();
+            let header = key.and_then(|key| Definition::header(&key));
+            let (name, parameters) = header.ok_or_else(|| {
+                let expected = "a name, or a name with names in brackets such as `weight(i, j)`,";
+                self.at(entry.key_at, Problem::expected(expected, format!("`{}`", shown(&entry.key))))
+            })?;
+            let reserved = KEYWORDS.contains(&name.as_str())
+                || ["sum", "count", "vertex", "edge", "pair"].contains(&name.as_str());
+            let taken = |own: &str| self.is_known(own) || self.definitions.iter().any(|known| known.name == own);
+            if let Some(own) = [&name].into_iter().chain(&parameters).find(|own| taken(own)) {
+                return Err(self.at(entry.key_at, Problem::Other(format!("`{own}` stands for something else already"))));
+            }
+            if reserved {
+                return Err(self.at(entry.key_at, Problem::Other(format!("`{name}` is a word of the language"))));
+            }
+            let located = entry.text()?;
+            let at = |(at, problem): (usize, Problem)| self.at(located.base + at, problem);
+            let body = parse_property(&located.text).and_then(|node| self.expanded(node)).map_err(at)?;
+            let check = |is_truth: bool| {
+                Check { question: self, moving: false, places: parameters.clone() }.expect(&body, is_truth)
+            };
+            check(false).or_else(|problem| check(true).map_err(|_| problem)).map_err(at)?;
+            self.definitions.push(Definition { name, parameters, body });
         }
         Ok(())
+    }
+
+    /// An expression with what the names of [define] stand for in their places.
+    fn expanded(&self, node: Node) -> Result<Node, (usize, Problem)> {
+        self.definitions.iter().rev().try_fold(node, |node, definition| definition.expand(node))
     }
 
     fn check_new_name(&self, entry: &Entry) -> Result<(), QuestionError> {
@@ -242,11 +291,6 @@ impl Question {
         let inequalities = if self.law.is_some() { Vec::new() } else { inequalities(&property.node) };
         self.property = Some(Expression { inequalities, ..property });
         let controls = section.get("controls").map(|entry| entry.items()).unwrap_or_default();
-        if controls.is_empty() {
-            return Err(section
-                .get("controls")
-                .map_or_else(|| section.problem(Problem::NoControls), |entry| entry.problem(Problem::NoControls)));
-        }
         for entry in &controls {
             let control = self.expression(entry, true)?;
             let same = |other: &Expression| other.node.to_string() == control.node.to_string();
@@ -275,12 +319,12 @@ impl Question {
     fn expression(&self, entry: &Entry, is_truth: bool) -> Result<Expression, QuestionError> {
         let located = entry.text()?;
         let at = |(at, problem): (usize, Problem)| self.at(located.base + at, problem);
-        let node = parse_property(&located.text).map_err(at)?;
+        let node = parse_property(&located.text).and_then(|node| self.expanded(node)).map_err(at)?;
         if self.law.is_some() {
             // The law knows the names; what is wrong is told for the first case.
             return Ok(Expression { node, base: located.base, inequalities: Vec::new() });
         }
-        let mut check = Check { question: self, moving: false };
+        let mut check = Check { question: self, moving: false, places: Vec::new() };
         check.expect(&node, is_truth).map_err(at)?;
         Ok(Expression { node, base: located.base, inequalities: Vec::new() })
     }

@@ -58,6 +58,9 @@ impl Question {
         let (owner, quantity) = own.split_once('.').map_or((None, own), |(owner, rest)| (Some(owner), rest));
         let sort = self.sort(name);
         let is_owner = owner.is_none_or(|owner| owner == name);
+        if called && ["sum", "count"].contains(&quantity) {
+            return sort == Some(Sort::Graph) && is_owner;
+        }
         match quantity_of(quantity, self.subjects()).map(|quantity| quantity.subject) {
             Some(Subject::Graph) => sort == Some(Sort::Graph) && is_owner,
             Some(Subject::Matrices) => sort == Some(Sort::Matrices) && is_owner,

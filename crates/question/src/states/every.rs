@@ -10,9 +10,10 @@ use super::inequality::{self, on_states};
 use super::instance::{Instance, filled};
 use super::search::counterexample;
 use super::{How, LawFile, Network};
-use crate::bindings::{Bindings, GraphValue, Value};
+use crate::bindings::{Bindings, Value};
 use crate::error::QuestionError;
 use crate::question::{Expression, Question};
+use algebra::graph::AnyGraph;
 use algebra::graph::Graph;
 use arithmetic::{ArithmeticError, Field, Probe, Progress, Ring, rational};
 use expressions::{Bodies, Comparison, Relation};
@@ -89,7 +90,7 @@ impl<'a> Sizes<'a> {
         let mut bindings = self.bindings.clone();
         bindings.push(Arc::from("agents"), Value::Number(rational(i64::from(agents), 1)));
         if let Some(graph) = graph {
-            bindings.push(Arc::from("graph"), Value::Graph(Arc::new(GraphValue::Simple(graph))));
+            bindings.push(Arc::from("graph"), Value::Graph(Arc::new(AnyGraph::Simple(graph))));
         }
         let instance = Instance::new(self.question, self.file, self.expression, &bindings)?;
         Ok(Member { instance, bindings })

@@ -1,252 +1,299 @@
-//! Graphs and their spectra.
+//! Graphs, their quantities and their spectra. What takes long is found when it is asked for, and once.
 
-use crate::bindings::GraphValue;
+mod fiedler;
+mod spectra;
+
+pub(crate) use spectra::second_modulus;
+
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::timeline::Measured;
-use algebra::graph::{Graph, LaplacianKind};
+use algebra::graph::invariants::{distances, is_rooted, period};
+use algebra::graph::{AnyGraph, Graph, LaplacianKind};
 use algebra::matrix::SparseMatrix;
-use algebra::spectrum::{
-    Eigenvalue, FloatEnclosure, matrix_spectrum, named_spectrum, small_symmetric_eigenvalues, symmetric_enclosures,
-};
-use arithmetic::{Algebraic, RealNumber as Number};
-use arithmetic::{Dyadic, Interval, Rational, common_denominator};
-use num_bigint::BigInt;
-use num_traits::{One, Signed, ToPrimitive};
+use arithmetic::RealNumber as Number;
+use arithmetic::{Progress, Rational};
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use spectra::Spectra;
 use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// A graph with what has been found out about it.
-pub(crate) struct GraphSubject {
-    graph: Arc<GraphValue>,
+pub(crate) struct GraphSubject<'q> {
+    graph: Arc<AnyGraph>,
+    /// The matrix whose eigenvalues are asked for where no other is named.
     kind: LaplacianKind,
-    matrix: OnceCell<Result<SparseMatrix, String>>,
-    floats: OnceCell<Option<Vec<Place>>>,
-    small: OnceCell<Option<Vec<FloatEnclosure>>>,
-    exact: RefCell<Option<(u32, Vec<Place>)>>,
-    distances: OnceCell<Option<usize>>,
+    progress: &'q dyn Progress,
+    simple: OnceCell<Option<Graph>>,
+    out: OnceCell<Vec<Vec<u32>>>,
+    distances: OnceCell<Vec<Vec<Option<usize>>>>,
+    resistances: OnceCell<Option<Vec<Vec<Rational>>>>,
+    spectra: RefCell<BTreeMap<LaplacianKind, Rc<Spectra>>>,
 }
 
-/// One eigenvalue in order.
-#[derive(Clone)]
-struct Place {
-    enclosure: Interval,
-    exact: Option<Rational>,
+/// The number of a kind of matrix as an argument.
+pub(crate) fn kind_number(name: &str) -> Option<i64> {
+    let kind = LaplacianKind::from_name(name)?;
+    LaplacianKind::NAMES.iter().position(|(_, own)| *own == kind).map(|place| place as i64)
 }
 
-/// Bits up to which floating-point enclosures are tried first.
-const FLOAT_BITS: u32 = 64;
+type Found = Result<Measured, Failure>;
 
-/// Largest order of a graph whose eigenvalues are found by rotations.
-const LARGEST_SMALL: usize = 12;
-
-impl GraphSubject {
-    pub fn new(graph: Arc<GraphValue>, kind: LaplacianKind) -> Self {
+impl<'q> GraphSubject<'q> {
+    pub fn new(graph: Arc<AnyGraph>, kind: LaplacianKind, progress: &'q dyn Progress) -> Self {
         GraphSubject {
             graph,
             kind,
-            matrix: OnceCell::new(),
-            floats: OnceCell::new(),
-            small: OnceCell::new(),
-            exact: RefCell::new(None),
+            progress,
+            simple: OnceCell::new(),
+            out: OnceCell::new(),
             distances: OnceCell::new(),
+            resistances: OnceCell::new(),
+            spectra: RefCell::default(),
         }
     }
 
+    /// The graph itself.
+    pub fn graph(&self) -> &AnyGraph {
+        &self.graph
+    }
+
     /// A quantity by its name.
-    pub fn measure(&self, name: &str, arguments: &[Number], precision: u32) -> Result<Measured, Failure> {
-        let count = |n: usize| Ok(Measured::Number(Number::integer(n as i64)));
+    pub fn measure(&self, name: &str, arguments: &[Number], precision: u32) -> Found {
         match name {
             "n" => count(self.graph.order()),
             "edges" => {
                 let arcs = self.graph.arcs();
                 count(if self.graph.is_directed() { arcs.len() } else { arcs.iter().filter(|(i, j)| i <= j).count() })
             }
-            "min_degree" => count(self.degrees().into_iter().min().unwrap_or(0)),
-            "max_degree" => count(self.degrees().into_iter().max().unwrap_or(0)),
-            "connected" => Ok(Measured::Truth(self.diameter().is_some())),
-            "diameter" => match self.diameter() {
-                Some(diameter) => count(diameter),
-                None => Err(refused("the diameter of a graph that is not connected does not exist".to_string())),
-            },
-            _ => self.eigenvalue(arguments, precision).map(Measured::Number),
-        }
-    }
-
-    fn degrees(&self) -> Vec<usize> {
-        if let GraphValue::Simple(graph) = self.graph.as_ref() {
-            return (0..graph.order()).map(|i| graph.degree(i)).collect();
-        }
-        let mut degrees = vec![0; self.graph.order()];
-        self.graph.arcs().into_iter().for_each(|(i, _)| degrees[i] += 1);
-        degrees
-    }
-
-    /// The largest distance along arcs; `None` where some vertex cannot be reached.
-    fn diameter(&self) -> Option<usize> {
-        *self.distances.get_or_init(|| {
-            let order = self.graph.order();
-            let mut around = vec![Vec::new(); order];
-            self.graph.arcs().into_iter().for_each(|(i, j)| around[i].push(j));
-            let reach = |start: usize| {
-                let mut distance = vec![usize::MAX; order];
-                distance[start] = 0;
-                let mut queue = vec![start];
-                let mut next = 0;
-                while let Some(&i) = queue.get(next) {
-                    next += 1;
-                    for &j in &around[i] {
-                        if distance[j] == usize::MAX {
-                            distance[j] = distance[i] + 1;
-                            queue.push(j);
-                        }
-                    }
+            "min_degree" => count(self.degrees().min().unwrap_or(0)),
+            "max_degree" => count(self.degrees().max().unwrap_or(0)),
+            "degree" => count(self.out()[self.vertex(name, arguments, 0)?].len()),
+            "in_degree" => {
+                let own = self.vertex(name, arguments, 0)? as u32;
+                count(self.out().iter().filter(|ends| ends.contains(&own)).count())
+            }
+            "adjacent" => {
+                let (i, j) = (self.vertex(name, arguments, 0)?, self.vertex(name, arguments, 1)?);
+                truth(self.out()[i].contains(&(j as u32)))
+            }
+            "distance" | "eccentricity" | "diameter" | "radius" => self.measure_distance(name, arguments),
+            "connected" | "strongly_connected" => truth(self.eccentricities().is_some()),
+            "rooted" => truth(is_rooted(self.out())),
+            "period" => known(
+                period(self.out()),
+                "the period of a graph in which some vertex cannot be reached from another, or that has no closed walk",
+            ),
+            "lambda" => self.eigenvalue(arguments, precision),
+            "spectral_radius" | "second_modulus" => {
+                let weights = self.graph.weighted();
+                if weights.adjacency().entries().any(|(_, _, weight)| weight.is_negative()) {
+                    return Err(refused(format!("`{name}` is of graphs without negative weights")));
                 }
-                distance.into_iter().max().filter(|&d| d < usize::MAX)
-            };
-            (0..order).map(reach).try_fold(0, |most, reach| reach.map(|d| most.max(d)))
+                // Perron and Frobenius: the largest modulus is itself an eigenvalue.
+                let number = match name {
+                    "spectral_radius" => {
+                        self.of_kind(LaplacianKind::Adjacency).eigenvalue(self.graph.order(), precision)
+                    }
+                    _ => second_modulus(&stochastic(weights.adjacency())?, precision),
+                };
+                number.map(Measured::Number)
+            }
+            _ => self.measure_undirected(name, arguments, precision),
+        }
+    }
+
+    fn measure_distance(&self, name: &str, arguments: &[Number]) -> Found {
+        let unreached = "the distances in a graph that is not connected";
+        match name {
+            "distance" => {
+                let (i, j) = (self.vertex(name, arguments, 0)?, self.vertex(name, arguments, 1)?);
+                known(self.distances()[i][j], "the distance of two vertices without a way")
+            }
+            "eccentricity" => {
+                let reached = &self.distances()[self.vertex(name, arguments, 0)?];
+                known(largest(reached), unreached)
+            }
+            "radius" => known(self.eccentricities().and_then(|all| all.into_iter().min()), unreached),
+            _ => known(
+                self.eccentricities().and_then(|all| all.into_iter().max()),
+                "the diameter of a graph that is not connected",
+            ),
+        }
+    }
+
+    /// Quantities of graphs without arcs, weights and loops left out.
+    fn measure_undirected(&self, name: &str, arguments: &[Number], precision: u32) -> Found {
+        let graph = self.simple.get_or_init(|| self.graph.simple()).as_ref();
+        let graph = graph.ok_or_else(|| refused(format!("`{name}` is of undirected graphs")))?;
+        let progress = self.progress;
+        let found = |number: Option<usize>, most: usize| match number {
+            Some(n) => count(n),
+            None => Err(Failure::open(format!("`{name}` is found for graphs of up to {most} vertices"), None)),
+        };
+        use algebra::graph::invariants::{LARGEST_CUT, LARGEST_SEARCHED};
+        match name {
+            "girth" => known(graph.girth(), "the girth of a graph without cycles"),
+            "bipartite" => truth(graph.is_bipartite()),
+            "regular" => truth(graph.is_regular()),
+            "planar" => truth(graph.is_planar()),
+            "tree" => truth(graph.is_tree()),
+            "edge_connectivity" => count(graph.edge_connectivity(progress)?),
+            "vertex_connectivity" => count(graph.vertex_connectivity(progress)?),
+            "clique_number" => found(graph.clique_number(progress)?, LARGEST_SEARCHED),
+            "independence_number" => found(graph.independence_number(progress)?, LARGEST_SEARCHED),
+            "chromatic_number" => found(graph.chromatic_number(progress)?, LARGEST_SEARCHED),
+            "matching_number" => count(graph.matching_number()),
+            "automorphisms" if graph.order() > LARGEST_SEARCHED => found(None, LARGEST_SEARCHED),
+            "automorphisms" => exact(Rational::from_integer(graph.automorphism_count(progress)?.into())),
+            "cheeger" | "isoperimetric_number" if graph.order() > LARGEST_CUT => found(None, LARGEST_CUT),
+            "cheeger" => {
+                let missing = "the Cheeger constant of a graph without a cut between vertices that have edges";
+                known_exact(graph.cheeger_constant(progress)?, missing)
+            }
+            "isoperimetric_number" => {
+                known_exact(graph.isoperimetric_number(progress)?, "the isoperimetric number of a single vertex")
+            }
+            _ => {
+                if self.graph.weighted().adjacency().entries().any(|(_, _, weight)| !weight.is_one()) {
+                    return Err(refused(format!("`{name}` is of graphs whose edges all have weight 1")));
+                }
+                self.measure_unweighted(graph, name, arguments, precision)
+            }
+        }
+    }
+
+    /// Quantities of the Laplacian of a graph whose edges all have weight 1.
+    fn measure_unweighted(&self, graph: &Graph, name: &str, arguments: &[Number], precision: u32) -> Found {
+        match name {
+            "spanning_trees" => exact(Rational::from_integer(graph.spanning_trees())),
+            "kirchhoff_index" => {
+                known_exact(graph.kirchhoff_index(), "the Kirchhoff index of a graph that is not connected")
+            }
+            "resistance" => {
+                let (i, j) = (self.vertex(name, arguments, 0)?, self.vertex(name, arguments, 1)?);
+                let all = self.resistances.get_or_init(|| graph.resistances()).as_ref();
+                known_exact(all.map(|all| all[i][j].clone()), "a resistance in a graph that is not connected")
+            }
+            "fiedler_sign" => {
+                let i = self.vertex(name, arguments, 0)?;
+                let not_simple =
+                    "the second smallest eigenvalue of the Laplacian is not simple, so that it has no one eigenvector";
+                if graph.order() < 2 {
+                    return Err(refused(not_simple.to_string()));
+                }
+                let second = self.of_kind(LaplacianKind::Combinatorial).eigenvalue(2, precision)?.enclosure(precision);
+                match fiedler::signs(graph, &second, precision)? {
+                    Some(signs) => Ok(Measured::Number(Number::integer(signs[i]))),
+                    None => Err(refused(not_simple.to_string())),
+                }
+            }
+            _ => Err(refused(format!("`{name}` is no quantity of a graph"))),
+        }
+    }
+
+    /// The vertex of an argument, from 0.
+    fn vertex(&self, name: &str, arguments: &[Number], place: usize) -> Result<usize, Failure> {
+        index(&format!("a vertex of `{name}`"), arguments.get(place), self.graph.order()).map(|k| k - 1)
+    }
+
+    /// The ends of the arcs from each vertex, loops among them.
+    fn out(&self) -> &[Vec<u32>] {
+        if let AnyGraph::Simple(graph) = self.graph.as_ref() {
+            return graph.lists();
+        }
+        self.out.get_or_init(|| {
+            let mut out = vec![Vec::new(); self.graph.order()];
+            self.graph.arcs().into_iter().for_each(|(i, j)| out[i].push(j as u32));
+            out
         })
     }
 
-    fn eigenvalue(&self, arguments: &[Number], precision: u32) -> Result<Number, Failure> {
-        let order = self.graph.order();
-        let index = arguments.first().and_then(Number::as_integer);
-        let Some(k) = index.as_ref().and_then(ToPrimitive::to_usize).filter(|k| (1..=order).contains(k)) else {
-            let found = arguments.first().map_or("nothing".to_string(), Number::text);
-            let what = "the index of `lambda`".to_string();
-            return Err(Failure::Refused(
-                0,
-                match index {
-                    None => Problem::NotInteger { what, found },
-                    Some(_) => Problem::Range { what, expected: format!("between 1 and {order}"), found },
-                },
-            ));
-        };
-        if precision <= FLOAT_BITS
-            && let Some(number) = self.small_eigenvalue(k)
-        {
-            return Ok(number);
-        }
-        let matrix = self.matrix()?;
-        if precision <= FLOAT_BITS
-            && let Some(places) = self.floats(matrix)
-            && let Some(place) = places.get(k - 1)
-        {
-            return Ok(self.number(place, matrix));
-        }
-        self.refine(matrix, precision)?;
-        match self.exact.borrow().as_ref().and_then(|(_, places)| places.get(k - 1)) {
-            Some(place) => Ok(self.number(place, matrix)),
-            None => Err(Failure::open("an eigenvalue could not be enclosed", None)),
-        }
+    fn degrees(&self) -> impl Iterator<Item = usize> {
+        self.out().iter().map(Vec::len)
     }
 
-    /// The k-th eigenvalue of the Laplacian of a small graph, of which families have thousands.
-    fn small_eigenvalue(&self, k: usize) -> Option<Number> {
-        let GraphValue::Simple(graph) = self.graph.as_ref() else { return None };
-        let order = graph.order();
-        if self.kind != LaplacianKind::Combinatorial || order > LARGEST_SMALL {
-            return None;
-        }
-        let found = self.small.get_or_init(|| {
-            let entry = |i: usize, j: usize| match i == j {
-                true => graph.degree(i) as f64,
-                false => -f64::from(u8::from(graph.has_edge(i, j))),
-            };
-            let entries: Vec<f64> = (0..order * order).map(|place| entry(place / order, place % order)).collect();
-            small_symmetric_eigenvalues(&entries, order)
-        });
-        let place = found.as_ref()?.get(k - 1)?;
-        let [lo, hi] = [(place.re - place.radius).next_down(), (place.re + place.radius).next_up()];
-        let enclosure = Interval::between(Dyadic::from_f64(lo)?, Dyadic::from_f64(hi)?, FLOAT_BITS);
-        // All eigenvalues lie between 0 and twice the largest degree, and the matrix has integers.
-        let largest = BigInt::from(2 * (0..order).map(|i| graph.degree(i)).max().unwrap_or(0));
-        Some(Number::Enclosed(enclosure, Some(Algebraic { degree: order as u64, upper: largest.bits(), lower: 0 })))
+    fn distances(&self) -> &[Vec<Option<usize>>] {
+        self.distances.get_or_init(|| {
+            let out = self.out();
+            (0..out.len()).map(|start| distances(out, start)).collect()
+        })
     }
 
-    fn number(&self, place: &Place, matrix: &SparseMatrix) -> Number {
-        match &place.exact {
-            Some(q) => Number::Exact(q.clone()),
-            None => Number::Enclosed(place.enclosure.clone(), Some(bounds(matrix))),
-        }
+    /// The largest distance from each vertex; `None` where some vertex cannot be reached.
+    fn eccentricities(&self) -> Option<Vec<usize>> {
+        self.distances().iter().map(|reached| largest(reached)).collect()
     }
 
-    fn matrix(&self) -> Result<&SparseMatrix, Failure> {
-        let found = self.matrix.get_or_init(|| self.graph.weighted().matrix(self.kind).map_err(|e| e.to_string()));
-        found.as_ref().map_err(|error| refused(error.clone()))
+    fn of_kind(&self, kind: LaplacianKind) -> Rc<Spectra> {
+        let mut spectra = self.spectra.borrow_mut();
+        spectra.entry(kind).or_insert_with(|| Rc::new(Spectra::new(self.graph.clone(), kind))).clone()
     }
 
-    /// Enclosures in floating point, with proved bounds, of symmetric matrices.
-    fn floats(&self, matrix: &SparseMatrix) -> Option<&[Place]> {
-        let found = self.floats.get_or_init(|| symmetric_enclosures(matrix).ok().map(|parts| in_order(&parts)));
-        found.as_deref()
+    fn eigenvalue(&self, arguments: &[Number], precision: u32) -> Found {
+        let named = arguments.get(1).and_then(Number::as_integer).and_then(|k| k.to_usize());
+        let kind = named.and_then(|k| LaplacianKind::NAMES.get(k)).map_or(self.kind, |(_, kind)| *kind);
+        let spectra = self.of_kind(kind);
+        let k = index("the index of `lambda`", arguments.first(), spectra.order())?;
+        spectra.eigenvalue(k, precision).map(Measured::Number)
     }
+}
 
-    /// Encloses the eigenvalues at so many bits, from closed forms or characteristic polynomials where there are such.
-    fn refine(&self, matrix: &SparseMatrix, precision: u32) -> Result<(), Failure> {
-        if self.exact.borrow().as_ref().is_some_and(|(bits, _)| *bits >= precision) {
-            return Ok(());
-        }
-        let digits = (f64::from(precision) * std::f64::consts::LOG10_2).ceil() as u32 + 1;
-        let find = |digits: Option<u32>| match self.graph.as_ref() {
-            GraphValue::Named(name, _) => named_spectrum(name, self.kind, digits),
-            _ => matrix_spectrum(matrix, digits),
-        };
-        // Where digits cannot be had, what floating point gives.
-        let spectrum = match find(Some(digits)) {
-            Ok(spectrum) => spectrum,
-            Err(_) if precision <= FLOAT_BITS => find(None).map_err(|error| Failure::open(error.to_string(), None))?,
-            Err(error) => return Err(Failure::open(error.to_string(), None)),
-        };
-        *self.exact.borrow_mut() = Some((precision, in_order(&spectrum.eigenvalues)));
-        Ok(())
+/// The matrix with every row divided by its sum.
+fn stochastic(weights: &SparseMatrix) -> Result<SparseMatrix, Failure> {
+    let sums = weights.row_sums();
+    if let Some(vertex) = sums.iter().position(Zero::is_zero) {
+        let why = format!("vertex {} has no neighbour, so that its row of D^-1 A does not exist", vertex + 1);
+        return Err(refused(why));
     }
+    Ok(SparseMatrix::from_entries(weights.order(), weights.entries().map(|(i, j, weight)| (i, j, weight / &sums[i]))))
+}
+
+/// An argument between 1 and a most.
+fn index(what: &str, argument: Option<&Number>, most: usize) -> Result<usize, Failure> {
+    let integer = argument.and_then(Number::as_integer);
+    let fitting = integer.as_ref().and_then(ToPrimitive::to_usize).filter(|k| (1..=most).contains(k));
+    fitting.ok_or_else(|| {
+        let (what, found) = (what.to_string(), argument.map_or("nothing".to_string(), Number::text));
+        Failure::Refused(
+            0,
+            match integer {
+                None => Problem::NotInteger { what, found },
+                Some(_) => Problem::Range { what, expected: format!("between 1 and {most}"), found },
+            },
+        )
+    })
+}
+
+fn largest(reached: &[Option<usize>]) -> Option<usize> {
+    reached.iter().copied().try_fold(0, |most, distance| distance.map(|d| most.max(d)))
+}
+
+fn count(n: usize) -> Found {
+    Ok(Measured::Number(Number::integer(n as i64)))
+}
+
+fn exact(q: Rational) -> Found {
+    Ok(Measured::Number(Number::Exact(q)))
+}
+
+fn truth(value: bool) -> Found {
+    Ok(Measured::Truth(value))
+}
+
+/// A number that does not always exist.
+fn known(number: Option<usize>, what: &str) -> Found {
+    number.map_or_else(|| Err(refused(format!("{what} does not exist"))), count)
+}
+
+fn known_exact(number: Option<Rational>, what: &str) -> Found {
+    number.map_or_else(|| Err(refused(format!("{what} does not exist"))), exact)
 }
 
 fn refused(message: String) -> Failure {
     Failure::Refused(0, Problem::Other(message))
-}
-
-/// The real parts in order. The k-th smallest of numbers in given intervals lies between the k-th smallest lower end and the k-th smallest
-/// upper end.
-fn in_order(parts: &[Eigenvalue]) -> Vec<Place> {
-    let listed: Vec<&Eigenvalue> = parts.iter().flat_map(|part| std::iter::repeat_n(part, part.multiplicity)).collect();
-    let mut lower: Vec<&Dyadic> = listed.iter().map(|part| part.re.lo()).collect();
-    let mut upper: Vec<&Dyadic> = listed.iter().map(|part| part.re.hi()).collect();
-    lower.sort();
-    upper.sort();
-    let mut sorted = listed.clone();
-    sorted.sort_by(|a, b| a.re.lo().cmp(b.re.lo()).then_with(|| a.re.hi().cmp(b.re.hi())));
-    let place = |k: usize| {
-        let (lo, hi) = (lower[k], upper[k]);
-        let own = sorted[k];
-        let alone = own.re.lo() == lo && own.re.hi() == hi;
-        // Only where nothing else overlaps it is the k-th one this one.
-        let apart =
-            sorted.iter().all(|other| other.exact == own.exact && own.exact.is_some() || !other.re.overlaps(&own.re));
-        let precision = own.re.precision();
-        Place {
-            enclosure: Interval::between(lo.clone(), hi.clone(), precision),
-            exact: if alone && apart { own.exact.clone() } else { None },
-        }
-    };
-    (0..listed.len()).map(place).collect()
-}
-
-/// Bounds of an eigenvalue, or of its real part: with the common denominator `q` of the entries, `q lambda` is an algebraic integer, and
-/// all its conjugates are eigenvalues of `q A`, at most `q` times the largest sum of a row.
-fn bounds(matrix: &SparseMatrix) -> Algebraic {
-    let denominator = common_denominator(matrix.entries().map(|(_, _, x)| x));
-    let mut sums = vec![Rational::from_integer(0.into()); matrix.order()];
-    matrix.entries().for_each(|(i, _, x)| sums[i] += x.abs());
-    let largest = sums.into_iter().max().unwrap_or_else(Rational::one).ceil().to_integer() * &denominator;
-    let lower = if denominator.is_one() { 0 } else { denominator.bits() };
-    let order = matrix.order().max(1) as u64;
-    if matrix.is_symmetric() {
-        return Algebraic { degree: order, upper: largest.bits(), lower };
-    }
-    // The real part is half the sum of two conjugates.
-    Algebraic { degree: order.saturating_mul(order), upper: largest.bits() + 1, lower: lower + 2 }
 }
 
 /// The graphs with one link more, or less.

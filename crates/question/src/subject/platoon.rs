@@ -4,10 +4,11 @@
 //! (`notes/questions.md`). Its range over a box of gains is therefore that between two corners. On a line it grows with the number of
 //! followers (there, too), so that a range of numbers of followers adds one more side to the box.
 
-use crate::bindings::{Bindings, GraphValue, Value};
+use crate::bindings::{Bindings, Value};
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::timeline::Measured;
+use algebra::graph::AnyGraph;
 use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{Polynomial, matrix_spectrum};
 use arithmetic::RealNumber as Number;
@@ -373,7 +374,7 @@ fn largest_real_part(re: &Interval, im: &Interval, gains: &Gains<Interval>) -> R
 }
 
 /// Who tracks whom: the arcs of the graph with their shares, vertex 1 the leader.
-fn tracked(graph: &GraphValue) -> Result<CommunicationGraph, Failure> {
+fn tracked(graph: &AnyGraph) -> Result<CommunicationGraph, Failure> {
     let weighted = graph.weighted();
     if weighted.order() > MOST_ON_GRAPH + 1 {
         return Err(refused(format!("platoons on a graph have at most {MOST_ON_GRAPH} followers")));

@@ -21,9 +21,10 @@ pub fn question(question: &Question, answer: &Answer, progress: &dyn Progress) -
             @if !answer.grades.is_empty() { dt { "Evidence" } dd { (answer.grades.join(", ")) } }
             dt { "Cases looked at" } dd { (answer.cases) @if answer.undecided > 0 { ", " (answer.undecided) " of them undecided" } }
             @if let Some((lo, hi)) = answer.margin.as_ref().and_then(Margin::decimals) {
-                dt { "Smallest margin" } dd { @if lo == hi { (lo) } @else { "[" (lo) ", " (hi) "]" } }
+                dt { @if answer.verdict == Verdict::False { "Margin there" } @else { "Smallest margin" } } dd { @if lo == hi { (lo) } @else { "[" (lo) ", " (hi) "]" } }
             }
-            dt { "Controls refuted" } dd { (refuted) " of " (total) }
+            dt { "Controls refuted" } dd { (refuted) " of " (total) @if answer.made.is_some() { ", made by the program" } }
+            @for control in answer.made.iter().flatten() { dd { code { (control) } } }
         }
         @if let Some(bindings) = &answer.counterexample {
             h2 { "Counterexample" }

@@ -1,4 +1,4 @@
-//! Reading a graph: an edge list, a matrix of weights in Matrix Market format, or GraphML.
+//! Reading a graph: an edge list, a matrix of weights in Matrix Market format, GraphML, or a line of graph6.
 //!
 //! Edge list: one edge `i j [weight]` per line, with spaces or commas, vertices from 1 (or 0), weight 1 where none is given, `#` starts
 //! a comment; a dictionary `{'weight': 2}` at the end, as networkx writes it, may hold the weight. Edges are undirected unless a line
@@ -8,12 +8,15 @@
 //! Matrix Market: `%%MatrixMarket matrix coordinate real|integer|pattern general|symmetric`; entry `(i, j)` is the weight of
 //! the arc from `i` to `j`. Decimals are read exactly.
 //!
+//! graph6, sparse6 and digraph6, as nauty and networkx write them, with or without a header; one graph.
+//!
 //! GraphML: the first graph of the file; the data of the key named `weight` is the weight of an edge.
 
 mod edge_list;
 mod graphml;
 mod matrix_market;
 
+use super::any::packed_lines;
 use super::{ArcList, WeightedGraph};
 use arithmetic::{NumberError, Rational, parse_rational, shown};
 
@@ -124,6 +127,17 @@ pub enum GraphReadError {
         /// Its columns.
         cols: usize,
     },
+    /// More graphs than one.
+    #[error("there are {0} graphs in it, where one is expected")]
+    Several(usize),
+    /// A line of nauty's formats that cannot be read.
+    #[error("line {line}: {why}")]
+    Packed {
+        /// The line.
+        line: usize,
+        /// What is wrong.
+        why: String,
+    },
     /// Fewer or more entries than announced.
     #[error("{announced} entries are announced, but there are {found}")]
     EntryCount {
@@ -168,6 +182,15 @@ pub fn read_graph(text: &str) -> Result<WeightedGraph, GraphReadError> {
 /// # Errors
 /// As [`read_graph`].
 pub fn read_graph_file(text: &str, zero_based: bool) -> Result<GraphFile, GraphReadError> {
+    if let Some(all) = packed_lines(text) {
+        let mut all = all?;
+        return match all.pop() {
+            Some(graph) if all.is_empty() => {
+                Ok(GraphFile { graph: graph.weighted(), directed: graph.is_directed(), labels: None })
+            }
+            _ => Err(GraphReadError::Several(all.len() + 1)),
+        };
+    }
     let start = text.trim_start();
     let file = if start.starts_with("%%") {
         matrix_market::read(start)?

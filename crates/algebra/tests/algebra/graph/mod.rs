@@ -423,3 +423,5 @@ fn edges_and_arcs_are_listed_once_in_every_format() {
         );
     }
 }
+mod invariants;
+mod texts;

@@ -1,0 +1,126 @@
+//! The one grammar of graphs.
+
+use algebra::graph::read::read_graph_file;
+use algebra::graph::{AnyGraph, Graph, graph6};
+use arithmetic::Unwatched;
+
+fn read(text: &str) -> AnyGraph {
+    text.parse().unwrap_or_else(|error| panic!("{text}: {error}"))
+}
+
+fn why(text: &str) -> String {
+    text.parse::<AnyGraph>().expect_err("no graph").to_string()
+}
+
+#[test]
+fn names_have_their_vertices_and_edges() {
+    for (name, order, edges) in [
+        ("petersen", 10, 15),
+        ("hypercube:0", 1, 0),
+        ("hypercube:3", 8, 12),
+        ("grid:3x4", 12, 17),
+        ("grid:1x5", 5, 4),
+        ("grid:5x1", 5, 4),
+        ("bipartite:3,4", 7, 12),
+        ("wheel:4", 4, 6),
+        ("wheel:7", 7, 12),
+        ("empty:3", 3, 0),
+    ] {
+        let graph = read(name);
+        assert_eq!(
+            (graph.order(), graph.arcs().len(), graph.to_string()),
+            (order, 2 * edges, name.to_string()),
+            "{name}"
+        );
+        assert!(!graph.is_directed());
+    }
+    // Rows and columns as they are counted.
+    assert_eq!(
+        read("grid:2x3").simple().expect("undirected").edges(),
+        [(0, 1), (1, 2), (0, 3), (1, 4), (3, 4), (2, 5), (4, 5)]
+    );
+}
+
+/// What is printed is read again, and what is unknown is not taken for something else.
+#[test]
+fn texts_are_read_again() {
+    for text in
+        ["edges:4:1-2,2-3*1/2", "arcs:3:1-2,2-1,2-3", "edges:3:", "ring:7", "platoon2:4", "petersen", "bipartite:2,3"]
+    {
+        let graph = read(text);
+        assert_eq!(graph.to_string(), text);
+        assert_eq!(
+            (read(&graph.to_string()).arcs(), graph.is_directed()),
+            (graph.arcs(), text.starts_with("arcs") || text.starts_with("platoon"))
+        );
+    }
+    for text in [
+        "Petersen",
+        "petersen:10",
+        "hypercube",
+        "grid:3,4",
+        "bipartite:3x4",
+        "wheel:3",
+        "IheA@GUAo",
+        "k4",
+        "",
+        "graph6",
+        "edges",
+        "ring:3:4",
+    ] {
+        let message = why(text);
+        assert!(!message.is_empty() && text.parse::<AnyGraph>().is_err(), "{text}: {message}");
+    }
+    assert!(why("petersson").contains("petersen"));
+}
+
+#[test]
+fn the_formats_of_nauty_are_read() {
+    // From formats.txt of nauty: five vertices, 0-2, 0-4, 1-3, 3-4.
+    let edges = [(0, 2), (1, 3), (0, 4), (3, 4)];
+    assert_eq!(read("graph6:DQc").simple().expect("undirected").edges(), edges);
+    // Seven vertices, 0-1, 0-2, 1-2, 5-6.
+    assert_eq!(read("sparse6::Fa@x^").simple().expect("undirected").edges(), [(0, 1), (0, 2), (1, 2), (5, 6)]);
+    assert_eq!(read(">>sparse6<<:Fa@x^").order(), 7);
+    // Five vertices, 0->2, 0->4, 3->1, 3->4.
+    let directed = read("digraph6:&DI?AO?");
+    assert!(directed.is_directed());
+    assert_eq!(directed.arcs(), [(0, 2), (0, 4), (3, 1), (3, 4)]);
+    assert_eq!(read("graph6:IheA@GUAo").simple().expect("undirected").automorphism_count(&Unwatched), Ok(120u8.into()));
+    for n in [0, 1, 2, 5, 6, 62, 63, 64, 100] {
+        let graph = Graph::ring(n);
+        assert_eq!(graph6::read_graph6(&graph.graph6().expect("a text")), Ok(graph), "{n}");
+    }
+    for text in [
+        "graph6:D",
+        "graph6:DQcc",
+        "graph6:DQ\u{e9}",
+        "graph6:",
+        "graph6:?",
+        "graph6:~~~~~~~~",
+        "sparse6::",
+        "digraph6:&D",
+        "graph6:A`",
+    ] {
+        assert!(text.parse::<AnyGraph>().is_err(), "{text}");
+    }
+}
+
+#[test]
+fn files_of_nauty_have_one_graph_or_several() {
+    for (text, count) in [
+        ("DQc\n", 1),
+        (">>graph6<<DQc\nCF\n", 2),
+        (":Fa@x^\n\n:An\n", 2),
+        ("1 2\n2 3\n", 1),
+        ("directed\n1 2\n", 1),
+        ("&DI?AO?\n", 1),
+    ] {
+        assert_eq!(AnyGraph::read_file(text, false).expect("graphs").len(), count, "{text}");
+        assert_eq!(read_graph_file(text, false).is_ok(), count == 1, "{text}");
+    }
+    assert_eq!(
+        AnyGraph::read_file("DQc\nDQcc\n", false).expect_err("no graph").to_string().split(':').next(),
+        Some("line 2")
+    );
+}

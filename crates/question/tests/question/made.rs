@@ -1,0 +1,88 @@
+//! Questions without controls, hypotheses that are never met, and lists of members.
+
+use super::{answer, read};
+use arithmetic::Unwatched;
+use question::{Answer, Verdict, decide};
+
+fn without(family: &str, property: &str) -> String {
+    format!("[question]\nid = \"test\"\n[for]\n{family}\n[holds]\nproperty = \"{property}\"\n")
+}
+
+fn listed(text: &str, counterexamples: u64, tight: u64) -> Answer {
+    let mut question = read(text).expect("a question");
+    (question.listed_counterexamples, question.listed_tight) = (counterexamples, tight);
+    decide(&question, &Unwatched).expect("an answer")
+}
+
+const CONNECTED: &str = "n = \"2..5\"\ngraph = \"connected(n)\"";
+
+#[test]
+fn controls_are_made_and_refuted() {
+    let found = answer(&without(CONNECTED, "lambda(2) >= 2*(1 - cos(pi/n))"));
+    assert_eq!(found.verdict, Verdict::Holds);
+    let made = found.made.clone().expect("made");
+    assert_eq!((made.len(), found.controls.len()), (2, 2), "{made:?}");
+    assert_eq!(made[0], "not lambda(2) >= 2*(1 - cos(pi/n))");
+    assert!(made[1].starts_with("lambda(2) >= 2*(1 - cos(pi/n)) + 1/"), "{made:?}");
+    let json = found.json(None);
+    assert_eq!((&json["controls"]["made"], &json["controls"]["refuted"]), (&true.into(), &2.into()));
+    // Each of them is false by the same check.
+    for control in made {
+        assert_eq!(answer(&without(CONNECTED, &control)).verdict, Verdict::False, "{control}");
+    }
+    let given = answer(&super::asked(CONNECTED, "edges > 0", "edges > 1"));
+    assert_eq!((given.made.clone(), &given.json(None)["controls"]["made"]), (None, &false.into()));
+}
+
+#[test]
+fn a_hypothesis_is_left_out_and_looked_for() {
+    let needed = answer(&without(CONNECTED, "tree implies edges <= n - 1"));
+    assert_eq!(needed.verdict, Verdict::Holds);
+    assert!(needed.made.as_ref().is_some_and(|made| made.contains(&"edges <= n - 1".to_string())), "{needed:?}");
+    let idle = answer(&without(CONNECTED, "tree implies edges >= n - 1"));
+    assert!(idle.why.contains("without the hypothesis"), "{}", idle.why);
+    for text in [
+        without(CONNECTED, "max_degree > n implies edges > 100"),
+        super::asked(CONNECTED, "max_degree > n implies edges > 100", "edges > 100"),
+    ] {
+        let never = answer(&text);
+        assert_eq!(never.verdict, Verdict::Holds);
+        assert!(never.why.contains("No member of the family meets the hypothesis max_degree > n"), "{}", never.why);
+    }
+    assert!(!needed.why.contains("meets the hypothesis"));
+    let nowhere = answer(&without(CONNECTED, "edges > 100"));
+    assert_eq!((nowhere.verdict, nowhere.controls.len()), (Verdict::False, 0));
+    assert!(nowhere.why.contains("every member"), "{}", nowhere.why);
+}
+
+#[test]
+fn counterexamples_and_extremal_graphs_are_listed_in_order() {
+    let text = without(CONNECTED, "edges <= n");
+    let found = listed(&text, 3, 100);
+    let list = found.counterexamples.as_ref().expect("counterexamples");
+    let graphs: Vec<String> = list.members.iter().map(|own| own.bindings.to_string()).collect();
+    assert_eq!((graphs.len(), list.cut), (3, true));
+    assert!(graphs[0].starts_with("n = 4, ") && graphs[2].starts_with("n = 5, "), "{graphs:?}");
+    assert_eq!(Some(graphs[0].clone()), found.counterexample.as_ref().map(ToString::to_string));
+    for own in &list.members {
+        let sides = own.decisive.as_ref().expect("sides");
+        assert_eq!(sides.inequality, "edges <= n");
+        let [left, right] = [&sides.left, &sides.right].map(|text| text.parse::<f64>().expect("an integer"));
+        assert_eq!((own.margin.lo, own.margin.hi), (right - left, right - left));
+    }
+    // One cycle: 1 graph of three vertices, 2 of four, 5 of five (OEIS A001429).
+    let tight = found.tight.as_ref().expect("a list");
+    assert_eq!((tight.what.as_str(), tight.members.len(), tight.cut), ("edges = n", 8, false));
+    assert!(tight.members.iter().all(|own| own.margin.lo == 0.0 && own.margin.hi == 0.0));
+    // The margin beside the counterexample is its own.
+    assert_eq!(found.margin.map(|margin| (margin.lo, margin.hi)), Some((-1.0, -1.0)));
+    assert!(found.text(None).contains("margin there = -1"), "{}", found.text(None));
+    // The path alone attains Fiedler's bound; where the hypothesis fails nothing is attained.
+    let fiedler = listed(&without(CONNECTED, "n > 3 implies lambda(2) >= 2*(1 - cos(pi/n))"), 0, 10);
+    let graphs: Vec<String> =
+        fiedler.tight.expect("a list").members.iter().map(|own| own.bindings.to_string()).collect();
+    assert_eq!(graphs.len(), 2, "{graphs:?}");
+    assert!(fiedler.counterexamples.is_none());
+    assert!(listed(&without(CONNECTED, "planar or edges > 0"), 0, 10).tight.is_none());
+    assert!(listed(&without(CONNECTED, "planar"), 5, 0).counterexamples.is_some());
+}
