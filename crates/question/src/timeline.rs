@@ -76,6 +76,11 @@ pub(crate) trait Timeline {
         Vec::new()
     }
 
+    /// Whether there are such instants.
+    fn has_instants(&self) -> bool {
+        false
+    }
+
     /// Two halves of a piece; `None` where it need not or cannot be divided.
     fn halves(&self, piece: &Piece) -> Option<[Piece; 2]>;
 

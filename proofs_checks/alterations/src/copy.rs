@@ -235,13 +235,14 @@ fn drop_at_fault(
         return;
     }
     let spans = message["spans"].as_array().map_or(&[][..], Vec::as_slice);
+    let place_of = |span: &Value| {
+        let name = Path::new(span["file_name"].as_str().unwrap_or_default());
+        files.iter().position(|file| name == Path::new(file) || name == copy.join(file))
+    };
     for span in spans.iter().filter(|span| span["is_primary"] == Value::Bool(true)) {
-        let name = span["file_name"].as_str().unwrap_or_default();
-        let Some(k) =
-            files.iter().position(|file| Path::new(name) == Path::new(file) || Path::new(name) == copy.join(file))
-        else {
-            continue;
-        };
+        // Where it lies in a macro of somebody else: where that was used.
+        let outward = std::iter::successors(Some(span), |span| span["expansion"].get("span"));
+        let Some((k, span)) = outward.take(16).find_map(|span| Some((place_of(span)?, span))) else { continue };
         let Some(written) = &written[k] else { continue };
         let place = |key: &str| span[key].as_u64().unwrap_or(0) as usize;
         let (start, end) = (place("byte_start"), place("byte_end"));

@@ -304,9 +304,11 @@ impl Operator<'_, '_, '_> {
                 return Ok((Truth::False, margin.least(found)));
             }
         }
+        let is_open = !open.is_empty() && !self.has_times();
         if let Some(found) = self.fails_at_instant(open, sure.as_ref())? {
             return Ok((Truth::False, margin.least(found)));
         }
+        let doubt = doubt.map(|doubt| if is_open { self.explained(doubt) } else { doubt });
         match (doubt.or(covered.rest), missing) {
             (Some(doubt), _) => Ok((Truth::Unknown(doubt), margin)),
             (None, Some(failure)) => Err(failure),
@@ -352,14 +354,33 @@ impl Operator<'_, '_, '_> {
         self.at_instants(open, &mut |_, (truth, margin)| Ok((truth == Truth::False).then_some(margin)))
     }
 
+    /// Whether there are time operators in the body.
+    fn has_times(&self) -> bool {
+        let mut has_times = false;
+        self.body.visit(&mut |node| has_times |= matches!(node.kind, Kind::Always(..) | Kind::Until(_)));
+        has_times
+    }
+
+    /// A doubt about short pieces with what is not decided there.
+    fn explained(&self, doubt: Doubt) -> Doubt {
+        let why = match self.timeline.has_instants() {
+            _ if self.timeline.is_discrete() => return doubt,
+            true => {
+                "no instant at which the motion is known exactly decides it, and that two sides only touch and never pass is not proved"
+            }
+            false => {
+                "whether two sides only touch there is not decided, since the motion has no closed form with rational exponents and frequencies"
+            }
+        };
+        Doubt { why: format!("{}; {why}", doubt.why), ..doubt }
+    }
+
     /// What is found first at instants of undecided pieces at which everything is known exactly, of a body without time operators.
     pub fn at_instants<R>(&self, open: Vec<Piece>, visit: &mut Visit<R>) -> Result<Option<R>, Failure> {
         /// Judgements of pieces, and pieces in which instants are looked for.
         const MOST: usize = 400;
         const SHORTEST: i64 = 1 << 20;
-        let mut has_times = false;
-        self.body.visit(&mut |node| has_times |= matches!(node.kind, Kind::Always(..) | Kind::Until(_)));
-        let mut queue: VecDeque<Piece> = open.into_iter().filter(|_| !has_times).collect();
+        let mut queue: VecDeque<Piece> = open.into_iter().filter(|_| !self.has_times()).collect();
         let (mut pieces, mut judged) = (Vec::new(), 0);
         while let Some(piece) = queue.pop_front().filter(|_| pieces.len() < MOST) {
             let length = piece.to.as_ref().map_or(rational(0, 1), |to| to - &piece.from);

@@ -504,6 +504,10 @@ impl Timeline for MotionSubject<'_> {
         Ok(Box::new(At { subject: self, motion: &self.motion, holds, state, pairs: section.pairs.clone() }))
     }
 
+    fn has_instants(&self) -> bool {
+        self.closed().is_some()
+    }
+
     fn instants<'t>(&'t self, piece: &Piece, precision: u32) -> Vec<(Piece, Box<dyn Moment + 't>)> {
         let Some((to, closed)) = piece.to.as_ref().zip(self.closed()) else { return Vec::new() };
         let states = closed.states(&piece.from, to, precision).into_iter();

@@ -1,6 +1,6 @@
 //! Values that are touched at one instant and not passed: decided where the motion is known in closed form.
 
-use super::motions::verdict;
+use super::motions::{answered, verdict};
 use question::Verdict;
 
 /// Asks for a value that is touched, a control beyond it, and one before it.
@@ -83,4 +83,18 @@ fn platoons_touch_a_value() {
         "(kinetic - 5/16)^2 <= 1/1000000",
         "[0, 2]",
     );
+}
+
+#[test]
+fn what_is_not_decided_says_why() {
+    let why = |scenario: &str, property: &str| {
+        let answer = answered(scenario, "n = 1", property, "1 < 0");
+        assert_eq!(answer.verdict, Verdict::Undecided, "{property}");
+        answer.why
+    };
+    let stays = why(&passing((1, 3)), "always[0, 2](min_distance >= 3/7)");
+    assert!(stays.contains("that two sides only touch and never pass is not proved"), "{stays}");
+    // The product of the roots of s² + 3 s + 1 is 1, and they are not rational; the least value is no simple number.
+    let open = why(&own("-3*v - x", "0", "-1"), "eventually[0, 4](x[1] <= x[1])");
+    assert!(open.contains("since the motion has no closed form with rational exponents and frequencies"), "{open}");
 }
