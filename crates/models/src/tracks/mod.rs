@@ -9,6 +9,7 @@
 mod analysis;
 mod bridge;
 mod choices;
+mod delays;
 mod gaps;
 mod histogram;
 mod measures;
@@ -24,6 +25,7 @@ mod trackers;
 pub use analysis::{Analysis, FishSummary, LeftOut, Reason, analyse};
 pub use bridge::BridgeShape;
 pub use choices::{Choices, ChoicesError, NearestRule, PositionsUsed};
+pub use delays::{Delays, DelaysError, PairDelay, delays};
 pub use gaps::{Gap, gaps};
 pub use histogram::Histogram;
 pub use measures::{FrameMeasures, GroupState, ZonePresence, nearest_neighbour};

@@ -1,6 +1,7 @@
 //! Trajectories: reading and refusing, smoothing without crossing gaps, measures against naive twins, schools whose answer is known.
 
 mod choices;
+mod delays;
 mod measures;
 mod nulls;
 mod reading;
