@@ -5,14 +5,15 @@ use super::law::{Gains, accelerations_by};
 use super::vector_form::motion_rows_of;
 use algebra::matrix::{MatrixError, solve_over_field};
 use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring};
+use std::sync::Arc;
 
 /// Followers with gains of their own, `y_k'' = f_k e_k + g_k e'_k`, where `e_k` is the deviation of car `k` from the weighted mean of the cars whose
 /// positions it tracks, and `e'_k` that of its velocity from the weighted mean of the cars whose velocities it tracks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Platoon<T> {
-    positions: CommunicationGraph,
+    positions: Arc<CommunicationGraph>,
     /// Where it is another one than that of the positions.
-    velocities: Option<CommunicationGraph>,
+    velocities: Option<Arc<CommunicationGraph>>,
     gains: Vec<Gains<T>>,
 }
 
@@ -33,7 +34,7 @@ impl<T> Platoon<T> {
         if gains.len() != followers {
             return Err(CommunicationError::Gains { given: gains.len(), followers });
         }
-        Ok(Platoon { positions: graph, velocities: None, gains })
+        Ok(Platoon { positions: Arc::new(graph), velocities: None, gains })
     }
 
     /// The same platoon with velocities that are tracked along another graph.
@@ -45,7 +46,7 @@ impl<T> Platoon<T> {
         if positions != found {
             return Err(CommunicationError::Velocities { positions, velocities: found });
         }
-        let velocities = Some(velocities).filter(|other| *other != self.positions);
+        let velocities = Some(velocities).filter(|other| *other != *self.positions).map(Arc::new);
         Ok(Platoon { velocities, ..self })
     }
 
@@ -66,12 +67,12 @@ impl<T> Platoon<T> {
 
     /// Whose velocities are tracked.
     pub fn velocities(&self) -> &CommunicationGraph {
-        self.velocities.as_ref().unwrap_or(&self.positions)
+        self.velocities.as_deref().unwrap_or(&self.positions)
     }
 
     /// The one graph, where positions and velocities are tracked alike.
     pub fn one_graph(&self) -> Option<&CommunicationGraph> {
-        self.velocities.is_none().then_some(&self.positions)
+        self.velocities.is_none().then_some(self.positions())
     }
 
     /// Whom follower `k >= 1` tracks, the weights of what it does not track being zero.
@@ -143,7 +144,7 @@ impl<T: Field> Platoon<T> {
     /// lists only those of the cars before the first one that is not in both, or tracks one that is not.
     pub fn accelerations(&self, leader: (&T, &T), positions: &[T], velocities: &[T]) -> Vec<T> {
         let given = positions.len().min(velocities.len());
-        let graphs = [&self.positions, self.velocities()];
+        let graphs = [self.positions(), self.velocities()];
         let cars = graphs.map(|graph| graph.moved_by(given)).into_iter().fold(self.followers(), usize::min);
         let means = graphs.map(|graph| |k: usize, value: &dyn Fn(usize) -> T| graph.mean(k, value));
         accelerations_by(cars, means, |k| &self.gains[k - 1], leader, (positions, velocities))

@@ -11,6 +11,10 @@ pub struct Gains<T> {
     pub g: T,
 }
 
+/// Which sign gains have, for those who write `-k`.
+pub const SIGNS: &str = "the law is y'' = f e + g e' with the deviation e of a car from its place, so that f = g = -1 pulls it back; for a gain k > 0 of texts \
+that write -k e it is -k";
+
 /// Which cars a follower keeps track of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Communication {

@@ -7,8 +7,9 @@
 
 use super::cars::Platoon;
 use super::communication_graph::{CommunicationError, CommunicationGraph, check_count};
-use super::law::Gains;
-use arithmetic::{Rational, Sign, Signed, rational};
+use super::law::{Gains, SIGNS};
+use arithmetic::{Rational, Sign, Signed, rational, shown};
+use std::fmt;
 
 /// What is given of a platoon on a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,11 +63,10 @@ impl Parameter {
     }
 }
 
-/// Why the numbers of a platoon on a line are refused; messages name parameters as files do.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+/// Why the numbers of a platoon on a line are refused.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LineError {
     /// A number that is needed.
-    #[error("{} is needed: {why}", .parameter.name())]
     Missing {
         /// What is missing.
         parameter: Parameter,
@@ -74,7 +74,6 @@ pub enum LineError {
         why: &'static str,
     },
     /// Two that say the same.
-    #[error("{} and {} cannot both be given", .one.name(), .other.name())]
     Both {
         /// The one.
         one: Parameter,
@@ -82,7 +81,6 @@ pub enum LineError {
         other: Parameter,
     },
     /// A list of another length.
-    #[error("{} has {given} numbers for {followers} followers: one, or one for each follower", .parameter.name())]
     Count {
         /// The list.
         parameter: Parameter,
@@ -92,7 +90,6 @@ pub enum LineError {
         followers: usize,
     },
     /// A gain that is not negative.
-    #[error("{} must be negative, but it is {value}: {}", .parameter.name(), SIGNS)]
     Sign {
         /// The gain.
         parameter: Parameter,
@@ -100,7 +97,6 @@ pub enum LineError {
         value: Rational,
     },
     /// A gain of a link that is positive.
-    #[error("{} is {value}, but without {} it is the gain of a link, which is negative, or zero: {}", .parameter.name(), .whole.name(), SIGNS)]
     Link {
         /// The gain.
         parameter: Parameter,
@@ -110,7 +106,6 @@ pub enum LineError {
         value: Rational,
     },
     /// A weight below zero, or above one where the other weight is the rest to one.
-    #[error("{} is {value}, but a weight is {range}", .parameter.name())]
     Weight {
         /// The weight.
         parameter: Parameter,
@@ -120,7 +115,6 @@ pub enum LineError {
         range: &'static str,
     },
     /// A car that would track nobody.
-    #[error("car {car} has the weight zero ahead{}: it would not keep track of any {}", if *.is_last { ", and nobody behind" } else { " and behind" }, .what)]
     Nobody {
         /// The car, from 1.
         car: usize,
@@ -129,13 +123,80 @@ pub enum LineError {
         /// Positions or velocities.
         what: &'static str,
     },
+    /// A weight where there is no line of cars.
+    OnGraph {
+        /// The weight.
+        parameter: Parameter,
+    },
     /// Of the graph.
-    #[error(transparent)]
-    Graph(#[from] CommunicationError),
+    Graph(CommunicationError),
 }
 
-/// Which sign gains have, for those who write `-k`.
-pub const SIGNS: &str = "the law is y_k'' = f e_k + g e_k' with the deviation e_k of car k from its place, so that f = g = -1 pulls it back (a gain k > 0 of other texts is -k here)";
+impl LineError {
+    /// What is at fault, where it is one parameter.
+    pub fn parameter(&self) -> Option<Parameter> {
+        match self {
+            LineError::Missing { parameter, .. }
+            | LineError::Both { other: parameter, .. }
+            | LineError::Count { parameter, .. }
+            | LineError::Sign { parameter, .. }
+            | LineError::Link { parameter, .. }
+            | LineError::Weight { parameter, .. }
+            | LineError::OnGraph { parameter } => Some(*parameter),
+            LineError::Nobody { .. } | LineError::Graph(_) => None,
+        }
+    }
+
+    /// The message, with parameters called as the reader knows them.
+    pub fn told(&self, name: impl Fn(Parameter) -> String) -> String {
+        match self {
+            LineError::Missing { parameter, why } => format!("{} is needed: {why}", name(*parameter)),
+            LineError::Both { one, other } => format!("{} and {} cannot both be given", name(*one), name(*other)),
+            LineError::Count { parameter, given, followers } => {
+                let list = name(*parameter);
+                format!("{list} has {given} numbers for {followers} followers: one, or one for each follower")
+            }
+            LineError::Sign { parameter, value } => {
+                format!("{} must be negative, but it is {}: {SIGNS}", name(*parameter), shown(&value.to_string()))
+            }
+            LineError::Link { parameter, whole, value } => format!(
+                "{} is {}, but without {} it is the gain of a link, which is negative or zero: {SIGNS}",
+                name(*parameter),
+                shown(&value.to_string()),
+                name(*whole)
+            ),
+            LineError::Weight { parameter, value, range } => {
+                format!("{} is {}, but a weight is {range}", name(*parameter), shown(&value.to_string()))
+            }
+            LineError::Nobody { car, is_last, what } => {
+                let behind = if *is_last { ", and nobody behind" } else { " and behind" };
+                format!("car {car} has the weight zero ahead{behind}: it would not keep track of any {what}")
+            }
+            LineError::OnGraph { parameter } => {
+                let name = name(*parameter);
+                format!(
+                    "{name} is for cars on a line that track both sides; what else is tracked has weights of its own"
+                )
+            }
+            LineError::Graph(error) => error.to_string(),
+        }
+    }
+}
+
+impl fmt::Display for LineError {
+    /// Parameters are called as in files.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.told(|parameter| parameter.name().to_string()))
+    }
+}
+
+impl std::error::Error for LineError {}
+
+impl From<CommunicationError> for LineError {
+    fn from(error: CommunicationError) -> Self {
+        LineError::Graph(error)
+    }
+}
 
 /// The numbers of a platoon on a line: for each parameter nothing, one number, or one for each follower.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -167,17 +228,50 @@ impl Line {
         list.get(if list.len() == 1 { 0 } else { car - 1 })
     }
 
+    /// The same gains for cars that track others as a graph says, which has weights of its own.
+    ///
+    /// # Errors
+    /// [`LineError`].
+    pub fn on(&self, graph: CommunicationGraph) -> Result<Platoon<Rational>, LineError> {
+        let side = Parameter::NAMES.into_iter().find(|(_, side)| side.is_of_a_side() && self.get(*side).is_some());
+        if let Some((_, parameter)) = side {
+            return Err(LineError::OnGraph { parameter });
+        }
+        let [f, g] = self.gains(graph.followers())?;
+        let gains = f.into_iter().zip(g).map(|(f, g)| Gains { f, g }).collect();
+        Ok(Platoon::new(graph, gains)?)
+    }
+
+    /// Both gains of each follower.
+    fn gains(&self, followers: usize) -> Result<[Vec<Rational>; 2], LineError> {
+        self.check_counts(followers)?;
+        let list = |parameter: Parameter, why: &'static str| {
+            let gain = |car: usize| match self.of(parameter, car) {
+                None => Err(LineError::Missing { parameter, why }),
+                Some(value) if value.sign() == Some(Sign::Negative) => Ok(value.clone()),
+                Some(value) => Err(LineError::Sign { parameter, value: value.clone() }),
+            };
+            (1..=followers).map(gain).collect::<Result<Vec<_>, _>>()
+        };
+        Ok([list(F, "the gain of the positions")?, list(G, "the gain of the velocities")?])
+    }
+
+    fn check_counts(&self, followers: usize) -> Result<(), LineError> {
+        for (_, parameter) in Parameter::NAMES {
+            if let Some(given) = self.get(parameter).map(<[_]>::len).filter(|n| ![1, followers].contains(n)) {
+                return Err(LineError::Count { parameter, given, followers });
+            }
+        }
+        Ok(())
+    }
+
     /// The platoon of so many followers; whose weights are not given track the car ahead and the car behind alike, as system (2) does.
     ///
     /// # Errors
     /// [`LineError`].
     pub fn platoon(&self, followers: usize) -> Result<Platoon<Rational>, LineError> {
         check_count(followers)?;
-        for (_, parameter) in Parameter::NAMES {
-            if let Some(given) = self.get(parameter).map(<[_]>::len).filter(|n| ![1, followers].contains(n)) {
-                return Err(LineError::Count { parameter, given, followers });
-            }
-        }
+        self.check_counts(followers)?;
         for (one, others) in [(Ahead, [FAhead, GAhead]), (Behind, [FBehind, GBehind])] {
             let both = others.into_iter().find(|other| self.get(one).is_some() && self.get(*other).is_some());
             if let Some(other) = both {

@@ -5,6 +5,7 @@
 //! `y_0 = e^{i w t}` with angular frequency `w >= 0` (a negative `w` only conjugates everything).
 
 pub mod banded;
+pub mod bode;
 mod cars;
 mod communication_graph;
 pub mod front_in_time;
@@ -28,8 +29,8 @@ pub mod vector_form;
 
 pub use cars::Platoon;
 pub use communication_graph::{CommunicationError, CommunicationGraph};
-pub use law::{Communication, Gains, accelerations};
-pub use line::{Line, LineError, Parameter, SIGNS};
+pub use law::{Communication, Gains, SIGNS, accelerations};
+pub use line::{Line, LineError, Parameter};
 pub use modes::slowest_rate;
 pub use neighbourhood::Neighbourhood;
 pub use peak::{

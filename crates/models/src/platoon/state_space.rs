@@ -132,6 +132,14 @@ impl StateSpace {
         self.response_by(w, algebra::matrix::solve_over_field)
     }
 
+    /// The same in floating point, with the largest entry of each column as its pivot.
+    ///
+    /// # Errors
+    /// As [`StateSpace::response`].
+    pub fn float_response(&self, w: f64) -> Result<Complex<f64>, ArithmeticError> {
+        self.response_by(&w, solve_pivoted)
+    }
+
     /// The largest modulus of the response that a search meets, without proof, over frequencies `w > 0`, in floating point: 48 frequencies per factor of 10 from a tenth of the
     /// smallest to ten times the largest modulus of an eigenvalue, and the neighbourhood of each eigenvalue, refined by golden sections.
     ///
@@ -148,7 +156,7 @@ impl StateSpace {
         if values.is_empty() {
             return Err(missing());
         }
-        let size = |w: f64| self.response_by(&w, solve_pivoted).map(|y| y.norm_squared().sqrt());
+        let size = |w: f64| self.float_response(w).map(|y| y.norm_squared().sqrt());
         let count = (48.0 * (high / low).log10()).ceil();
         let at = |k: f64| low * (high / low).powf(k / count);
         let mut best = Extreme { value: 0.0, at: low };

@@ -231,9 +231,7 @@ fn what_is_not_stable_has_no_peak() {
 fn wrong_numbers_say_which_and_why() {
     let told = |line: Line, m: usize| line.platoon(m).unwrap_err().to_string();
     let good = || all((-1, 1), (-1, 1));
-    assert!(
-        told(all((1, 1), (-1, 1)), 3).starts_with("f must be negative, but it is 1: the law is y_k'' = f e_k + g e_k'")
-    );
+    assert!(told(all((1, 1), (-1, 1)), 3).starts_with("f must be negative, but it is 1: the law is y'' = f e + g e'"));
     assert!(told(all((-1, 1), (0, 1)), 3).starts_with("g must be negative, but it is 0"));
     for (line, m, words) in [
         (Line::default().with(Parameter::F, list(&[(-1, 1)])), 2, "g is needed: the gain of the velocities"),
@@ -278,7 +276,7 @@ fn wrong_numbers_say_which_and_why() {
         .with(Parameter::FBehind, list(&[(2, 5)]));
     assert!(
         told(link, 2)
-            .starts_with("f_ahead is 3/5, but without f it is the gain of a link, which is negative, or zero: ")
+            .starts_with("f_ahead is 3/5, but without f it is the gain of a link, which is negative or zero: ")
     );
     for (name, parameter) in Parameter::NAMES {
         assert_eq!((parameter.name(), Parameter::from_name(name)), (name, Some(parameter)));
