@@ -5,10 +5,12 @@ Numbers out: Fraction, or :class:`Enclosure`. Wrong arguments are ValueError or 
 command line; long work stops on Ctrl-C.
 """
 
+from ._extras import require
 from ._flock import Flock, Run, Settlement, Switch
 from ._ledger import Claim, Claims, Controls, Entry, Evidence, Ledger, Text, explain, ledger, verify
 from ._native import __version__
 from ._numbers import Enclosure, ExactMatrix, Undecided, exact
+from ._platoon import Platoon, Response
 from ._queries import (
     Eigenvalue,
     Ergodicity,
@@ -49,9 +51,11 @@ __all__ = [
     "Law",
     "Ledger",
     "Peak",
+    "Platoon",
     "Prefix",
     "Reach",
     "Resonance",
+    "Response",
     "Run",
     "Settlement",
     "Simulation",
@@ -73,6 +77,7 @@ __all__ = [
     "ledger",
     "peak",
     "reach",
+    "require",
     "resonance",
     "simulate",
     "spectrum",

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _native
+from ._extras import needed
 from ._progress import Progress, callback
 
 if TYPE_CHECKING:
@@ -121,6 +122,7 @@ class Claims(Sequence[Claim]):
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row for each claim."""
+        needed("pandas", "pandas")
         import pandas
 
         names = ["id", "paper", "place", "statement", "verdict", "fault", "covered", "clauses", "grades"]
@@ -316,6 +318,7 @@ class Ledger(Sequence[Entry]):
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row for each claim."""
+        needed("pandas", "pandas")
         import pandas
 
         names = [

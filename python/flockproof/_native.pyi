@@ -27,6 +27,10 @@ __all__ = [
     "judge",
     "law_file",
     "peak",
+    "platoon_matrices",
+    "platoon_peak",
+    "platoon_poles",
+    "platoon_response",
     "question_needs",
     "ratio",
     "reach",
@@ -52,6 +56,18 @@ def peak(
     digits: Any,
 ) -> tuple[_Ends | None, _Ends]: ...
 def system_peak(matrices: tuple[Any, Any, Any, Any | None], digits: Any) -> tuple[_Ends | None, _Ends]: ...
+def platoon_peak(
+    followers: Any, parameters: Sequence[tuple[str, Sequence[Any]]], car: Any, digits: Any
+) -> tuple[_Ends | None, _Ends]: ...
+def platoon_response(
+    followers: Any, parameters: Sequence[tuple[str, Sequence[Any]]], cars: Sequence[Any], frequency: Any, digits: Any
+) -> list[tuple[_Ends, _Ends | None]]: ...
+def platoon_matrices(
+    followers: Any, parameters: Sequence[tuple[str, Sequence[Any]]], car: Any
+) -> list[list[list[_Ratio]]]: ...
+def platoon_poles(
+    followers: Any, parameters: Sequence[tuple[str, Sequence[Any]]]
+) -> list[tuple[_Ends, _Ends | None, int]]: ...
 def theorem_1(followers: int, f: Any, g: Any, digits: int) -> tuple[str, str]: ...
 def graph_name_problem(name: str) -> str | None: ...
 def spectrum(

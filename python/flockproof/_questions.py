@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from . import _native
+from ._extras import needed
 from ._flock import _refused
 from ._ledger import _table
 from ._numbers import Enclosure, Known, exact, read_decimal
@@ -208,6 +209,7 @@ class Table(Sequence[Mapping[str, Any]]):
         """Values as floats, the nearest to the middle, and as exact texts in ``.lo`` and ``.hi`` where they are
         enclosed somewhere.
         """
+        needed("pandas", "pandas")
         import pandas
 
         exactly = pandas.read_csv(io.StringIO(self._csv), dtype=str, keep_default_na=False)
@@ -224,7 +226,8 @@ class Table(Sequence[Mapping[str, Any]]):
         return frame
 
     def to_parquet(self, path: str | os.PathLike[str]) -> None:
-        """Writes the table of :meth:`to_pandas` as Parquet (needs pyarrow)."""
+        """Writes the table of :meth:`to_pandas` as Parquet (extra ``parquet``)."""
+        needed("pyarrow", "parquet")
         frame = self.to_pandas()
         # A column of one kind each: names that are numbers for some members only become texts.
         for name in self.names:
@@ -557,6 +560,7 @@ def _on_cluster(
     threads: int,
     told: Callable[[str, int, int | None], object] | None,
 ) -> None:
+    needed("distributed", "sweep")
     import distributed
 
     if not isinstance(client, distributed.Client):

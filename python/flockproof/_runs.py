@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native, _recordings
+from ._extras import needed
 from ._flock import _refused
 from ._numbers import float_seen, number_text
 from ._progress import Progress, callback
@@ -113,6 +114,7 @@ class Simulation:
 
         The columns are those of ``trajectory.csv`` and ``observables.csv``.
         """
+        needed("pandas", "pandas")
         import pandas
 
         agents = max((array.shape[1] for array in self.states.values()), default=0)
@@ -312,6 +314,7 @@ class Tracks:
 
     def to_pandas(self, name: str = "frames") -> pandas.DataFrame:
         """``frames``, ``fish``, ``gaps`` or ``histograms`` as a DataFrame."""
+        needed("pandas", "pandas")
         import pandas
 
         return pandas.read_csv(io.StringIO(self._csv(name)))

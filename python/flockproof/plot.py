@@ -1,7 +1,7 @@
-"""Pictures of results, with matplotlib (``pip install flockproof[plot]``).
+"""Pictures of results, with matplotlib (``pip install "flockproof[plot]"``).
 
 Each function draws into ``axes``, or into a new figure, and returns the axes. Without matplotlib it raises
-ImportError, which names it; what is none of this package's results is a TypeError.
+ImportError, which says how to install it; what is none of this package's results is a TypeError.
 """
 
 from __future__ import annotations
@@ -11,11 +11,13 @@ from typing import Any
 
 import numpy as np
 
+from ._extras import needed
 from ._flock import Run, Settlement
+from ._platoon import Platoon
 from ._queries import Resonance, Spectrum
 from ._runs import Simulation
 
-__all__ = ["network", "observables", "paths", "resonances", "spectrum"]
+__all__ = ["bode", "network", "observables", "paths", "resonances", "spectrum"]
 
 
 def _needed(value: object, kinds: type | tuple[type, ...], name: str, maker: str) -> None:
@@ -26,9 +28,7 @@ def _needed(value: object, kinds: type | tuple[type, ...], name: str, maker: str
 def _axes(axes: Any) -> Any:
     if axes is not None:
         return axes
-    import matplotlib.pyplot as plt
-
-    return plt.subplots(layout="constrained")[1]
+    return needed("matplotlib.pyplot", "plot").subplots(layout="constrained")[1]
 
 
 def paths(simulation: Simulation, axes: Any = None) -> Any:
@@ -122,6 +122,82 @@ def resonances(found: Iterable[Resonance] | Resonance, axes: Any = None) -> Any:
     axes.set(xlabel="followers", ylabel="largest amplitude of the last car")
     axes.legend()
     return axes
+
+
+def bode(platoon: Platoon, cars: Iterable[int] | None = None, frequencies: Any = None, axes: Any = None) -> Any:
+    """Bode's diagram of cars of a platoon: magnitude (dB) and phase (degrees), the certified peaks marked.
+
+    Parameters
+    ----------
+    platoon
+        A :class:`flockproof.Platoon`.
+    cars
+        From 1; left out, the last one.
+    frequencies
+        Angular frequencies (rad/s), increasing; left out, around the peaks. The curves are in floating point.
+    axes
+        Two of matplotlib, for magnitude and phase; left out, those of a new figure.
+
+    Returns
+    -------
+    array of two matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        A car that is not there, or a number of axes other than two.
+    """
+    _needed(platoon, Platoon, "platoon", "flockproof.Platoon")
+    if axes is None:
+        pyplot = needed("matplotlib.pyplot", "plot")
+        axes = pyplot.subplots(2, 1, sharex=True, layout="constrained")[1]
+    if len(axes) != 2:
+        raise ValueError(f"axes should be two, for magnitude and phase, not {len(axes)}")
+    chosen = [platoon.followers] if cars is None else [int(car) for car in cars]
+    wrong = [car for car in chosen if not 1 <= car <= platoon.followers]
+    if wrong:
+        raise ValueError(f"car {wrong[0]} is none of the followers 1 to {platoon.followers}")
+    peaks = _peaks(platoon, chosen)
+    places = [w for w, _ in peaks.values()]
+    if frequencies is None:
+        low, high = (min(places) / 20, max(places) * 100) if places else (1e-2, 1e2)
+        around = [w * np.linspace(0.95, 1.05, 201) for w in places]
+        frequencies = np.unique(np.concatenate([np.geomspace(low, high, 2000), *around]))
+    frequencies = np.asarray(frequencies, dtype=float)
+    values = _responses(platoon, frequencies)[:, [car - 1 for car in chosen]]
+    for k, car in enumerate(chosen):
+        (line,) = axes[0].semilogx(frequencies, 20 * np.log10(np.abs(values[:, k])), lw=1.2, label=f"car {car}")
+        phase = np.degrees(np.unwrap(np.angle(values[:, k])))
+        axes[1].semilogx(frequencies, phase, lw=1.2, color=line.get_color())
+        if car in peaks:
+            w, amplitude = peaks[car]
+            axes[0].plot(w, 20 * np.log10(amplitude), "o", color=line.get_color(), ms=5)
+    top = max(axes[0].get_ylim()[1], 0)
+    axes[0].set(ylabel="magnitude (dB)", ylim=(max(axes[0].get_ylim()[0], top - 100), top))
+    axes[1].set(xlabel="angular frequency (rad/s)", ylabel="phase (degrees)")
+    axes[0].set_title(f"{platoon.followers} followers" + (", peaks certified" if peaks else ""))
+    axes[0].legend()
+    return axes
+
+
+def _peaks(platoon: Platoon, cars: list[int]) -> dict[int, tuple[float, float]]:
+    """Frequency and amplitude of certified peaks; none where there is none, or it is not proved."""
+    found: dict[int, tuple[float, float]] = {}
+    for car in cars:
+        try:
+            peak = platoon.peak(car, digits=12)
+        except ValueError:
+            continue
+        if peak.frequency is not None and float(peak.frequency) > 0:
+            found[car] = (float(peak.frequency), float(peak.amplitude))
+    return found
+
+
+def _responses(platoon: Platoon, frequencies: Any) -> Any:
+    """A row for each frequency, a column for each car."""
+    a, b, c, _ = platoon.matrices()
+    one = np.eye(len(a))
+    return np.array([c @ np.linalg.solve(1j * w * one - a, b @ np.array([1, 1j * w])) for w in frequencies])
 
 
 def spectrum(found: Spectrum, axes: Any = None) -> Any:

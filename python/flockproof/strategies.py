@@ -21,7 +21,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from hypothesis import strategies as st
+from ._extras import needed
+
+needed("hypothesis", "strategies")
+
+from hypothesis import strategies as st  # noqa: E402
 
 from ._flock import Flock
 

@@ -7,14 +7,16 @@ use flockproof::arithmetic::{ArithmeticError, Interval, Number, Progress, Ration
 use flockproof::graph::read::read_graph_file;
 use flockproof::graph::{AnyGraph, LaplacianKind, NamedGraph, WeightedGraph};
 use flockproof::matrix::read::read_normalised;
-use flockproof::matrix::{MatrixError, StochasticMatrix, prefix_products, stabilisers, tau_2_squared};
+use flockproof::matrix::{
+    MatrixError, RationalMatrix, SparseMatrix, StochasticMatrix, prefix_products, stabilisers, tau_2_squared,
+};
 use flockproof::platoon::state_space::StateSpace;
 use flockproof::platoon::{
-    CommunicationGraph, Gains, MOST_FOLLOWERS_PROVED, MOST_STATES_PROVED, Peak, PeakError, ResonanceError,
-    peak_of_system, peak_on_graph, resonance as main_resonance, theorem1,
+    CommunicationGraph, Gains, Line, MOST_FOLLOWERS_PROVED, MOST_STATES_PROVED, Parameter, Peak, PeakError, Platoon,
+    ResonanceError, peak_of_platoon, peak_of_system, resonance as main_resonance, theorem1,
 };
 use flockproof::reach::{System, answer, decide};
-use flockproof::spectrum::{Eigenvalue, Method, graph_spectrum, named_spectrum};
+use flockproof::spectrum::{Eigenvalue, Method, graph_spectrum, matrix_spectrum, named_spectrum};
 use num_bigint::BigInt;
 use pyo3::prelude::*;
 
@@ -117,17 +119,118 @@ fn found_peak(
     if !platoon.reached_by_leader()[place] {
         return Err(format!("the leader {leader} does not reach car {car}, which stays at rest"));
     }
-    for (name, list) in [("f", f), ("g", g)] {
-        if ![1, followers].contains(&list.len()) {
-            return Err(format!("{name}: there are {} gains for {followers} followers", list.len()));
-        }
-        if let Some(value) = list.iter().find(|value| !value.is_certainly_negative()) {
-            return Err(format!("{name} must be negative, but it is {value}"));
-        }
+    let line = Line::default().with(Parameter::F, f.to_vec()).with(Parameter::G, g.to_vec());
+    let platoon = line.on(platoon).map_err(|error| error.to_string())?;
+    peak_ends(peak_of_platoon(&platoon, place, digits, progress), digits)
+}
+
+/// A platoon on a line: names of parameters with their numbers.
+type Parameters<'py> = Vec<(String, Vec<Bound<'py, PyAny>>)>;
+
+/// The platoon of so many followers whose numbers are given.
+fn on_a_line(followers: &Bound<'_, PyAny>, parameters: &Parameters<'_>) -> PyResult<Platoon<Rational>> {
+    let followers = usize::try_from(count("followers", followers)?).unwrap_or(usize::MAX);
+    if followers > MOST_STATES_PROVED {
+        return Err(refuse(format!("followers: at most {MOST_STATES_PROVED}, not {followers}")));
     }
-    let gain = |list: &[Rational], k: usize| list[k.min(list.len() - 1)].clone();
-    let gains: Vec<Gains<Rational>> = (0..followers).map(|k| Gains { f: gain(f, k), g: gain(g, k) }).collect();
-    peak_ends(peak_on_graph(&platoon, &gains, place, digits, progress), digits)
+    let mut line = Line::default();
+    for (name, numbers) in parameters {
+        let parameter = Parameter::from_name(name).ok_or_else(|| refuse(format!("`{name}` is no parameter")))?;
+        let numbers = numbers.iter().map(|number| exact(name, number)).collect::<PyResult<Vec<_>>>()?;
+        line = line.with(parameter, numbers);
+    }
+    line.platoon(followers).map_err(|error| refuse(error.to_string()))
+}
+
+/// The car, from 1.
+fn car_of(car: &Bound<'_, PyAny>, platoon: &Platoon<Rational>) -> PyResult<usize> {
+    let followers = platoon.followers();
+    let car = usize::try_from(count("car", car)?).unwrap_or(usize::MAX);
+    let wrong = || refuse(format!("car: there are the followers 1 to {followers}"));
+    (1..=followers).contains(&car).then_some(car).ok_or_else(wrong)
+}
+
+/// The peak of a car of a platoon on a line.
+#[pyfunction]
+pub fn platoon_peak(
+    py: Python<'_>,
+    followers: &Bound<'_, PyAny>,
+    parameters: Parameters<'_>,
+    car: &Bound<'_, PyAny>,
+    digits: &Bound<'_, PyAny>,
+) -> PyResult<PeakEnds> {
+    let platoon = on_a_line(followers, &parameters)?;
+    let (car, digits) = (car_of(car, &platoon)?, digits_of(digits)?);
+    if platoon.followers() > MOST_FOLLOWERS_PROVED {
+        let followers = platoon.followers();
+        let most = MOST_FOLLOWERS_PROVED;
+        return Err(refuse(format!("followers: {followers} are more than the {most} of which the peak is proved")));
+    }
+    let work = move |progress: &dyn Progress| peak_ends(peak_of_platoon(&platoon, car, digits, progress), digits);
+    watched(py, None, move |watch| work(watch.as_ref()))?.map_err(refuse)
+}
+
+/// Amplitude and phase, where there is one, of each of some cars at a frequency.
+#[pyfunction]
+pub fn platoon_response(
+    py: Python<'_>,
+    followers: &Bound<'_, PyAny>,
+    parameters: Parameters<'_>,
+    cars: Vec<Bound<'_, PyAny>>,
+    frequency: &Bound<'_, PyAny>,
+    digits: &Bound<'_, PyAny>,
+) -> PyResult<Vec<(Ends, Option<Ends>)>> {
+    let platoon = on_a_line(followers, &parameters)?;
+    let cars = cars.iter().map(|car| car_of(car, &platoon)).collect::<PyResult<Vec<_>>>()?;
+    let (w, digits) = (exact("frequency", frequency)?, digits_of(digits)?);
+    if w.is_certainly_negative() {
+        return Err(refuse(format!("frequency must not be negative, but it is {w}")));
+    }
+    let work = move || {
+        let all = platoon.enclosed_response(&w, digits).map_err(|error| error.to_string())?;
+        let of = |car: &usize| {
+            let polar = &all[car - 1];
+            (ends(&polar.amplitude, digits + 3), polar.phase.as_ref().map(|phase| ends(phase, digits + 3)))
+        };
+        Ok::<_, String>(cars.iter().map(of).collect())
+    };
+    watched(py, None, move |_| work())?.map_err(refuse)
+}
+
+/// The rows of the matrices of `x' = A x + B u, y = C x` with exact entries, for these cars as outputs.
+#[pyfunction]
+pub fn platoon_matrices(
+    followers: &Bound<'_, PyAny>,
+    parameters: Parameters<'_>,
+    car: &Bound<'_, PyAny>,
+) -> PyResult<[Vec<Vec<Ratio>>; 4]> {
+    let platoon = on_a_line(followers, &parameters)?;
+    let car = car_of(car, &platoon)?;
+    let system = StateSpace::of_platoon(&platoon, car).map_err(|error| refuse(error.to_string()))?;
+    let row = |row: Vec<Rational>| row.into_iter().map(pair).collect();
+    Ok(system.matrices().map(|rows| rows.into_iter().map(row).collect()))
+}
+
+/// The eigenvalues of `A`: real parts, imaginary parts where they are not known to be zero, multiplicities.
+#[pyfunction]
+pub fn platoon_poles(
+    py: Python<'_>,
+    followers: &Bound<'_, PyAny>,
+    parameters: Parameters<'_>,
+) -> PyResult<Vec<(Ends, Option<Ends>, usize)>> {
+    let platoon = on_a_line(followers, &parameters)?;
+    let work = move || {
+        let rows = platoon.motion_rows().map_err(|error| error.to_string())?;
+        let matrix = RationalMatrix::from_rows(&rows).map_err(|error| error.to_string())?;
+        let sparse = SparseMatrix::from_dense(&matrix).map_err(|error| error.to_string())?;
+        let spectrum = matrix_spectrum(&sparse, None).map_err(|error| error.to_string())?;
+        let part = |part: &Eigenvalue| {
+            let im = (!part.is_real()).then(|| ends(&part.im, 17));
+            (ends(&part.re, 17), im, part.multiplicity)
+        };
+        Ok::<_, String>(spectrum.eigenvalues.iter().map(part).collect())
+    };
+    watched(py, None, move |_| work())?.map_err(refuse)
 }
 
 /// The peak of `x' = A x + B u, y = C x + D u`.

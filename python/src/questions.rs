@@ -137,7 +137,7 @@ pub fn sweep_table(py: Python<'_>, store: PathBuf) -> PyResult<(String, String, 
     })?;
     let table = table.map_err(refuse)?;
     let csv = table.csv().map_err(refuse)?;
-    Ok((table.json_lines(), csv, table.text(40), table.names.clone(), table.columns.clone()))
+    Ok((table.json_lines(), csv, table.text(40, 80), table.names.clone(), table.columns.clone()))
 }
 
 /// The JSON summary of a campaign of `fuzz` with its questions of counterexamples by invariant and case.

@@ -41,7 +41,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.names {
-        output::print(&names::as_text())?;
+        output::print_raw(&names::as_text(output::width()))?;
         return Ok(ExitCode::SUCCESS);
     }
     if arguments.replay != Path::new(".") {

@@ -154,9 +154,12 @@ fn state_matrices_are_those_of_the_equations() {
 fn wrong_graphs_and_gains_are_refused() {
     let ask = |arguments: &[&str], named: &str| assert_refused(&[&["resonance"], arguments].concat(), named);
     ask(&["--f", "-1", "--g", "-1"], "--followers M is needed");
-    ask(&["--f", "-1,-2", "--g", "-1", "--followers", "3"], "2 gains for 3 followers");
-    ask(&["--f", "-1,-2", "--g", "-1,-2,-3", "--followers", "3"], "--f has 2 gains and --g has 3");
-    ask(&["--graph", "front", "--followers", "3", "--f", "1", "--g", "-1"], "f must be negative");
+    ask(&["--f", "-1,-2", "--g", "-1", "--followers", "3"], "--f has 2 numbers for 3 followers");
+    ask(&["--f", "-1,-2", "--g", "-1,-2,-3", "--followers", "3"], "--f has 2 numbers for 3 followers");
+    ask(
+        &["--graph", "front", "--followers", "3", "--f", "1", "--g", "-1"],
+        "--f must be negative, but it is 1: the law is y'' = f e + g e'",
+    );
     ask(&["--graph", "front", "--followers", "3000", "--f", "-1", "--g", "-1"], "at most 2000");
     ask(&["--graph", "front", "--followers", "3", "--f", "-1", "--g", "-1", "--to", "4"], "the followers 1 to 3");
     ask(&["--graph", "ring:5", "--followers", "3", "--f", "-1", "--g", "-1"], "this one tells how many");
@@ -187,4 +190,118 @@ fn state_matrices_are_read_as_they_are_written() {
         std::fs::remove_file(out.join(format!("{name}.csv"))).expect("written before");
     }
     same(&json(&["--state", path]));
+}
+
+/// Weights ahead and behind: the one of the paper, the same as an edge list, and what is asked of each of them.
+#[test]
+fn asymmetric_platoons_are_said_in_one_line() {
+    let peak =
+        |arguments: &[&str]| json(&[&["--followers", "4", "--f=-1", "--g=-2"], arguments].concat())["peak"].clone();
+    let (plain, half) = (json(&["--followers", "4", "--f=-1", "--g=-2"]), peak(&["--ahead", "1/2"]));
+    // Two ways to the same peak, whose last digits differ.
+    for name in ["omega", "amplitude"] {
+        let [one, other] =
+            [&plain, &half].map(|found| found[name]["lo"].as_str().expect("a decimal")[..24].to_string());
+        assert_eq!(one, other);
+    }
+    let folder = folder("resonance_weights");
+    let edges = "directed\n1 leader 0.6\n1 2 0.4\n2 1 3\n2 3 2\n3 2 0.6\n3 4 0.4\n4 3\n";
+    let path = file(&folder, "weights.txt", edges.as_bytes());
+    let graph = json(&["--graph", &path, "--f=-1", "--g=-2"]);
+    let weights = peak(&["--ahead", "0.6", "--behind", "0.4"]);
+    assert_eq!(graph["peak"], weights);
+    // One of them alone, lists, shares of another size, and the two kinds apart.
+    for same in [
+        &["--ahead", "0.6"][..],
+        &["--behind=0.4,0.4,0.4,0"],
+        &["--ahead=3,6,0.6,1", "--behind=2,4,0.4,1"],
+        &["--f-ahead", "0.6", "--g-behind", "0.4"],
+    ] {
+        assert_eq!(peak(same), weights, "{same:?}");
+    }
+    assert_ne!(peak(&["--f-ahead", "0.6", "--g-ahead", "0.5"]), weights);
+    assert_ne!(peak(&["--f-ahead", "0.6"]), weights);
+    // Gains of the links: the last car has one link.
+    let links = ["--followers", "4", "--f-ahead=-0.6", "--f-behind=-0.4", "--g-ahead=-1.2", "--g-behind=-0.8"];
+    let own = ["--followers", "4", "--ahead=0.6", "--f=-1,-1,-1,-0.6", "--g=-2,-2,-2,-1.2"];
+    assert_eq!(json(&links)["peak"], json(&own)["peak"]);
+    let table = stdout(&flockproof(&["resonance", "--followers", "4", "--g=-2", "--ahead", "0.6", "--sweep", "f=-1"]));
+    let amplitude = weights["amplitude"]["lo"].as_str().expect("a decimal");
+    assert!(table.contains(&amplitude[..12]), "{table} {amplitude}");
+    for (arguments, named) in [
+        (&["--f=-1", "--g=-1", "--ahead", "0.6", "--f-ahead", "1"][..], "--ahead and --f-ahead cannot both be given"),
+        (&["--f=-1", "--g=-1", "--ahead", "0.6,0.5"], "--ahead has 2 numbers for 4 followers: one, or one for each"),
+        (&["--f=-1", "--g=-1", "--ahead", "x"], "--ahead: `x` is not a number"),
+        (&["--f=-1", "--g=-1", "--g-behind", "1.5"], "--g-behind is 3/2, but a weight is between 0 and 1"),
+        (&["--f=-1", "--g=-1", "--ahead", "-1", "--behind", "1"], "--ahead is -1, but a weight is not negative"),
+        (&["--f-ahead=-1", "--g=-1"], "--f-behind is needed"),
+        (&["--f-ahead=1", "--f-behind=1", "--g=-1"], "--f-ahead is 1, but without --f it is the gain of a link"),
+        (&["--f=-1", "--g=-1", "--behind", "1"], "car 4 has the weight zero ahead, and nobody behind"),
+        (&["--f=-1", "--g=-1", "--ahead", "0.6", "--certificate", "c"], "only the two-sided platoon with equal gains"),
+        (&["--f=-1", "--g=-1", "--ahead", "0.6", "--graph", "front"], "--ahead is for cars on a line"),
+    ] {
+        assert_refused(&[&["resonance", "--followers", "4"], arguments].concat(), named);
+    }
+    assert_refused(
+        &["resonance", "--graph", "ring:4", "--f=-1", "--g=-1", "--g-ahead", "1"],
+        "--g-ahead is for cars on a line",
+    );
+}
+
+/// The table against the formula of the paper, `a_k = T_(M-k)/T_M`; a diagram with its marks.
+#[test]
+fn responses_are_tabulated_and_drawn() {
+    let found = json(&["--followers", "2", "--f=-1", "--g=-1", "--cars", "1,2", "--response", "0,1", "--digits", "12"]);
+    // gamma = 1 + w²/(f + iwg) = 1 - 1/(1 + i) = (1 + i)/2 at w = 1: T_1 = (1 + i)/2, T_2 = 2 gamma² - 1 = -1 + i.
+    let number = |x: &Value| x.as_str().expect("a decimal").parse::<f64>().expect("a float");
+    for (row, (car, amplitude, phase)) in found["response"].as_array().expect("rows").iter().zip([
+        ("1", 1.0, 0.0),
+        ("2", 1.0, 0.0),
+        ("1", 0.5, -std::f64::consts::FRAC_PI_2),
+        ("2", 0.5f64.sqrt(), -0.75 * std::f64::consts::PI),
+    ]) {
+        assert_eq!(row["car"], car);
+        for (x, known) in [(&row["amplitude"], amplitude), (&row["phase"], phase)] {
+            let (lo, hi) = (number(&x["lo"]), number(&x["hi"]));
+            assert!(lo <= known + 1e-14 && known - 1e-14 <= hi && hi - lo < 1e-11, "{row}");
+        }
+    }
+    let folder = folder("resonance_bode");
+    for (name, start) in [("a.svg", &b"<svg"[..]), ("a.png", b"\x89PNG")] {
+        let path = folder.join(name);
+        let plot = [
+            "resonance",
+            "--followers",
+            "3",
+            "--f=-1",
+            "--g=-1",
+            "--ahead",
+            "0.6",
+            "--plot",
+            path.to_str().expect("UTF-8"),
+        ];
+        stdout(&flockproof(&plot));
+        assert!(std::fs::read(&path).expect(name).starts_with(start));
+    }
+    let text = std::fs::read_to_string(folder.join("a.svg")).expect("text");
+    for words in ["peak, certified", "car 3", "magnitude (dB)", "phase (degrees)", "ahead 3/5"] {
+        assert!(text.contains(words), "{words}");
+    }
+    let ask = |arguments: &[&str], named: &str| {
+        assert_refused(&[&["resonance", "--followers", "3", "--f=-1", "--g=-1"], arguments].concat(), named);
+    };
+    ask(&["--plot", "x.pdf"], "x.pdf: the name of a picture should end in .svg or .png");
+    ask(&["--cars", "4"], "--cars: there are the followers 1 to 3");
+    ask(&["--response", "1..2"], "the number of frequencies is missing");
+    ask(&["--response", "0..2:3"], "FROM should be above 0");
+    ask(&["--response", "-1"], "frequencies are not negative");
+    ask(&["--response", "1", "--sweep", "f=-1"], "--sweep makes a table only");
+}
+
+/// Positions heard more from behind than velocities: not stable, and the table says so.
+#[test]
+fn what_is_not_stable_has_a_response_that_nobody_sees() {
+    let asked = ["resonance", "--followers", "60", "--f=-1", "--g=-1", "--f-ahead", "0.6", "--g-ahead", "0.5"];
+    let text = stdout(&flockproof(&[&asked[..], &["--response", "1"]].concat()));
+    assert!(text.contains("NOT stable, so there is no peak") && text.contains("which no motion"), "{text}");
 }

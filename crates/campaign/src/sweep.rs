@@ -234,8 +234,22 @@ impl Table {
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
 
-    /// An aligned text of at most so many rows.
-    pub fn text(&self, most: usize) -> String {
+    /// An aligned text of at most so many rows, at most so wide: columns that do not fit stand below, beside the names again. What is not known is `?`, with
+    /// the reason at the end.
+    pub fn text(&self, most: usize, width: usize) -> String {
+        let mut reasons: Vec<&str> = Vec::new();
+        let shown_rows = || self.rows.iter().take(most);
+        for row in shown_rows() {
+            for value in &row.values {
+                if let Some(why) = value["unknown"].as_str().filter(|why| !reasons.contains(why)) {
+                    reasons.push(why);
+                }
+            }
+        }
+        let mark = |why: &str| match reasons.iter().position(|known| *known == why) {
+            Some(k) if reasons.len() > 1 => format!("?{}", k + 1),
+            _ => "?".to_string(),
+        };
         let shown = |value: &Value| match value {
             Value::String(text) => text.clone(),
             Value::Bool(truth) => truth.to_string(),
@@ -243,27 +257,66 @@ impl Table {
             other => match (other["lo"].as_str(), other["hi"].as_str()) {
                 (Some(lo), Some(hi)) if lo == hi => lo.to_string(),
                 (Some(lo), Some(hi)) => common_digits(lo, hi),
-                _ => "?".to_string(),
+                _ => mark(other["unknown"].as_str().unwrap_or_default()),
             },
         };
-        let mut lines: Vec<Vec<String>> = vec![self.names.iter().chain(&self.columns).cloned().collect()];
-        for TableRow { names, values, .. } in self.rows.iter().take(most) {
-            lines.push(names.iter().cloned().chain(values.iter().map(shown)).collect());
-        }
-        let width =
-            |k: usize| lines.iter().filter_map(|line| line.get(k)).map(|cell| cell.chars().count()).max().unwrap_or(0);
-        let widths: Vec<usize> = (0..lines[0].len()).map(width).collect();
-        let mut text = String::new();
-        for line in &lines {
-            let cells: Vec<String> = line.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}")).collect();
-            text.push_str(cells.join("  ").trim_end());
-            text.push('\n');
-        }
+        let names = self.names.iter().enumerate().map(|(k, name)| {
+            let cells = shown_rows().map(|row| row.names.get(k).map_or("", String::as_str));
+            [name.as_str()].into_iter().chain(cells).map(|cell| shortened(cell, width / 2)).collect::<Vec<_>>()
+        });
+        let columns = self.columns.iter().enumerate().map(|(k, name)| {
+            let cells = shown_rows().map(|row| row.values.get(k).map_or(String::new(), &shown));
+            std::iter::once(name.clone()).chain(cells).collect::<Vec<_>>()
+        });
+        let mut text = beside(&names.collect::<Vec<_>>(), &columns.collect::<Vec<_>>(), width);
         if self.rows.len() > most {
             text.push_str(&format!("and {} more rows\n", self.rows.len() - most));
         }
+        for why in &reasons {
+            text.push_str(&format!("{}: {why}\n", mark(why)));
+        }
         text
     }
+}
+
+/// A cell of at most so many characters.
+fn shortened(cell: &str, most: usize) -> String {
+    if cell.chars().count() <= most {
+        cell.to_string()
+    } else {
+        cell.chars().take(most - 2).chain("..".chars()).collect()
+    }
+}
+
+/// Columns one beside the other, each flush right; those that do not fit below, beside the first ones again.
+fn beside(names: &[Vec<String>], columns: &[Vec<String>], width: usize) -> String {
+    let room = |column: &Vec<String>| 2 + column.iter().map(|cell| cell.chars().count()).max().unwrap_or(0);
+    let first: usize = names.iter().map(room).sum();
+    let mut blocks: Vec<Vec<&Vec<String>>> = vec![Vec::new()];
+    let mut used = first;
+    for column in columns {
+        let fits = used + room(column) <= width + 2;
+        if !fits && blocks.last().is_some_and(|block| !block.is_empty()) {
+            blocks.push(Vec::new());
+            used = first;
+        }
+        used += room(column);
+        if let Some(block) = blocks.last_mut() {
+            block.push(column);
+        }
+    }
+    let mut text = String::new();
+    for (k, block) in blocks.iter().enumerate() {
+        let all: Vec<&Vec<String>> = names.iter().chain(block.iter().copied()).collect();
+        let lines = all.iter().map(|column| column.len()).max().unwrap_or(0);
+        text.push_str(if k > 0 { "\n" } else { "" });
+        for line in 0..lines {
+            let cell = |column: &&Vec<String>| format!("{:>1$}", column[line], room(column) - 2);
+            text.push_str(all.iter().map(cell).collect::<Vec<_>>().join("  ").trim_end());
+            text.push('\n');
+        }
+    }
+    text
 }
 
 fn cells(value: &Value, enclosed: bool) -> Vec<String> {

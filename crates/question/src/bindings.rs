@@ -22,6 +22,8 @@ pub enum Value {
     Graph(Arc<AnyGraph>),
     /// A sequence of stochastic matrices, the first factor first.
     Matrices(Arc<Vec<StochasticMatrix>>),
+    /// One number for each follower of a platoon.
+    Each(Arc<Vec<Rational>>),
 }
 
 impl Value {
@@ -81,6 +83,7 @@ impl Value {
             Value::Integers(from, to) => format!("integers({from}, {to})"),
             Value::Any => "any".to_string(),
             Value::Graph(graph) => graph.to_string(),
+            Value::Each(list) => format!("each:{}", list.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")),
             Value::Matrices(list) => {
                 let row = |row: &Vec<Rational>| row.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
                 let matrix = |m: &StochasticMatrix| {

@@ -54,6 +54,8 @@ impl Question {
                 Ok(Measured::Number(number)) => Tabulated::Number(number),
                 Ok(Measured::Truth(truth)) => Tabulated::Truth(truth),
                 Err(Failure::Open(doubt)) => Tabulated::Unknown(doubt.why),
+                // A table goes on with the members that have a peak.
+                Err(Failure::Refused(_, problem @ Problem::NotStable)) => Tabulated::Unknown(problem.to_string()),
                 Err(failure) => return Err(self.refused(failure, expression.base)),
             };
             Ok((name.clone(), value))

@@ -39,6 +39,8 @@ pub(crate) enum Sort {
     Box,
     Graph,
     Matrices,
+    /// A number for each follower of a platoon.
+    Each,
 }
 
 /// Reads what a text ranges over; `files` gives the text of a file by its name.
@@ -54,6 +56,11 @@ pub(crate) fn read_domain(text: &str, files: &dyn Fn(&str) -> Result<String, Str
     }
     if let Some(rest) = trimmed.strip_prefix("matrices:") {
         return read_matrices(rest).map(|list| Domain::Given(Value::Matrices(Arc::new(list)))).map_err(other);
+    }
+    if let Some(rest) = trimmed.strip_prefix("each:") {
+        let number = |word: &str| parse_rational(word.trim()).map_err(|error| other(error.to_string()));
+        let list = rest.split(',').map(number).collect::<Result<Vec<_>, _>>()?;
+        return Ok(Domain::Given(Value::Each(Arc::new(list))));
     }
     // A graph by its name, or by its edges; of the names without a colon only those that are known.
     if trimmed.contains(':') || trimmed.starts_with(">>") || trimmed.parse::<NamedGraph>().is_ok() {
@@ -98,6 +105,7 @@ impl Domain {
         match self {
             Domain::Given(Value::Graph(_)) => Some(Sort::Graph),
             Domain::Given(Value::Matrices(_)) => Some(Sort::Matrices),
+            Domain::Given(Value::Each(_)) => Some(Sort::Each),
             Domain::Given(Value::Number(_)) => Some(Sort::Number),
             Domain::Given(Value::Box(..) | Value::Integers(..) | Value::Any) => Some(Sort::Box),
             Domain::List(list) => {

@@ -53,6 +53,9 @@ pub enum Problem {
     /// Not TOML.
     #[error("{0}")]
     Toml(scenario::NotToml),
+    /// A platoon of which there is no peak.
+    #[error("the platoon is not stable, so that it has no peak")]
+    NotStable,
     /// A number that cannot be read.
     #[error(transparent)]
     Number(#[from] NumberError),

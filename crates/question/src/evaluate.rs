@@ -325,7 +325,7 @@ impl Evaluator<'_, '_> {
                     return Ok(Measured::Number(Number::interval(interval)));
                 }
                 Some(Value::Any) => return Err(Failure::open(format!("`{name}` ranges over all reals"), None)),
-                Some(Value::Graph(_) | Value::Matrices(_)) => {
+                Some(Value::Graph(_) | Value::Matrices(_) | Value::Each(_)) => {
                     return Err(Failure::Refused(node.at, Problem::expected("a number", format!("`{name}`"))));
                 }
                 None => {}

@@ -36,7 +36,9 @@ impl Subject {
     pub fn needs(self) -> &'static str {
         match self {
             Subject::Graph => "no name in [for] ranges over graphs",
-            Subject::Platoon => "that needs the gains `f` and `g` in [for], and `followers` or a graph",
+            Subject::Platoon => {
+                "that needs the gains `f` and `g` in [for], and `followers` or a graph (weights of the cars ahead and behind are `ahead`, `behind`, `f_ahead`, ..)"
+            }
             Subject::Matrices => "no name in [for] ranges over stochastic matrices",
             Subject::Flock => "`scenario` names no flock in JSON",
             Subject::Motion => "`scenario` names no motion in TOML",
@@ -424,6 +426,13 @@ pub const FAMILIES: &[Family] = &[
         "the graph, each of the graphs in graph6 or sparse6, or the sequence of stochastic matrices, in a file, as for `spectrum` and `ergodicity`",
     ),
     family(
+        "each:-1,-2,-1",
+        "",
+        0,
+        0,
+        "for `f`, `g`, `ahead`, `behind`, `f_ahead`, .. of a platoon: a number for each follower, in order",
+    ),
+    family(
         "stochastic(n, d)",
         "stochastic",
         2,
@@ -441,19 +450,33 @@ pub const FAMILIES: &[Family] = &[
     ),
 ];
 
-/// The table as text: for `check --names`.
-pub fn as_text() -> String {
+/// The table as text of so many columns: for `check --names`.
+pub fn as_text(columns: usize) -> String {
     let mut text = String::new();
-    let mut section = |title: &str, rows: Vec<(String, &str)>| {
+    for (title, rows) in sections() {
         let _ = writeln!(text, "{title}");
-        let width = rows.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+        // Long names stand in a line of their own.
+        let widest = columns / 3;
+        let width = rows.iter().map(|(name, _)| name.len()).filter(|width| *width <= widest).max().unwrap_or(0);
+        let indent = " ".repeat(width + 4);
         for (name, meaning) in rows {
-            let _ = writeln!(text, "  {name:<width$}  {meaning}");
+            let mut line =
+                if name.len() > width { format!("  {name}\n{indent}") } else { format!("  {name:<width$}  ") };
+            let mut used = indent.len();
+            for (k, word) in meaning.split(' ').enumerate() {
+                let room = word.chars().count() + usize::from(k > 0);
+                if k > 0 && used + room > columns {
+                    line += &format!("\n{indent}");
+                    used = indent.len() + room - 1;
+                } else {
+                    line += if k > 0 { " " } else { "" };
+                    used += room;
+                }
+                line += word;
+            }
+            let _ = writeln!(text, "{line}");
         }
         let _ = writeln!(text);
-    };
-    for (title, rows) in sections() {
-        section(&title, rows);
     }
     text.truncate(text.trim_end().len());
     text.push('\n');

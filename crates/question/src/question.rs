@@ -14,7 +14,7 @@ use crate::scenario_file::ScenarioFile;
 use crate::states::LawFile;
 use crate::syntax::Node;
 use algebra::graph::LaplacianKind;
-use models::platoon::Communication;
+use models::platoon::{Communication, Parameter};
 use std::fmt::Write;
 use std::sync::{Arc, OnceLock};
 
@@ -93,8 +93,11 @@ impl Question {
             Some(_) => subjects.push(Subject::Motion),
             None => {}
         }
-        let gains = self.sort("f").is_some() && self.sort("g").is_some();
-        if gains && (self.sort("followers").is_some() || has(Sort::Graph)) {
+        let bound = |parameter: Parameter| self.sort(parameter.name()).is_some();
+        let links = |sides: [Parameter; 2]| sides.into_iter().all(bound);
+        let f = bound(Parameter::F) || links([Parameter::FAhead, Parameter::FBehind]);
+        let g = bound(Parameter::G) || links([Parameter::GAhead, Parameter::GBehind]);
+        if f && g && (self.sort("followers").is_some() || has(Sort::Graph)) {
             subjects.push(Subject::Platoon);
         }
         subjects

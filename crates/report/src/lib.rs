@@ -2,6 +2,7 @@
 //! files and pictures of simulated scenarios.
 
 mod animation;
+mod bode;
 mod catalogue;
 mod explain;
 mod export;
@@ -23,6 +24,7 @@ mod written;
 pub use serde_json;
 
 pub use animation::animation;
+pub use bode::{Curves, bode};
 pub use catalogue::{Listing, Query, SCOPES, catalogue, catalogue_text, not_found, of_place};
 pub use explain::{explain, explain_proofs, explanation, legend};
 pub use export::{NamedArray, NamedMatrix, matrix_files, npz};

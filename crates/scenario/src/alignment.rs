@@ -40,7 +40,15 @@ impl Aligned {
     pub fn read(source: &Source, headings: bool) -> Result<Self, ConfigError> {
         let start = Start::read(source, Needs { dimension: 2, velocities: true, phases: false })?;
         let model = if headings { "heading-alignment" } else { "velocity-alignment" };
-        let can = Abilities { model, positions: true, directed: false, edges: true, timed: true, default: None };
+        let can = Abilities {
+            model,
+            positions: true,
+            directed: false,
+            edges: true,
+            weighted: false,
+            timed: true,
+            default: None,
+        };
         let network = Network::read(source, start.agents(), can)?;
         let step = read_step(source, &network)?;
         let law = source.needed("law")?;

@@ -4,7 +4,7 @@ use super::document::NotToml;
 use arithmetic::{ArithmeticError, NumberError};
 use models::averaging::FlockError;
 use models::double_integrator::{FlockError as LargeFlockError, InputError, MotionError};
-use models::platoon::CommunicationError;
+use models::platoon::{CommunicationError, LineError};
 use motion::FollowError;
 
 /// Why a text is not a scenario. Lines, agents and entries are counted from 1.
@@ -102,6 +102,9 @@ pub enum Problem {
     /// Not a number.
     #[error(transparent)]
     Number(#[from] NumberError),
+    /// Gains and weights of a platoon.
+    #[error(transparent)]
+    Line(#[from] LineError),
     /// A number that no float holds.
     #[error("the number is too large for a float")]
     TooLarge,

@@ -4,7 +4,7 @@ use super::own::OwnMotion;
 use arithmetic::Rational;
 use models::double_integrator::{HeadingDifference, Pair, Potential};
 use models::oscillator::{Neighbours, Spacing};
-use models::platoon::CommunicationGraph;
+use models::platoon::Platoon;
 
 /// Why motions are not enclosed that are drawn, or follow rounded numbers.
 pub(super) const DRAWN: &str = "its time is discrete and its numbers are drawn or rounded";
@@ -64,12 +64,10 @@ pub enum ExactMotion {
         deviations: Vec<Rational>,
         /// Their rates.
         rates: Vec<Rational>,
-        /// Gains of positions and velocities.
-        gains: (Rational, Rational),
+        /// Who tracks whom, and with which gains.
+        platoon: Platoon<Rational>,
         /// Desired distance of two successive cars.
         spacing: Rational,
-        /// Who tracks whom.
-        graph: CommunicationGraph,
         /// Amplitude and angular frequency of the leader's swing.
         swing: (Rational, Rational),
     },

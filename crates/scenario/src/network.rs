@@ -6,8 +6,9 @@ use super::view::{Links, Sensing};
 use algebra::graph::{AnyGraph, ArcList, GraphTextError, NamedGraph};
 use arithmetic::{Complex, Field, Rational, rational};
 use models::oscillator::{Everyone, Interaction, Neighbours};
+use num_traits::{One, Signed};
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A pair of agents from 0.
 pub(super) type Pair = (usize, usize);
@@ -29,6 +30,8 @@ pub(super) struct Abilities {
     pub directed: bool,
     /// The law sums over a list of edges; otherwise all-to-all costs O(N).
     pub edges: bool,
+    /// Edges may have weights.
+    pub weighted: bool,
     /// Links can be replaced at given times.
     pub timed: bool,
     /// What is used where the section is missing.
@@ -89,6 +92,8 @@ pub(super) struct Network {
     radius: Option<Rational>,
     /// When other links come into force, and which; the next one last.
     coming: Vec<(f64, Vec<Pair>)>,
+    /// Arcs with weights, both ways of an edge, where any was given.
+    weights: Option<BTreeMap<Pair, Rational>>,
     declaration: String,
 }
 
@@ -176,8 +181,8 @@ impl Network {
         let declaration = "all-to-all network".to_string();
         if !edges {
             let (pairs, lists) = (Vec::new(), None);
-            let (rule, directed, radius, coming) = (Rule::Fixed, false, None, Vec::new());
-            return Ok(Network { order, rule, directed, pairs, lists, radius, coming, declaration });
+            let (rule, directed, radius, coming, weights) = (Rule::Fixed, false, None, Vec::new(), None);
+            return Ok(Network { order, rule, directed, pairs, lists, radius, coming, weights, declaration });
         }
         if order.saturating_mul(order) / 2 > MOST_EDGES {
             return Err(Problem::Range(format!("a graph of at most {MOST_EDGES} edges")));
@@ -227,10 +232,16 @@ impl Network {
                 directed
             }
         };
-        let pairs = edge_list(order, section, directed)?;
-        let coming = timetable(order, section, directed)?;
+        let arcs = arc_list(order, section, directed, can)?;
+        let weights = arcs
+            .iter()
+            .any(|(.., weight)| !weight.is_one())
+            .then(|| arcs.iter().map(|(i, j, weight)| ((*i, *j), weight.clone())).collect());
+        let pairs = pairs_of(arcs, directed);
+        let coming = timetable(order, section, directed, can)?;
         let kind = if directed { "arcs i -> j (i senses j)" } else { "edges" };
-        let mut declaration = format!("fixed network of {} {kind}", pairs.len());
+        let weighted = if weights.is_some() { "weighted " } else { "" };
+        let mut declaration = format!("fixed network of {} {weighted}{kind}", pairs.len());
         if let (Some((last, _)), Some((first, _))) = (coming.first(), coming.last()) {
             declaration = format!(
                 "network of {} {kind}, replaced {} times, first at t = {first}, last at t = {last}; each is in force from its time on",
@@ -238,7 +249,7 @@ impl Network {
                 coming.len()
             );
         }
-        Ok(Network { coming, ..Network::fixed(order, pairs, directed, declaration) })
+        Ok(Network { coming, weights, ..Network::fixed(order, pairs, directed, declaration) })
     }
 
     fn fixed(order: usize, pairs: Vec<Pair>, directed: bool, declaration: String) -> Self {
@@ -250,8 +261,8 @@ impl Network {
     /// Links by a rule, none as yet.
     pub fn switching(order: usize, rule: Rule, directed: bool, declaration: String) -> Self {
         let lists = Some(Neighbours::from_arcs(order, []));
-        let (pairs, radius, coming) = (Vec::new(), None, Vec::new());
-        Network { order, rule, directed, pairs, lists, radius, coming, declaration }
+        let (pairs, radius, coming, weights) = (Vec::new(), None, Vec::new(), None);
+        Network { order, rule, directed, pairs, lists, radius, coming, weights, declaration }
     }
 
     /// The lists of neighbours from the pairs.
@@ -309,6 +320,18 @@ impl Network {
     /// The neighbours of an agent; empty for an implicit all-to-all network.
     pub fn neighbours(&self, k: usize) -> &[usize] {
         self.lists.as_ref().map_or(&[], |lists| lists.of_particle(k))
+    }
+
+    /// Whether edges have weights of their own.
+    pub fn is_weighted(&self) -> bool {
+        self.weights.is_some()
+    }
+
+    /// The neighbours of an agent with their weights, which are 1 where none is given.
+    pub fn weighted(&self, k: usize) -> impl Iterator<Item = (usize, Rational)> + '_ {
+        let known = move |j: usize| self.weights.as_ref().and_then(|weights| weights.get(&(k, j)));
+        let weight = move |j: usize| known(j).cloned().unwrap_or_else(Rational::one);
+        self.neighbours(k).iter().map(move |&j| (j, weight(j)))
     }
 
     /// Who senses whom in a network that stays as it is, or why it does not.
@@ -377,13 +400,33 @@ impl Network {
 }
 
 const EDGES: &str = "a list of pairs such as [1, 2]";
+const WEIGHTED: &str = "a list of pairs such as [1, 2], or with a weight, [1, 2, \"3/5\"]";
 
-/// The key `edges`: pairs `i < j`, or arcs, in order.
-fn edge_list(order: usize, section: &Section, directed: bool) -> Result<Vec<Pair>, ConfigError> {
+/// The key `edges` as arcs with weights, both ways of an edge.
+fn arc_list(
+    order: usize,
+    section: &Section,
+    directed: bool,
+    can: Abilities,
+) -> Result<Vec<(usize, usize, Rational)>, ConfigError> {
+    let expected = if can.weighted { WEIGHTED } else { EDGES };
     let mut arcs = ArcList::default();
-    for (item, number) in section.need("edges", EDGES)?.items(EDGES)?.into_iter().zip(1..) {
-        let ends = item.items(EDGES)?;
-        let [first, second] = &ends[..] else { return Err(item.problem(Problem::Shape(EDGES.to_string()))) };
+    for (item, number) in section.need("edges", expected)?.items(expected)?.into_iter().zip(1..) {
+        let ends = item.items(expected)?;
+        let (first, second, weight) = match &ends[..] {
+            [first, second] => (first, second, Rational::one()),
+            [first, second, weight] if can.weighted => {
+                let value = weight.finite()?;
+                if !value.is_positive() {
+                    return Err(weight.range("a number above 0"));
+                }
+                (first, second, value)
+            }
+            [_, _, weight] => {
+                return Err(weight.problem(Problem::Network { model: can.model, needs: "edges without weights" }));
+            }
+            _ => return Err(item.problem(Problem::Shape(expected.to_string()))),
+        };
         let (i, j) = (first.count(0, usize::MAX)?, second.count(0, usize::MAX)?);
         if i.min(j) < 1 || i.max(j) > order {
             return Err(item.problem(Problem::EdgeRange(i, j, order)));
@@ -391,17 +434,27 @@ fn edge_list(order: usize, section: &Section, directed: bool) -> Result<Vec<Pair
         if i == j {
             return Err(item.problem(Problem::Loop(i)));
         }
-        arcs.add((i - 1, j - 1), rational(1, 1), !directed, number)
+        arcs.add((i - 1, j - 1), weight, !directed, number)
             .map_err(|first| item.problem(Problem::Duplicate { pair: (i, j), first, second: number }))?;
     }
-    let arcs = arcs.into_arcs().into_iter().map(|(i, j, _)| (i, j));
+    Ok(arcs.into_arcs())
+}
+
+/// Pairs `i < j`, or arcs, in order.
+fn pairs_of(arcs: Vec<(usize, usize, Rational)>, directed: bool) -> Vec<Pair> {
+    let arcs = arcs.into_iter().map(|(i, j, _)| (i, j));
     let mut pairs: Vec<Pair> = arcs.filter(|(i, j)| directed || i < j).collect();
     pairs.sort_unstable();
-    Ok(pairs)
+    pairs
 }
 
 /// The key `switches`: the times from which on other edges are in force, and these; the first one last.
-fn timetable(order: usize, section: &Section, directed: bool) -> Result<Vec<(f64, Vec<Pair>)>, ConfigError> {
+fn timetable(
+    order: usize,
+    section: &Section,
+    directed: bool,
+    can: Abilities,
+) -> Result<Vec<(f64, Vec<Pair>)>, ConfigError> {
     let Some(entry) = section.get("switches") else { return Ok(Vec::new()) };
     let mut coming: Vec<(f64, Vec<Pair>)> = Vec::new();
     for item in entry.items("a list such as [{ at = 5, edges = [[1, 2]] }]")? {
@@ -412,7 +465,8 @@ fn timetable(order: usize, section: &Section, directed: bool) -> Result<Vec<(f64
         if let Some((before, _)) = coming.last().filter(|(before, _)| *before >= time) {
             return Err(at.problem(Problem::Order { before: *before, after: time }));
         }
-        coming.push((time, edge_list(order, &table, directed)?));
+        coming
+            .push((time, pairs_of(arc_list(order, &table, directed, Abilities { weighted: false, ..can })?, directed)));
     }
     coming.reverse();
     Ok(coming)

@@ -86,6 +86,7 @@ pub(super) const PHASES: Abilities = Abilities {
     positions: false,
     directed: true,
     edges: false,
+    weighted: false,
     timed: true,
     default: Some(Kind::AllToAll),
 };
@@ -218,6 +219,7 @@ pub(super) const PARTICLES: Abilities = Abilities {
     positions: true,
     directed: true,
     edges: false,
+    weighted: false,
     timed: true,
     default: Some(Kind::AllToAll),
 };

@@ -11,8 +11,7 @@ use super::source::{Section, Source};
 use super::start::{Needs, Start, float};
 use super::view::{Law as Measured, Links, Rows, View};
 use arithmetic::{ArithmeticError, Rational, rational};
-use models::platoon::{Communication, CommunicationGraph, Gains};
-use num_traits::Signed;
+use models::platoon::{Communication, CommunicationGraph, Gains, Line, LineError, Parameter, Platoon as Steered};
 
 /// How the leader moves: `x_1(t) = place + speed t + amplitude cos(frequency t)`.
 struct Leader {
@@ -36,9 +35,8 @@ struct Platoon {
     leader: Leader,
     /// The agents from 0: the leader, then the followers.
     order: Vec<usize>,
-    graph: CommunicationGraph,
+    steered: Steered<f64>,
     tracking: String,
-    gains: Gains<f64>,
     spacing: f64,
     drawn: Option<String>,
 }
@@ -49,13 +47,12 @@ const COMMUNICATIONS: [(&str, Communication); 2] =
 /// A run of a platoon as it is described.
 pub(super) struct PlatoonRun {
     start: Start,
-    gains: (Rational, Rational),
     spacing: Rational,
     /// Amplitude and angular frequency of the leader's swing.
     swing: (Rational, Rational),
     /// The agents from 0: the leader, then the followers.
     order: Vec<usize>,
-    graph: CommunicationGraph,
+    steered: Steered<Rational>,
     tracking: String,
 }
 
@@ -64,13 +61,8 @@ impl PlatoonRun {
     pub fn read(source: &Source) -> Result<Self, ConfigError> {
         let start = Start::read(source, Needs { dimension: 1, velocities: true, phases: false })?;
         let law = source.needed("law")?;
-        law.allow(&["f", "g", "spacing", "communication", "leader"], " of the platoon model")?;
-        let negative = |key: &'static str| {
-            let entry = law.need(key, "a number below 0")?;
-            let gain = entry.finite()?;
-            if gain.is_negative() { Ok(gain) } else { Err(entry.range("a number below 0")) }
-        };
-        let gains = (negative("f")?, negative("g")?);
+        let sides = Parameter::NAMES.map(|(name, _)| name);
+        law.allow(&[&sides[..], &["spacing", "communication", "leader"]].concat(), " of the platoon model")?;
         let spacing = match law.get("spacing") {
             None => rational(1, 1),
             Some(entry) => {
@@ -94,8 +86,8 @@ impl PlatoonRun {
         let cars = start.positions.len();
         let first = leader_of(source, &law, cars)?;
         let order: Vec<usize> = std::iter::once(first).chain((0..cars).filter(|k| *k != first)).collect();
-        let (graph, tracking) = tracked(source, &law, &order)?;
-        Ok(PlatoonRun { start, gains, spacing, swing, order, graph, tracking })
+        let (steered, tracking) = steered(source, &law, &order)?;
+        Ok(PlatoonRun { start, spacing, swing, order, steered, tracking })
     }
 }
 
@@ -108,24 +100,22 @@ impl Described for PlatoonRun {
         ExactMotion::Platoon {
             deviations: places.map(|(x, k)| x + &self.spacing * rational(k, 1)).collect(),
             rates: self.start.velocities.iter().flatten().cloned().collect(),
-            gains: self.gains.clone(),
+            platoon: self.steered.clone(),
             spacing: self.spacing.clone(),
-            graph: self.graph.clone(),
             swing: self.swing.clone(),
         }
     }
 
     fn simulation(self: Box<Self>, _: &Source, tolerance: f64) -> Result<Built, ConfigError> {
         let (positions, velocities) = (self.start.flat_positions(), self.start.flat_velocities());
-        let gains = Gains { f: float(&self.gains.0), g: float(&self.gains.1) };
         let (spacing, order) = (float(&self.spacing), self.order);
         let place = positions[order[0]] + spacing * order[0] as f64;
         let (amplitude, frequency) = (float(&self.swing.0), float(&self.swing.1));
         let leader = Leader { place, speed: velocities[order[0]], amplitude, frequency };
         let deviations = order[1..].iter().map(|&k| positions[k] + spacing * k as f64);
         let state: Vec<f64> = deviations.chain(order[1..].iter().map(|&k| velocities[k])).collect();
-        let (graph, tracking, drawn) = (self.graph, self.tracking, self.start.drawn);
-        let platoon = Platoon { leader, order, graph, tracking, gains, spacing, drawn };
+        let (steered, tracking, drawn) = (self.steered.map(float), self.tracking, self.start.drawn);
+        let platoon = Platoon { leader, order, steered, tracking, spacing, drawn };
         Ok((Box::new(Continuous::new(platoon, &state, tolerance)), None))
     }
 }
@@ -141,44 +131,95 @@ fn leader_of(source: &Source, law: &Section, cars: usize) -> Result<usize, Confi
     Ok(agent - 1)
 }
 
-/// Who keeps track of whom; the agents from 0, the leader first.
-fn tracked(source: &Source, law: &Section, order: &[usize]) -> Result<(CommunicationGraph, String), ConfigError> {
-    let cars = order.len();
+/// Who keeps track of whom with which gains, and that in words; the agents from 0, the leader first.
+fn steered(source: &Source, law: &Section, order: &[usize]) -> Result<(Steered<Rational>, String), ConfigError> {
+    let (cars, line) = (order.len(), line(law)?);
+    let refuse = |error: LineError| match error.parameter().and_then(|parameter| law.get(parameter.name())) {
+        Some(entry) => entry.problem(error),
+        None => law.problem(error.into()),
+    };
     let communication = law.get("communication");
     let Some(section) = source.section("graph")? else {
         let chosen = communication.as_ref().map_or(Ok(Communication::FrontAndBack), |e| e.choice(&COMMUNICATIONS))?;
-        let graph = CommunicationGraph::of(chosen, cars - 1).map_err(|error| law.problem(error.into()))?;
-        let words = match chosen {
-            Communication::Front => "every follower tracks the car in front (1)",
-            Communication::FrontAndBack => {
-                "every follower tracks the cars in front and behind with weights 1/2, the last one the car in front (2)"
+        let (built, words) = match chosen {
+            Communication::Front => {
+                let graph = CommunicationGraph::of(chosen, cars - 1).map_err(LineError::from);
+                (graph.and_then(|graph| line.on(graph)), "every follower tracks the car in front (1)".to_string())
             }
+            Communication::FrontAndBack => (line.platoon(cars - 1), on_both_sides(&line)),
         };
-        return Ok((graph, words.to_string()));
+        return built.map(|built| (built, words)).map_err(refuse);
     };
     if let Some(entry) = communication {
         return Err(entry.problem(Problem::Both("communication", "[graph]")));
     }
-    let can =
-        Abilities { model: "platoon", positions: false, directed: true, edges: true, timed: false, default: None };
+    let can = Abilities {
+        model: "platoon",
+        positions: false,
+        directed: true,
+        edges: true,
+        weighted: true,
+        timed: false,
+        default: None,
+    };
     let network = Network::read(source, cars, can)?;
     let mut places = vec![0; cars];
     order.iter().zip(0..).for_each(|(&agent, place)| places[agent] = place);
-    let rows: Vec<Vec<usize>> =
-        order[1..].iter().map(|&k| network.neighbours(k).iter().map(|&j| places[j]).collect()).collect();
-    let graph = CommunicationGraph::with_equal_weights(&rows).map_err(|error| section.problem(error.into()))?;
+    let row = |agent: usize| {
+        let own: Vec<(usize, Rational)> = network.weighted(agent).map(|(j, weight)| (places[j], weight)).collect();
+        let sum: Rational = own.iter().map(|(_, weight)| weight).sum();
+        own.into_iter().map(|(place, weight)| (place, weight / &sum)).collect()
+    };
+    let rows: Vec<Vec<(usize, Rational)>> = order[1..].iter().map(|&agent| row(agent)).collect();
+    let graph = CommunicationGraph::new(rows).map_err(|error| section.problem(error.into()))?;
+    let mean = if network.is_weighted() { "mean, with their weights," } else { "mean" };
     let words = format!(
-        "every follower compares itself with the mean of its neighbours in the {}; the leader senses nobody",
+        "every follower compares itself with the {mean} of its neighbours in the {}; the leader senses nobody",
         network.declaration()
     );
-    Ok((graph, words))
+    Ok((line.on(graph).map_err(refuse)?, words))
+}
+
+/// Gains and weights: for each one number, or a list of one for each follower.
+fn line(law: &Section) -> Result<Line, ConfigError> {
+    let mut line = Line::default();
+    for (name, parameter) in Parameter::NAMES {
+        let Some(entry) = law.get(name) else { continue };
+        line = line.with(parameter, if entry.is_list() { entry.exact_numbers()? } else { vec![entry.finite()?] });
+    }
+    Ok(line)
+}
+
+/// A line of cars in words.
+fn on_both_sides(line: &Line) -> String {
+    if !line.is_asymmetric() {
+        return "every follower tracks the cars in front and behind with weights 1/2, the last one the car in front (2)"
+            .to_string();
+    }
+    let side = |(name, parameter): (&str, Parameter)| {
+        let list = line.get(parameter).filter(|_| parameter.is_of_a_side())?;
+        Some(format!("{name} = {}", shown(list)))
+    };
+    let given: Vec<String> = Parameter::NAMES.into_iter().filter_map(side).collect();
+    format!(
+        "every follower tracks the cars in front and behind with {}; weights are scaled to a sum of one for each car, numbers below 0 are gains of the links; the last car tracks the one in front",
+        given.join(", ")
+    )
+}
+
+/// One number, or a list.
+fn shown(list: &[Rational]) -> String {
+    match list {
+        [one] => one.to_string(),
+        several => format!("[{}]", several.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
+    }
 }
 
 impl Law for Platoon {
     fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) -> Result<(), ArithmeticError> {
         let (positions, velocities) = state.split_at(state.len() / 2);
         let (y, u) = self.leader.at(time);
-        let accelerations = self.graph.accelerations(&self.gains, (&y, &u), positions, velocities);
+        let accelerations = self.steered.accelerations((&y, &u), positions, velocities);
         let rates = velocities.iter().copied().chain(accelerations);
         rate.iter_mut().zip(rates).for_each(|(rate, value)| *rate = value);
         Ok(())
@@ -196,11 +237,8 @@ impl Law for Platoon {
     }
 
     fn links(&self) -> Vec<(usize, usize)> {
-        let followers = 1..=self.graph.followers();
         let agent = |place: usize| self.order[place];
-        followers
-            .flat_map(|k| self.graph.tracked_by(k).iter().map(move |(other, _)| (agent(k), agent(*other))))
-            .collect()
+        self.steered.links().into_iter().map(|(k, other)| (agent(k), agent(other))).collect()
     }
 
     fn observe(&self, time: f64, state: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
@@ -222,8 +260,8 @@ impl Law for Platoon {
         let (agent, shift) = (self.order[0] + 1, self.spacing * self.order[0] as f64);
         let mut lines = vec![
             format!(
-                "platoon of Veerman and others: y_k'' = f e_k + g e_k' with f = {}, g = {}, e_k the deviation of follower k from the mean of the cars it tracks, y_k = x_k - h_k, h_k = -{} (k - 1)",
-                self.gains.f, self.gains.g, self.spacing
+                "platoon of Veerman and others: y_k'' = f e_k + g e_k' with {}, e_k the deviation of follower k from the mean of the cars it tracks, y_k = x_k - h_k, h_k = -{} (k - 1)",
+                self.gains(), self.spacing
             ),
             self.tracking.clone(),
             format!("agent {agent} is the leader: x_{agent}(t) = {} + {speed} t + {amplitude} cos({frequency} t); at t = 0 it is at {}", place - shift, place - shift + amplitude),
@@ -235,6 +273,18 @@ impl Law for Platoon {
 }
 
 impl Platoon {
+    /// The gains in words, those of each follower where they differ.
+    fn gains(&self) -> String {
+        let gains = self.steered.gains();
+        let list = |name: &str, own: fn(&Gains<f64>) -> f64| match gains {
+            [first, rest @ ..] if rest.iter().all(|other| own(other) == own(first)) => {
+                format!("{name} = {}", own(first))
+            }
+            _ => format!("{name}_k = {:?}", gains.iter().map(own).collect::<Vec<_>>()),
+        };
+        format!("{}, {}", list("f", |gains| gains.f), list("g", |gains| gains.g))
+    }
+
     /// A number of the leader and those of the followers, by agents.
     fn by_agents(&self, leader: f64, followers: &[f64]) -> Vec<f64> {
         let mut all = vec![leader; self.order.len()];

@@ -1,11 +1,14 @@
 //! The two-sided platoon with equal gains: enclosures to any number of digits.
 
 use super::super::{CliError, certify, output, progress};
+use super::responses::Responses;
 use super::{Arguments, followers};
-use flockproof::arithmetic::{Interval, Rational, decimal, decimals};
+use flockproof::arithmetic::{Field, Interval, Rational, decimal, decimals};
 use flockproof::certificates::{Certificate, Peak};
-use flockproof::platoon::{Gains, Resonance, resonance, theorem1};
+use flockproof::platoon::bode::enclosed as enclosed_response;
+use flockproof::platoon::{Gains, Resonance, amplitude_two_sided, resonance, theorem1};
 use flockproof::report::Provenance;
+use num_traits::ToPrimitive;
 use serde_json::{Value, json};
 use std::process::ExitCode;
 
@@ -59,6 +62,24 @@ impl Certified {
         }))
     }
 
+    /// What `--response` and `--plot` show of the last car.
+    fn responses(&self) -> Responses<'_> {
+        let (gains, m) = (&self.gains, self.followers);
+        let last = move |w: &Interval| {
+            let gains = gains.map(|q| w.rational(q));
+            Ok(vec![amplitude_two_sided(&gains, w, m, m)?])
+        };
+        let floats = gains.map(|q| q.to_f64().unwrap_or(f64::NAN));
+        Responses {
+            names: vec![m.to_string()],
+            enclosed: Some(Box::new(move |w: &Rational, digits: u32| enclosed_response(w, digits, last))),
+            float: Box::new(move |w| Ok(vec![amplitude_two_sided(&floats, &w, m, m)?])),
+            peaks: vec![(self.found.omega.to_f64(), self.found.amplitude.to_f64())],
+            proved: true,
+            stable: Some(true),
+        }
+    }
+
     fn text(&self) -> String {
         let (m, [omega, amplitude], [first_omega, first_amplitude]) = (self.followers, self.ends(), &self.theorem1);
         let (omega, amplitude) = (enclosed("omega", omega), enclosed("amplitude", amplitude));
@@ -88,10 +109,18 @@ pub fn run(arguments: &Arguments, gains: &Gains<Rational>) -> Result<ExitCode, C
     bar.finish_and_clear();
     let found = found?;
     certify::write_asked(arguments.certificate.as_deref(), || Ok(Certificate::Peak(Peak::new(gains, m)?)))?;
+    let responses = found.responses();
+    let followers = output::counted(m, "follower");
+    responses.draw(arguments, &format!("{followers}, front and back tracked, f = {}, g = {}", gains.f, gains.g), "")?;
+    let table = responses.table(arguments)?;
     if arguments.json {
-        output::print_json(&found.document())?
+        let mut document = found.document();
+        if let Some((rows, _)) = table {
+            document["response"] = rows;
+        }
+        output::print_json(&document)?
     } else {
-        output::print_folded(&found.text())?
+        output::print_folded(&(found.text() + &table.map_or(String::new(), |(_, table)| table)))?
     }
     Ok(ExitCode::SUCCESS)
 }

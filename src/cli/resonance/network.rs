@@ -2,18 +2,21 @@
 
 use super::super::{CliError, output, progress, spectrum};
 use super::peak::Found;
-use super::{Arguments, followers};
+use super::responses::Responses;
+use super::{Arguments, followers, line_error};
 use flockproof::arithmetic::{ArithmeticError, Interval, Rational, Unwatched, decimals};
 use flockproof::graph::AnyGraph;
-use flockproof::matrix::RationalMatrix;
 use flockproof::platoon::gain_margin::{GainMargin, gain_margin};
 use flockproof::platoon::growth::peak_of_car;
 use flockproof::platoon::phase_margin::{PhaseMargin, STEPS, phase_margin};
-use flockproof::platoon::vector_form::motion_rows_of_cars;
-use flockproof::platoon::{Communication, CommunicationGraph, Gains, MOST_FOLLOWERS_PROVED, peak_on_graph};
-use flockproof::report::{NamedMatrix, Provenance, matrix_files};
-use num_traits::{Signed, ToPrimitive};
-use serde_json::{Value, json};
+use flockproof::platoon::state_space::StateSpace;
+use flockproof::platoon::{
+    Communication, CommunicationGraph, Gains, Line, LineError, MOST_FOLLOWERS_PROVED, Parameter, Peak, Platoon,
+    peak_of_platoon, resonance,
+};
+use flockproof::report::{File, NamedMatrix, Provenance, matrix_files};
+use num_traits::ToPrimitive;
+use serde_json::{Map, Value, json};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -22,27 +25,153 @@ const MOST: u64 = 2000;
 /// Digits of margins.
 const DIGITS: u32 = 15;
 
-/// A platoon with the car that is looked at.
-pub(super) struct Platoon {
-    pub graph: CommunicationGraph,
-    pub car: usize,
-    /// What the leader and the car are called.
-    leader: String,
-    name: String,
-    file: Option<Value>,
-    /// For a line of cars, whom they track.
-    line: Option<Communication>,
+/// Whom the followers track.
+enum Shape {
+    /// On a line: whom, with which weights where they track both sides, and how many followers there are.
+    Line(Communication, Line, usize),
+    Graph(Line, CommunicationGraph),
 }
 
-impl Platoon {
+/// Followers whose gains are still open, and the car that is looked at.
+pub(super) struct Looked {
+    shape: Shape,
+    pub car: usize,
+    /// What the leader and the followers are called.
+    leader: String,
+    names: Vec<String>,
+    file: Option<Value>,
+}
+
+impl Looked {
+    fn followers(&self) -> usize {
+        self.names.len()
+    }
+
+    /// What the car that is looked at is called.
+    fn name(&self) -> &str {
+        &self.names[self.car - 1]
+    }
+
     /// Whether peaks are proved for so many followers.
     pub fn is_proved(&self) -> bool {
-        self.graph.followers() <= MOST_FOLLOWERS_PROVED
+        self.followers() <= MOST_FOLLOWERS_PROVED
+    }
+
+    /// The follower of that name.
+    fn place(&self, option: &str, word: &str) -> Result<usize, CliError> {
+        let found = self.names.iter().position(|name| name == word).map(|k| k + 1);
+        found.ok_or_else(|| match &self.shape {
+            Shape::Line(.., count) => CliError::Use(format!("--{option}: there are the followers 1 to {count}")),
+            Shape::Graph(..) if word == self.leader => {
+                CliError::Use(format!("--{option}: vertex {word} leads; another one is to be looked at"))
+            }
+            Shape::Graph(_, graph) => {
+                let order = graph.followers() + 1;
+                CliError::Use(format!("--{option}: there is no vertex {word} among the {order}"))
+            }
+        })
+    }
+
+    /// The cars of `--cars`.
+    fn cars(&self, arguments: &Arguments) -> Result<Vec<usize>, CliError> {
+        let Some(text) = &arguments.cars else { return Ok(vec![self.car]) };
+        text.split(',').map(|word| self.place("cars", word.trim())).collect()
+    }
+
+    /// The platoon with the gains of `line`.
+    pub fn steered(&self, line: &Line) -> Result<Platoon<Rational>, CliError> {
+        let with_gains = |weights: &Line| {
+            let gains = [Parameter::F, Parameter::G].into_iter();
+            gains.fold(weights.clone(), |all, gain| all.with(gain, line.get(gain).unwrap_or_default().to_vec()))
+        };
+        let built = match &self.shape {
+            Shape::Line(Communication::FrontAndBack, weights, followers) => with_gains(weights).platoon(*followers),
+            Shape::Line(communication, weights, followers) => CommunicationGraph::of(*communication, *followers)
+                .map_err(LineError::from)
+                .and_then(|graph| with_gains(weights).on(graph)),
+            Shape::Graph(weights, graph) => with_gains(weights).on(graph.clone()),
+        };
+        built.map_err(|error| line_error(&error))
+    }
+
+    /// The peak of a car: with proof, or searched among more followers.
+    pub fn peak(&self, platoon: &Platoon<Rational>, car: usize, digits: u32) -> Result<Found, CliError> {
+        if !platoon.reached_by_leader()[car] {
+            let (leader, car) = (&self.leader, &self.names[car - 1]);
+            return Err(CliError::Use(format!("the leader {leader} does not reach car {car}, which stays at rest")));
+        }
+        let followers = platoon.followers();
+        if self.is_proved() {
+            return Found::proved(peak_of_platoon(platoon, car, digits, &Unwatched));
+        }
+        if let Some(gains) = two_sided(platoon).filter(|_| car == followers) {
+            let found = resonance(gains, followers as u64, digits).map_err(|error| CliError::Use(error.to_string()))?;
+            return Ok(Found::Certified(Peak { omega: Some(found.omega), amplitude: found.amplitude }));
+        }
+        let refuse = |error: ArithmeticError| CliError::Use(format!("no peak was found: {error}"));
+        let floats = platoon.map(|q| q.to_f64().unwrap_or(f64::NAN));
+        let peak = peak_of_car(&floats, car).map_err(refuse)?.ok_or_else(|| {
+            CliError::Use("a mode is too slow for floats, or some followers are not reached by the leader".to_string())
+        })?;
+        let how = format!(
+            "48 frequencies for each factor of 10 and around the slowest mode, in floating point ({followers} followers are more than the \
+             {MOST_FOLLOWERS_PROVED} of which the peak is proved)"
+        );
+        Ok(Found::Searched { peak, how })
+    }
+
+    /// Whether a line of cars is stable, which is known for negative gains in two cases. Behind the front car alone each car is a loop of its own. With
+    /// equal gains and positions and velocities tracked alike (Lemma 1 of the paper is the case of equal weights): the reduced Laplacian is tridiagonal,
+    /// with entries beside the diagonal of which no two opposite ones have different signs, so that its eigenvalues are real, and positive where the
+    /// leader reaches all cars.
+    fn is_stable_line(&self, platoon: &Platoon<Rational>) -> Option<bool> {
+        let Shape::Line(..) = &self.shape else { return None };
+        let in_front = |(k, agent): (usize, usize)| agent < k;
+        let alone = platoon.links().into_iter().all(in_front);
+        let equal =
+            platoon.with_equal_gains().is_some() && platoon.reached_by_leader().into_iter().all(|reached| reached);
+        (alone || equal).then_some(true)
+    }
+
+    /// What `--response` and `--plot` show, with the peaks of all their cars where a diagram marks them; `known` is that of the car that is looked at.
+    fn responses<'a>(
+        &self,
+        arguments: &Arguments,
+        platoon: &'a Platoon<Rational>,
+        cars: &'a [usize],
+        known: &Found,
+    ) -> Result<Responses<'a>, CliError> {
+        let (mut peaks, mut proved) = (Vec::new(), true);
+        for &car in cars.iter().filter(|_| arguments.plot.is_some()) {
+            let own = if car == self.car { None } else { Some(self.peak(platoon, car, 15)?) };
+            let found = own.as_ref().unwrap_or(known);
+            proved &= matches!(found, Found::Certified(_));
+            peaks.extend(found.place());
+        }
+        let enclosed = move |w: &Rational, digits: u32| {
+            let all = platoon.enclosed_response(w, digits)?;
+            Ok(cars.iter().map(|car| all[car - 1].clone()).collect())
+        };
+        Ok(Responses {
+            names: cars.iter().map(|car| self.names[car - 1].clone()).collect(),
+            enclosed: if self.is_proved() { Some(Box::new(enclosed)) } else { None },
+            float: Box::new(platoon.float_response(cars)),
+            peaks,
+            proved,
+            stable: known.stable(),
+        })
     }
 }
 
-/// The platoon of the arguments.
-pub(super) fn platoon(arguments: &Arguments) -> Result<Platoon, CliError> {
+/// The gains of a platoon in which all track the cars in front and behind alike.
+fn two_sided(platoon: &Platoon<Rational>) -> Option<&Gains<Rational>> {
+    let (graph, gains) = platoon.with_equal_gains()?;
+    let line = CommunicationGraph::of(Communication::FrontAndBack, graph.followers()).ok()?;
+    (line == *graph).then_some(gains)
+}
+
+/// The followers of the arguments.
+pub(super) fn looked(arguments: &Arguments) -> Result<Looked, CliError> {
     let communication = match arguments.graph.as_str() {
         "front" => Communication::Front,
         "front-and-back" => Communication::FrontAndBack,
@@ -51,27 +180,32 @@ pub(super) fn platoon(arguments: &Arguments) -> Result<Platoon, CliError> {
     if arguments.zero_based {
         return Err(spectrum::zero_based_name(&arguments.graph));
     }
+    let weights = arguments.line()?;
     let count = followers(arguments)?;
     if count > MOST {
         return Err(CliError::Use(format!(
-            "--followers {count}: without a certificate, for --graph {}, single cars or gains for each, at most {MOST}",
+            "--followers {count}: without a certificate, for --graph {}, single cars, weights or gains for each, at most {MOST}",
             arguments.graph
         )));
     }
     if arguments.from.as_deref().is_some_and(|from| !["leader", "0"].contains(&from)) {
         return Err(CliError::Use(format!("--from: the leader of --graph {} is in front", arguments.graph)));
     }
-    let refuse = |error: &dyn std::fmt::Display| CliError::Use(format!("--followers: {error}"));
-    let graph = CommunicationGraph::of(communication, count as usize).map_err(|error| refuse(&error))?;
-    let to = arguments.to.as_deref();
-    let car = to.map_or(Some(graph.followers()), |word| word.parse().ok());
-    let car = car.filter(|car| (1..=graph.followers()).contains(car));
-    let car = car.ok_or_else(|| CliError::Use(format!("--to: there are the followers 1 to {count}")))?;
-    Ok(Platoon { graph, car, leader: "0".to_string(), name: car.to_string(), file: None, line: Some(communication) })
+    let count = count as usize;
+    if count == 0 {
+        return Err(CliError::Use("--followers: a platoon needs at least one follower".to_string()));
+    }
+    let names = (1..=count).map(|car| car.to_string()).collect();
+    let shape = Shape::Line(communication, weights, count);
+    let mut looked = Looked { shape, car: count, leader: "0".to_string(), names, file: None };
+    if let Some(word) = arguments.to.as_deref() {
+        looked.car = looked.place("to", word)?;
+    }
+    Ok(looked)
 }
 
 /// The platoon of a named graph or of a file.
-fn on_a_graph(arguments: &Arguments) -> Result<Platoon, CliError> {
+fn on_a_graph(arguments: &Arguments) -> Result<Looked, CliError> {
     if arguments.followers.is_some() {
         let why = "--followers is for the graphs front and front-and-back; this one tells how many there are";
         return Err(CliError::Use(why.to_string()));
@@ -96,66 +230,18 @@ fn on_a_graph(arguments: &Arguments) -> Result<Platoon, CliError> {
     };
     let usual = (0..order).find(|&vertex| called(vertex) == "leader").unwrap_or(0);
     let leader = arguments.from.as_deref().map_or(Ok(usual), |word| vertex("from", word))?;
-    let last = (0..order).rev().find(|&vertex| vertex != leader).unwrap_or(leader);
-    let car = arguments.to.as_deref().map_or(Ok(last), |word| vertex("to", word))?;
-    if car == leader {
-        return Err(CliError::Use(format!("--to: vertex {} leads; another one is to be looked at", called(car))));
-    }
     if order as u64 > MOST + 1 {
         return Err(CliError::Use(format!("--graph: {order} vertices are more than {}", MOST + 1)));
     }
     let graph =
         CommunicationGraph::behind(&weighted, leader).map_err(|error| CliError::Use(format!("--graph: {error}")))?;
-    let place = car + usize::from(car < leader);
-    Ok(Platoon { graph, car: place, leader: called(leader), name: called(car), file, line: None })
-}
-
-/// One pair of gains for each follower, below zero.
-pub(super) fn of_cars(gains: &[Gains<Rational>], followers: usize) -> Result<Vec<Gains<Rational>>, CliError> {
-    if gains.len() != 1 && gains.len() != followers {
-        let given = gains.len();
-        return Err(CliError::Use(format!("there are {given} gains for {followers} followers")));
+    let names: Vec<String> = (0..order).filter(|&vertex| vertex != leader).map(called).collect();
+    let mut looked =
+        Looked { car: names.len(), shape: Shape::Graph(arguments.line()?, graph), leader: called(leader), names, file };
+    if let Some(word) = arguments.to.as_deref() {
+        looked.car = looked.place("to", word)?;
     }
-    for (name, value) in gains.iter().flat_map(|gains| [("f", &gains.f), ("g", &gains.g)]) {
-        if !value.is_negative() {
-            return Err(CliError::Use(format!("{name} must be negative, but it is {value}")));
-        }
-    }
-    Ok((0..followers).map(|k| gains[k.min(gains.len() - 1)].clone()).collect())
-}
-
-fn floats(gains: &[Gains<Rational>]) -> Vec<Gains<f64>> {
-    gains.iter().map(|gains| gains.map(|q| q.to_f64().unwrap_or(f64::NAN))).collect()
-}
-
-/// The peak of the car: with proof, or searched among more followers.
-pub(super) fn response(platoon: &Platoon, gains: &[Gains<Rational>], digits: u32) -> Result<Found, CliError> {
-    if !platoon.graph.reached_by_leader()[platoon.car] {
-        let (leader, car) = (&platoon.leader, &platoon.name);
-        return Err(CliError::Use(format!("the leader {leader} does not reach car {car}, which stays at rest")));
-    }
-    let followers = platoon.graph.followers();
-    if platoon.is_proved() {
-        return Found::proved(peak_on_graph(&platoon.graph, gains, platoon.car, digits, &Unwatched));
-    }
-    let refuse = |error: ArithmeticError| CliError::Use(format!("no peak was found: {error}"));
-    let found = peak_of_car(&platoon.graph, &floats(gains), platoon.car).map_err(refuse)?;
-    let peak = found.ok_or_else(|| {
-        CliError::Use("a mode is too slow for floats, or some followers are not reached by the leader".to_string())
-    })?;
-    let how = format!(
-        "48 frequencies for each factor of 10 and around the slowest mode, in floating point ({followers} followers are more than the {MOST_FOLLOWERS_PROVED} \
-         of which the peak is proved)"
-    );
-    Ok(Found::Searched { peak, how })
-}
-
-/// Whether a line of cars is stable, as the paper proves for negative gains: behind the front car alone, or with equal gains (Lemma 1).
-fn is_stable_line(platoon: &Platoon, gains: &[Gains<Rational>]) -> Option<bool> {
-    match platoon.line? {
-        Communication::Front => Some(true),
-        Communication::FrontAndBack => gains.iter().all(|other| *other == gains[0]).then_some(true),
-    }
+    Ok(looked)
 }
 
 /// How far a stable platoon is from instability.
@@ -165,8 +251,13 @@ struct Margins {
 }
 
 impl Margins {
-    fn of(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Option<Self> {
-        Some(Margins { phase: phase_margin(reduced, gains).ok()?, gain: gain_margin(reduced, gains).ok()? })
+    fn of(platoon: &Platoon<Rational>) -> Option<Self> {
+        let Some(graph) = platoon.one_graph() else {
+            let open = || "velocities are tracked with other weights than positions".to_string();
+            return Some(Margins { phase: PhaseMargin::Open(open()), gain: GainMargin::Open(open()) });
+        };
+        let (reduced, gains) = (graph.reduced_laplacian().ok()?, platoon.gains());
+        Some(Margins { phase: phase_margin(&reduced, gains).ok()?, gain: gain_margin(&reduced, gains).ok()? })
     }
 
     fn document(&self) -> Value {
@@ -220,70 +311,116 @@ fn searched() -> String {
     format!("a search: stable at all smaller multiples of pi/{STEPS}, not proved between them")
 }
 
-/// `x' = A x + B u, y = C x`: the state is `y_1, u_1, y_2, u_2, ..`, the input position and velocity of the leader, the output the
-/// position of the car.
-fn state_matrices(platoon: &Platoon, reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Vec<NamedMatrix> {
-    let gains = floats(gains);
-    let followers = gains.len();
-    let column = platoon.graph.leader_column().unwrap_or_default();
-    let mut input = vec![vec![0.0; 2]; 2 * followers];
-    for (k, weight) in column.iter().enumerate() {
-        let weight = weight.to_f64().unwrap_or(f64::NAN);
-        input[2 * k + 1] = vec![gains[k].f * weight, gains[k].g * weight];
-    }
-    let mut output = vec![0.0; 2 * followers];
-    output[2 * (platoon.car - 1)] = 1.0;
-    let matrix = |name, rows| NamedMatrix { name, rows };
-    vec![
-        matrix("A", motion_rows_of_cars(reduced, |k| &gains[k])),
-        matrix("B", input),
-        matrix("C", vec![output]),
-        matrix("D", vec![vec![0.0; 2]]),
-    ]
+/// `x' = A x + B u, y = C x`: the state is `y_1, u_1, y_2, u_2, ..`, the inputs position and velocity of the leader, the output the
+/// position of the car; as matrices, and what their rows and columns are called.
+fn state_files(looked: &Looked, platoon: &Platoon<Rational>) -> Result<Vec<File>, CliError> {
+    let refuse = |error: &dyn std::fmt::Display| CliError::Use(error.to_string());
+    let system = StateSpace::of_platoon(platoon, looked.car).map_err(|error| refuse(&error))?;
+    let float = |row: Vec<Rational>| row.iter().map(|q| q.to_f64().unwrap_or(f64::NAN)).collect();
+    let matrices = ["A", "B", "C", "D"].into_iter().zip(system.matrices());
+    let matrices = matrices.map(|(name, rows)| NamedMatrix { name, rows: rows.into_iter().map(float).collect() });
+    let mut files = matrix_files(&matrices.collect::<Vec<_>>());
+    let names = json!({
+        "states": looked.names.iter().flat_map(|car| [format!("y_{car}"), format!("u_{car}")]).collect::<Vec<_>>(),
+        "inputs": [format!("y_{}", looked.leader), format!("u_{}", looked.leader)],
+        "outputs": [format!("y_{}", looked.name())],
+        "about": INPUTS,
+    });
+    files.push(File { name: "names.json".to_string(), contents: format!("{names:#}\n").into_bytes() });
+    Ok(files)
 }
 
-pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode, CliError> {
-    let platoon = platoon(arguments)?;
-    let gains = of_cars(given, platoon.graph.followers())?;
+/// What the columns of `B` are, which a reader of the matrices has to know.
+const INPUTS: &str = "y is a deviation from the desired position, u = y' its rate. The inputs are the position and the velocity of the leader; for a leader e^(iwt) \
+the velocity is iw times the position, so that the response is that of the first input plus iw times that of the second. The first input alone has another peak.";
+
+/// The numbers that were given, by their names.
+fn given(line: &Line) -> Map<String, Value> {
+    let texts = |list: &[Rational]| Value::from(list.iter().map(ToString::to_string).collect::<Vec<_>>());
+    let entry = |(name, parameter): &(&str, Parameter)| Some((name.to_string(), texts(line.get(*parameter)?)));
+    Parameter::NAMES.iter().filter_map(entry).collect()
+}
+
+/// The weights in words, where there are any.
+fn weights(line: &Line) -> String {
+    let words = |(name, parameter): &(&str, Parameter)| {
+        let list = line.get(*parameter).filter(|_| parameter.is_of_a_side())?;
+        let numbers = match list {
+            [one] => one.to_string(),
+            several => format!("{} numbers from {} to {}", several.len(), several[0], several[several.len() - 1]),
+        };
+        Some(format!("{} {numbers}", name.replace('_', " ")))
+    };
+    let all: Vec<String> = Parameter::NAMES.iter().filter_map(words).collect();
+    if all.is_empty() {
+        return String::new();
+    }
+    let gains = [Parameter::F, Parameter::G].iter().any(|whole| line.get(*whole).is_none());
+    format!(
+        "{}: {}{}\n",
+        if gains { "weights or gains of links" } else { "weights" },
+        all.join(", "),
+        if gains { "" } else { ", scaled to a sum of one for each car" }
+    )
+}
+
+pub fn run(arguments: &Arguments, line: &Line) -> Result<ExitCode, CliError> {
+    let looked = looked(arguments)?;
+    let (platoon, cars) = (looked.steered(line)?, looked.cars(arguments)?);
     arguments.export.as_deref().map_or(Ok(()), output::make_folder)?;
     let bar = progress::spinner("searching the peak");
-    let found = response(&platoon, &gains, arguments.digits);
+    let found = looked.peak(&platoon, looked.car, arguments.digits);
     bar.finish_and_clear();
     let found = found?;
-    let reduced = platoon.graph.reduced_laplacian().map_err(|error| CliError::Use(error.to_string()))?;
-    let stable = found.stable().or_else(|| is_stable_line(&platoon, &gains));
+    let responses = looked.responses(arguments, &platoon, &cars, &found)?;
+    let stable = found.stable().or_else(|| looked.is_stable_line(&platoon));
     // What is not stable has no margins.
-    let margins = if stable == Some(true) { Margins::of(&reduced, &gains) } else { None };
-    let list =
-        |value: fn(&Gains<Rational>) -> &Rational| given.iter().map(|g| value(g).to_string()).collect::<Vec<_>>();
-    let (f, g) = (list(|gains| &gains.f), list(|gains| &gains.g));
+    let margins = if stable == Some(true) { Margins::of(&platoon) } else { None };
+    let mut given = given(line);
+    let [f, g] = ["f", "g"].map(|name| given.remove(name).unwrap_or_else(|| json!([])));
     let configuration = json!({
-        "command": "resonance", "graph": arguments.graph, "file": platoon.file, "zero_based": arguments.zero_based,
-        "followers": gains.len(), "from": platoon.leader, "to": platoon.name, "f": f, "g": g, "digits": arguments.digits,
+        "command": "resonance", "graph": arguments.graph, "file": looked.file, "zero_based": arguments.zero_based,
+        "followers": looked.followers(), "from": looked.leader, "to": looked.name(), "f": f, "g": g, "weights": given,
+        "cars": arguments.cars, "response": arguments.response, "digits": arguments.digits,
     });
     let provenance = Provenance::new("flockproof.response/1", None, configuration);
     if let Some(folder) = &arguments.export {
-        let mut files = matrix_files(&state_matrices(&platoon, &reduced, &gains));
-        files.push(flockproof::report::File {
+        let mut files = state_files(&looked, &platoon)?;
+        files.push(File {
             name: "about.txt".to_string(),
-            contents: provenance.about(&[]).into_bytes(),
+            contents: format!("{}\n{INPUTS}\n", provenance.about(&[])).into_bytes(),
         });
         files.iter().try_for_each(|file| output::write_file(&folder.join(&file.name), &file.contents))?;
     }
+    let followers = output::counted(looked.followers(), "follower");
+    let title = format!("{followers} on {}, leader {}", arguments.graph, looked.leader);
+    let list = |name: &str, list: &Value| match list.as_array().map(Vec::as_slice) {
+        Some([one]) => format!("{name} = {}. ", one.as_str().unwrap_or_default()),
+        Some([]) | None => String::new(),
+        Some(_) => format!("{name} of each car. "),
+    };
+    let caption = format!("{}{}{}", list("f", &f), list("g", &g), weights(line).trim_end());
+    responses.draw(arguments, &title, &caption)?;
+    let table = responses.table(arguments)?;
     if arguments.json {
-        output::print_json(&provenance.stamp(json!({
-            "graph": arguments.graph, "followers": gains.len(), "from": platoon.leader, "to": platoon.name, "f": f, "g": g,
+        let mut document = json!({
+            "graph": arguments.graph, "followers": looked.followers(), "from": looked.leader, "to": looked.name(), "f": f, "g": g,
+            "weights": given,
             "peak": found.document(arguments.digits),
             "stable": stable,
             "margins": margins.as_ref().map(Margins::document),
-        })))?;
+        });
+        if let Some((rows, _)) = table {
+            document["response"] = rows;
+        }
+        output::print_json(&provenance.stamp(document))?;
         return Ok(ExitCode::SUCCESS);
     }
-    let (followers, graph) = (gains.len(), &arguments.graph);
-    let followers = output::counted(followers, "follower");
-    let head = format!("{followers} on {graph}, leader {}, car {}", platoon.leader, platoon.name);
+    let head = format!("{title}, car {}", looked.name());
     let mut text = found.text(&head, arguments.digits, stable);
+    text.insert_str(text.find('\n').map_or(text.len(), |end| end + 1), &weights(line));
     text += &margins.map_or(String::new(), |margins| margins.text());
+    text += &table.map_or(String::new(), |(_, table)| table);
     output::print_folded(&text)?;
     Ok(ExitCode::SUCCESS)
 }

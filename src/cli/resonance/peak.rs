@@ -55,6 +55,16 @@ impl Found {
         }
     }
 
+    /// Frequency and amplitude in floating point, where there is a peak at a frequency above 0.
+    pub fn place(&self) -> Option<(f64, f64)> {
+        let place = match self {
+            Found::Certified(Peak { omega, amplitude }) => (omega.as_ref()?.to_f64(), amplitude.to_f64()),
+            Found::NotStable => return None,
+            Found::Searched { peak, .. } => (peak.at, peak.value),
+        };
+        (place.0 > 0.0).then_some(place)
+    }
+
     /// Frequency and amplitude, each as its two ends; nothing where there is none.
     pub fn ends(&self, digits: u32) -> Option<[(String, String); 2]> {
         let of = |x: &Interval| decimals(x, digits + 3);

@@ -3,7 +3,9 @@
 use super::super::{CliError, output, progress};
 use super::Arguments;
 use super::peak::Found;
+use super::responses::Responses;
 use flockproof::arithmetic::{Rational, Unwatched, parse_rational};
+use flockproof::platoon::bode::enclosed;
 use flockproof::platoon::state_space::StateSpace;
 use flockproof::platoon::{MOST_STATES_PROVED, peak_of_system};
 use flockproof::report::{Provenance, digest};
@@ -89,6 +91,20 @@ fn found(system: &StateSpace, digits: u32) -> Result<Found, String> {
     Ok(Found::Searched { peak, how })
 }
 
+/// What `--response` and `--plot` show.
+fn responses<'a>(system: &'a StateSpace, found: &Found) -> Responses<'a> {
+    let exact = |w: &Rational, digits: u32| enclosed(w, digits, |w| Ok(vec![system.response(w)?]));
+    let small = system.states() <= MOST_STATES_PROVED;
+    Responses {
+        names: vec!["y".to_string()],
+        enclosed: if small { Some(Box::new(exact)) } else { None },
+        float: Box::new(|w| Ok(vec![system.float_response(w)?])),
+        peaks: found.place().into_iter().collect(),
+        proved: matches!(found, Found::Certified(_)),
+        stable: found.stable(),
+    }
+}
+
 pub fn run(arguments: &Arguments, folder: &Path) -> Result<ExitCode, CliError> {
     if !folder.is_dir() {
         return Err(CliError::file(folder, "there is no such folder with A.csv, B.csv and C.csv, or .npy"));
@@ -113,18 +129,26 @@ pub fn run(arguments: &Arguments, folder: &Path) -> Result<ExitCode, CliError> {
     let found = found(&system, arguments.digits);
     bar.finish_and_clear();
     let found = found.map_err(|why| refuse(&why))?;
-    let configuration = json!({"command": "resonance", "state": origins, "digits": arguments.digits});
+    let responses = responses(&system, &found);
+    responses.draw(arguments, &format!("{} states of {}", system.states(), folder.display()), "")?;
+    let table = responses.table(arguments)?;
+    let configuration =
+        json!({"command": "resonance", "state": origins, "response": arguments.response, "digits": arguments.digits});
     let provenance = Provenance::new("flockproof.state-response/1", None, configuration);
     if arguments.json {
-        return output::print_json(&provenance.stamp(json!({
+        let mut document = json!({
             "states": system.states(), "inputs": b[0].len(),
             "peak": found.document(arguments.digits),
             "stable": found.stable(),
-        })))
-        .map(|()| ExitCode::SUCCESS);
+        });
+        if let Some((rows, _)) = table {
+            document["response"] = rows;
+        }
+        return output::print_json(&provenance.stamp(document)).map(|()| ExitCode::SUCCESS);
     }
     let input = if b[0].len() == 2 { "position and velocity" } else { "position" };
     let head = format!("{} states, the leader's {input} as input", system.states());
-    output::print_folded(&found.text(&head, arguments.digits, None))?;
+    let text = found.text(&head, arguments.digits, None) + &table.map_or(String::new(), |(_, table)| table);
+    output::print_folded(&text)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -4,7 +4,7 @@ use super::super::interrupt::{self, Watch};
 use super::super::{CliError, output, progress};
 use super::{Arguments, followers, is_certified, network, numbers};
 use flockproof::arithmetic::{Progress, Rational, decimals};
-use flockproof::platoon::{Gains, resonance};
+use flockproof::platoon::{Gains, Line, Parameter, resonance};
 use flockproof::report::Provenance;
 use serde_json::json;
 use std::process::ExitCode;
@@ -58,30 +58,32 @@ fn grid(arguments: &Arguments) -> Result<Vec<Gains<Rational>>, CliError> {
 /// Frequency and amplitude of one row, each as its two ends; nothing where the platoon is not stable.
 type Row = Option<[(String, String); 2]>;
 
-fn row(arguments: &Arguments, platoon: Option<&network::Platoon>, gains: &Gains<Rational>) -> Result<Row, CliError> {
+fn row(arguments: &Arguments, looked: Option<&network::Looked>, gains: &Gains<Rational>) -> Result<Row, CliError> {
     let digits = arguments.digits.min(15);
-    let Some(platoon) = platoon else {
+    let Some(looked) = looked else {
         let found =
             resonance(gains, followers(arguments)?, digits).map_err(|error| CliError::Use(error.to_string()))?;
         return Ok(Some([decimals(&found.omega, digits + 3), decimals(&found.amplitude, digits + 3)]));
     };
-    let cars = network::of_cars(std::slice::from_ref(gains), platoon.graph.followers())?;
-    Ok(network::response(platoon, &cars, digits)?.ends(digits))
+    let line = Line::default().with(Parameter::F, vec![gains.f.clone()]).with(Parameter::G, vec![gains.g.clone()]);
+    Ok(looked.peak(&looked.steered(&line)?, looked.car, digits)?.ends(digits))
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    if arguments.certificate.is_some() || arguments.export.is_some() {
-        return Err(CliError::Use("--sweep makes a table only, without --certificate and --export".to_string()));
+    let files = [&arguments.certificate, &arguments.export, &arguments.plot];
+    if files.iter().any(|file| file.is_some()) || arguments.response.is_some() {
+        let why = "--sweep makes a table only, without --certificate, --export, --plot and --response";
+        return Err(CliError::Use(why.to_string()));
     }
     let grid = grid(arguments)?;
-    let platoon = if is_certified(arguments) { None } else { Some(network::platoon(arguments)?) };
+    let looked = if is_certified(arguments) { None } else { Some(network::looked(arguments)?) };
     let watch = Watch::with(progress::bar());
     let mut rows = Vec::new();
     for gains in &grid {
         if watch.is_cancelled() {
             break;
         }
-        rows.push((gains, row(arguments, platoon.as_ref(), gains)?));
+        rows.push((gains, row(arguments, looked.as_ref(), gains)?));
         watch.tell("gains", rows.len() as u64, Some(grid.len() as u64));
     }
     watch.finish();
@@ -90,12 +92,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if !complete {
         eprintln!("interrupted: {} of {} rows are computed", rows.len(), grid.len());
     }
-    let proved = platoon.as_ref().is_none_or(network::Platoon::is_proved);
+    let proved = looked.as_ref().is_none_or(network::Looked::is_proved);
     let (grade, word) = if proved { ("certified", "certified") } else { ("simulated", "search, without proof") };
     if arguments.json {
         let configuration = json!({
             "command": "resonance", "graph": arguments.graph, "followers": arguments.followers, "from": arguments.from,
-            "to": arguments.to, "sweep": arguments.sweep, "f": arguments.f, "g": arguments.g, "digits": arguments.digits,
+            "to": arguments.to, "ahead": arguments.ahead, "behind": arguments.behind, "f_ahead": arguments.f_ahead,
+            "f_behind": arguments.f_behind, "g_ahead": arguments.g_ahead, "g_behind": arguments.g_behind, "sweep": arguments.sweep, "f": arguments.f, "g": arguments.g, "digits": arguments.digits,
         });
         let provenance = Provenance::new("flockproof.resonance-sweep/1", None, configuration);
         let ends = |(lo, hi): &(String, String)| json!({"lo": lo, "hi": hi});

@@ -101,6 +101,10 @@ fn merged(folder: &Path, arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     let lines = table.json_lines();
     output::write_file(&folder.join("table.jsonl"), lines.as_bytes())?;
-    if arguments.json { output::print_raw(&lines) } else { output::print(&table.text(MOST_ROWS)) }?;
+    if arguments.json {
+        output::print_raw(&lines)
+    } else {
+        output::print_folded(&table.text(MOST_ROWS, output::width()))
+    }?;
     Ok(ExitCode::SUCCESS)
 }

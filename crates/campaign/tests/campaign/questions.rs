@@ -117,7 +117,7 @@ fn tables_have_a_row_for_each_member() {
     let first: serde_json::Value = serde_json::from_str(first.lines().nth(1).expect("a line")).expect("JSON");
     assert_eq!((&first["n"], &first["square"]), (&"2".into(), &"2".into()));
     assert!(first["root"]["lo"].as_str().is_some_and(|lo| lo.starts_with("1.4142135623730950488")));
-    let text = table.text(2);
+    let text = table.text(2, 80);
     assert!(text.contains("1.4142135623..") || text.contains("1.414213562373.."), "{text}");
     assert!(text.ends_with("and 1 more rows\n"));
 }
@@ -127,7 +127,7 @@ fn tables_put_together_by_hand_may_lack_cells() {
     let row = TableRow { names: vec!["1".into()], values: vec![true.into()], regions: serde_json::Value::Null };
     let (id, names) = ("a".to_string(), vec!["n".to_string()]);
     let table = Table { id, names, columns: vec!["holds".into(), "margin".into()], rows: vec![row] };
-    assert_eq!(table.text(1), "n  holds  margin\n1   true\n");
+    assert_eq!(table.text(1, 80), "n  holds  margin\n1   true\n");
     assert!(table.csv().is_err());
 }
 

@@ -37,6 +37,22 @@ pub enum CommunicationError {
         /// The agent it is said to track.
         agent: usize,
     },
+    /// Gains of another number of followers.
+    #[error("there are {given} gains for {followers} followers")]
+    Gains {
+        /// The gains.
+        given: usize,
+        /// The followers.
+        followers: usize,
+    },
+    /// Velocities of another number of followers than positions.
+    #[error("the positions are those of {positions} followers, the velocities those of {velocities}")]
+    Velocities {
+        /// Followers in the one graph.
+        positions: usize,
+        /// Followers in the other one.
+        velocities: usize,
+    },
     /// Weights that are not positive or do not sum to one.
     #[error("the weights of follower {0} must be positive and sum to one")]
     Weights(usize),
@@ -227,21 +243,27 @@ impl CommunicationGraph {
         positions: &[T],
         velocities: &[T],
     ) -> Vec<T> {
-        let mean = |k: usize, value: &dyn Fn(usize) -> T| {
-            let terms = self.tracked_by(k).iter().map(|(agent, weight)| {
-                let own = value(*agent);
-                own.rational(weight) * own
-            });
-            terms.reduce(|sum, term| sum + term)
-        };
-        let given = positions.len().min(velocities.len());
+        let cars = self.moved_by(positions.len().min(velocities.len()));
+        let means = [(); 2].map(|()| |k: usize, value: &dyn Fn(usize) -> T| self.mean(k, value));
+        accelerations_by(cars, means, |_| gains, leader, (positions, velocities))
+    }
+
+    /// The weighted mean of a value over the agents that follower `k` tracks; nothing where it tracks nobody.
+    pub(super) fn mean<T: Field>(&self, k: usize, value: &dyn Fn(usize) -> T) -> Option<T> {
+        let terms = self.tracked_by(k).iter().map(|(agent, weight)| {
+            let own = value(*agent);
+            own.rational(weight) * own
+        });
+        terms.reduce(|sum, term| sum + term)
+    }
+
+    /// How many followers, from the first on, are among the first `given` ones and track only those.
+    pub(super) fn moved_by(&self, given: usize) -> usize {
+        if given >= self.followers() {
+            return self.followers();
+        }
         let is_there = |row: &Vec<(usize, Rational)>| row.iter().all(|(agent, _)| *agent <= given);
-        let cars = if given < self.followers() {
-            self.tracked[..given].iter().position(|row| !is_there(row)).unwrap_or(given)
-        } else {
-            self.followers()
-        };
-        accelerations_by(cars, mean, gains, leader, (positions, velocities))
+        self.tracked[..given].iter().position(|row| !is_there(row)).unwrap_or(given)
     }
 
     /// The followers, counted from 1, that the law leaves at rest in their places, whatever those move that it does not leave at rest and the

@@ -1,6 +1,7 @@
 //! How the peak response grows with the number of cars, in floating point: an exploration, not a proof.
 
 use super::banded::{BandedPlatoon, modulus};
+use super::cars::Platoon;
 use super::communication_graph::CommunicationGraph;
 use super::law::Gains;
 use super::observe::{Extreme, largest};
@@ -62,26 +63,22 @@ pub fn peak(graph: &CommunicationGraph, gains: &Gains<f64>) -> Result<Option<Ext
     peak_by(&platoon, graph.followers(), (gains, gains), |w| platoon.largest_amplitude(gains, w))
 }
 
-/// The peak of the amplitude `|a_car(w)|` of one follower, `1 <= car <= M`, where follower `k` has the gains `gains[k - 1]`; found as
-/// [`peak`] finds it, for gains that do not differ by many orders of magnitude.
+/// The peak of the amplitude `|a_car(w)|` of one follower, `1 <= car <= M`; found as [`peak`] finds it, for gains that do not differ by many orders
+/// of magnitude.
 ///
 /// # Errors
-/// As [`peak`]; [`ArithmeticError::Domain`] where there are not as many gains as followers, or no such car.
-pub fn peak_of_car(
-    graph: &CommunicationGraph,
-    gains: &[Gains<f64>],
-    car: usize,
-) -> Result<Option<Extreme>, ArithmeticError> {
-    let missing = || ArithmeticError::Domain("a car of the platoon, with gains");
-    let platoon = BandedPlatoon::new(graph);
+/// As [`peak`]; [`ArithmeticError::Domain`] where there is no such car.
+pub fn peak_of_car(platoon: &Platoon<f64>, car: usize) -> Result<Option<Extreme>, ArithmeticError> {
+    let missing = || ArithmeticError::Domain("a car of the platoon");
+    let (gains, banded) = (platoon.gains(), BandedPlatoon::of(platoon));
     let amplitude = |w: f64| {
-        let all = platoon.response_of_cars(gains, w)?;
+        let all = banded.response_of_cars(gains, w)?;
         all.get(car.wrapping_sub(1)).map(modulus).ok_or_else(missing)
     };
     let by_strength = |a: &&Gains<f64>, b: &&Gains<f64>| b.f.total_cmp(&a.f);
     let weakest = gains.iter().min_by(by_strength).ok_or_else(missing)?;
     let strongest = gains.iter().max_by(by_strength).ok_or_else(missing)?;
-    peak_by(&platoon, graph.followers(), (weakest, strongest), amplitude)
+    peak_by(&banded, platoon.followers(), (weakest, strongest), amplitude)
 }
 
 /// The peak of a response, whose slow mode has about the weakest gains, and whose frequencies reach up to those of the strongest.

@@ -11,6 +11,10 @@ pub struct Gains<T> {
     pub g: T,
 }
 
+/// Which sign gains have, for those who write `-k`.
+pub const SIGNS: &str = "the law is y'' = f e + g e' with the deviation e of a car from its place, so that f = g = -1 pulls it back; for a gain k > 0 of texts \
+that write -k e it is -k";
+
 /// Which cars a follower keeps track of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Communication {
@@ -45,26 +49,29 @@ pub fn accelerations<T: Field>(
         [front] => Some(value(front)),
         _ => None,
     };
-    accelerations_by(followers, mean, gains, leader, (positions, velocities))
+    accelerations_by(followers, [&mean, &mean], |_| gains, leader, (positions, velocities))
 }
 
-/// The accelerations of the first `cars` followers: `f e_k + g e'_k`, where `e_k` is the deviation of car `k` from the mean of the agents it
-/// tracks, and zero where it tracks nobody. `mean(k, value)` is the weighted mean of `value(agent)` over these agents.
+/// The accelerations of the first `cars` followers: `f e_k + g e'_k`, where `e_k` is the deviation of the position of car `k` from the mean of the
+/// positions that it tracks, and zero where it tracks nobody, and `e'_k` likewise of velocities. `means` are `mean(k, value)`, the weighted mean of
+/// `value(agent)` over the agents whose positions are tracked, and over those whose velocities are; `gains(k)` are those of car `k`.
 ///
 /// `leader` is `(y_0, u_0)`; `positions` and `velocities` hold `y_1..y_M` and `u_1..u_M`, at least those of all agents that are tracked.
-pub(super) fn accelerations_by<T: Field>(
+pub(super) fn accelerations_by<'a, T: Field + 'a>(
     cars: usize,
-    mean: impl Fn(usize, &dyn Fn(usize) -> T) -> Option<T>,
-    gains: &Gains<T>,
+    means: [impl Fn(usize, &dyn Fn(usize) -> T) -> Option<T>; 2],
+    gains: impl Fn(usize) -> &'a Gains<T>,
     leader: (&T, &T),
     (positions, velocities): (&[T], &[T]),
 ) -> Vec<T> {
-    let deviation = |values: &[T], first: &T, k: usize| {
+    let deviation = |which: usize, values: &[T], first: &T, k: usize| {
         let value = |agent: usize| if agent == 0 { first.clone() } else { values[agent - 1].clone() };
-        mean(k, &value).map_or(first.zero(), |mean| value(k) - mean)
+        means[which](k, &value).map_or(first.zero(), |mean| value(k) - mean)
     };
-    let acceleration =
-        |k: usize| deviation(positions, leader.0, k) * &gains.f + deviation(velocities, leader.1, k) * &gains.g;
+    let acceleration = |k: usize| {
+        let gains = gains(k);
+        deviation(0, positions, leader.0, k) * &gains.f + deviation(1, velocities, leader.1, k) * &gains.g
+    };
     (1..=cars).map(acceleration).collect()
 }
 

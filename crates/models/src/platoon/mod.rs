@@ -5,11 +5,14 @@
 //! `y_0 = e^{i w t}` with angular frequency `w >= 0` (a negative `w` only conjugates everything).
 
 pub mod banded;
+pub mod bode;
+mod cars;
 mod communication_graph;
 pub mod front_in_time;
 pub mod gain_margin;
 pub mod growth;
 mod law;
+mod line;
 pub mod modes;
 mod neighbourhood;
 pub mod next_order;
@@ -24,11 +27,15 @@ pub mod theorem1;
 pub mod time_domain;
 pub mod vector_form;
 
+pub use cars::Platoon;
 pub use communication_graph::{CommunicationError, CommunicationGraph};
-pub use law::{Communication, Gains, accelerations};
+pub use law::{Communication, Gains, SIGNS, accelerations};
+pub use line::{Line, LineError, Parameter};
 pub use modes::slowest_rate;
 pub use neighbourhood::Neighbourhood;
-pub use peak::{MOST_FOLLOWERS_PROVED, MOST_STATES_PROVED, Peak, PeakError, peak_of_system, peak_on_graph};
+pub use peak::{
+    MOST_FOLLOWERS_PROVED, MOST_STATES_PROVED, Peak, PeakError, peak_of_platoon, peak_of_system, peak_on_graph,
+};
 pub use resonance::{
     LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, is_below_full_phase, lesser_resonance, peak_near,
     resonance, resonance_from,

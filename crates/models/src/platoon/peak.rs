@@ -5,7 +5,8 @@
 //! Hurwitz; then the squared response is a quotient with a positive denominator, whose largest value for `x >= 0` is enclosed by
 //! [`largest_quotient`] (`notes/resonance.md`).
 
-use super::communication_graph::CommunicationGraph;
+use super::cars::Platoon;
+use super::communication_graph::{CommunicationError, CommunicationGraph};
 use super::law::Gains;
 use super::state_space::{StateSpace, StateSpaceError};
 use algebra::matrix::MatrixError;
@@ -38,6 +39,9 @@ pub enum PeakError {
     /// The response to high frequencies.
     #[error("the response grows without bound at high frequencies")]
     Unbounded,
+    /// Of the platoon.
+    #[error(transparent)]
+    Platoon(#[from] CommunicationError),
     /// Of the system.
     #[error(transparent)]
     System(#[from] StateSpaceError),
@@ -66,7 +70,20 @@ pub fn peak_on_graph(
     digits: u32,
     progress: &dyn Progress,
 ) -> Result<Peak, PeakError> {
-    peak_of_system(&StateSpace::of_platoon(graph, gains, car)?, digits, progress)
+    peak_of_platoon(&Platoon::new(graph.clone(), gains.to_vec())?, car, digits, progress)
+}
+
+/// The peak of follower `car >= 1` of a platoon.
+///
+/// # Errors
+/// [`PeakError`].
+pub fn peak_of_platoon(
+    platoon: &Platoon<Rational>,
+    car: usize,
+    digits: u32,
+    progress: &dyn Progress,
+) -> Result<Peak, PeakError> {
+    peak_of_system(&StateSpace::of_platoon(platoon, car)?, digits, progress)
 }
 
 /// The peak of a linear system, to about so many significant digits. Cost: for `n` states of a platoon some `n³` products of numbers of a few

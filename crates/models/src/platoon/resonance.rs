@@ -9,7 +9,7 @@
 //! What is left to compute: one zero of `F'`, enclosed by interval Newton steps (which include the sign change), and that
 //! it lies in `(0, w_h]`. For `M = 1` there is no other zero.
 
-use super::law::Gains;
+use super::law::{Gains, SIGNS};
 use super::response::{chebyshev, positive_root};
 use super::shape::{FrequencyResponse, frequency_response};
 use super::theorem1;
@@ -41,7 +41,7 @@ const FIRST_RADIUS: i64 = -44;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum ResonanceError {
     /// The platoon is only stable for negative gains (Lemma 1).
-    #[error("{name} must be negative, but it is {value}")]
+    #[error("{name} must be negative, but it is {value}: {}", SIGNS)]
     GainNotNegative {
         /// `f` or `g`.
         name: &'static str,

@@ -1,10 +1,8 @@
 //! The response of any linear system `x' = A x + B u, y = C x + D u` to a leader that swings, such as a platoon whose matrices were
 //! written by another program.
 
-use super::communication_graph::CommunicationGraph;
-use super::law::Gains;
+use super::cars::Platoon;
 use super::observe::{Extreme, largest};
-use super::vector_form::motion_rows_of_cars;
 use algebra::matrix::{MatrixError, RationalMatrix, SparseMatrix, Transfer, transfer_function_watched};
 use algebra::spectrum::matrix_spectrum;
 use arithmetic::{ArithmeticError, Complex, Field, Progress, Rational, Ring};
@@ -61,35 +59,30 @@ impl StateSpace {
         Ok(StateSpace { a, b: b.to_vec(), c: c[0].clone(), d })
     }
 
-    /// A platoon whose follower `k` has the gains `gains[k - 1]`: the state is `y_1, u_1, y_2, u_2, ..`, the input position and velocity of the
-    /// leader, the output the position of follower `car`, `1 <= car <= M`.
+    /// A platoon: the state is `y_1, u_1, y_2, u_2, ..`, the input position and velocity of the leader, the output the position of follower `car`,
+    /// `1 <= car <= M`.
     ///
     /// # Errors
-    /// [`StateSpaceError`] where there are not as many gains as followers, or no such car.
-    pub fn of_platoon(
-        graph: &CommunicationGraph,
-        gains: &[Gains<Rational>],
-        car: usize,
-    ) -> Result<Self, StateSpaceError> {
-        let followers = graph.followers();
+    /// [`StateSpaceError`] where there is no such car.
+    pub fn of_platoon(platoon: &Platoon<Rational>, car: usize) -> Result<Self, StateSpaceError> {
+        let followers = platoon.followers();
         let wrong =
             |name, found: usize, expected: String| StateSpaceError::Shape { name, found: found.to_string(), expected };
-        if gains.len() != followers {
-            return Err(wrong("the list of gains", gains.len(), format!("{followers}, one for each follower")));
-        }
         if car == 0 || car > followers {
             return Err(wrong("the car that is looked at", car, format!("a number from 1 to {followers}")));
         }
         let refused = |error: MatrixError| wrong("the graph", followers, error.to_string());
-        let reduced = graph.reduced_laplacian().map_err(refused)?;
-        let column = graph.leader_column().map_err(refused)?;
-        let rows = |(own, weight): (&Gains<Rational>, &Rational)| {
-            [vec![Rational::default(); 2], vec![&own.f * weight, &own.g * weight]]
-        };
-        let b: Vec<Vec<Rational>> = gains.iter().zip(&column).flat_map(rows).collect();
+        let rows = platoon.motion_rows().map_err(refused)?;
+        let b: Vec<Vec<Rational>> =
+            platoon.leader_rows().into_iter().flat_map(|row| [vec![Rational::default(); 2], row.to_vec()]).collect();
         let mut c = vec![Rational::default(); 2 * followers];
         c[2 * (car - 1)] = Rational::from_integer(1.into());
-        StateSpace::new(&motion_rows_of_cars(&reduced, |k| &gains[k]), &b, &[c], None)
+        StateSpace::new(&rows, &b, &[c], None)
+    }
+
+    /// The rows of `A`, `B`, `C` and `D`.
+    pub fn matrices(&self) -> [Vec<Vec<Rational>>; 4] {
+        [self.a.to_rows(), self.b.clone(), vec![self.c.clone()], vec![self.d.clone()]]
     }
 
     /// The response to a leader `e^{st}` as a quotient of polynomials in `s`, of which the denominator has the eigenvalues of `A` as its roots.
@@ -139,6 +132,14 @@ impl StateSpace {
         self.response_by(w, algebra::matrix::solve_over_field)
     }
 
+    /// The same in floating point, with the largest entry of each column as its pivot.
+    ///
+    /// # Errors
+    /// As [`StateSpace::response`].
+    pub fn float_response(&self, w: f64) -> Result<Complex<f64>, ArithmeticError> {
+        self.response_by(&w, solve_pivoted)
+    }
+
     /// The largest modulus of the response that a search meets, without proof, over frequencies `w > 0`, in floating point: 48 frequencies per factor of 10 from a tenth of the
     /// smallest to ten times the largest modulus of an eigenvalue, and the neighbourhood of each eigenvalue, refined by golden sections.
     ///
@@ -155,7 +156,7 @@ impl StateSpace {
         if values.is_empty() {
             return Err(missing());
         }
-        let size = |w: f64| self.response_by(&w, solve_pivoted).map(|y| y.norm_squared().sqrt());
+        let size = |w: f64| self.float_response(w).map(|y| y.norm_squared().sqrt());
         let count = (48.0 * (high / low).log10()).ceil();
         let at = |k: f64| low * (high / low).powf(k / count);
         let mut best = Extreme { value: 0.0, at: low };

@@ -42,13 +42,21 @@ pub fn motion_rows_of_cars<'a, T: Field + 'a>(
     reduced: &RationalMatrix,
     gains: impl Fn(usize) -> &'a Gains<T>,
 ) -> Vec<Vec<T>> {
+    motion_rows_of([reduced; 2], gains)
+}
+
+/// The same with a reduced Laplacian for the positions and one for the velocities, of the same order.
+pub(super) fn motion_rows_of<'a, T: Field + 'a>(
+    reduced: [&RationalMatrix; 2],
+    gains: impl Fn(usize) -> &'a Gains<T>,
+) -> Vec<Vec<T>> {
     let entry = |i: usize, j: usize| {
         let gains = gains(i / 2);
         let (a, k) = (geodesic_block(&gains.f), control_block(gains));
         let own = if i / 2 == j / 2 { a[i % 2][j % 2].clone() } else { gains.f.zero() };
-        own + gains.f.rational(&reduced.entry(i / 2, j / 2)) * &k[i % 2][j % 2]
+        own + gains.f.rational(&reduced[j % 2].entry(i / 2, j / 2)) * &k[i % 2][j % 2]
     };
-    let order = 2 * reduced.rows();
+    let order = 2 * reduced[0].rows();
     (0..order).map(|i| (0..order).map(|j| entry(i, j)).collect()).collect()
 }
 

@@ -7,6 +7,7 @@ use crate::error::{Problem, QuestionError};
 use crate::names::{Subject, quantity_of};
 use crate::scenario_file::is_place;
 use crate::syntax::{Kind, Node};
+use models::platoon::Parameter;
 
 impl Question {
     /// Refuses names that nothing uses, and those of quantities that they would hide.
@@ -64,7 +65,9 @@ impl Question {
         match quantity_of(quantity, self.subjects()).map(|quantity| quantity.subject) {
             Some(Subject::Graph) => sort == Some(Sort::Graph) && is_owner,
             Some(Subject::Matrices) => sort == Some(Sort::Matrices) && is_owner,
-            Some(Subject::Platoon) => matches!(name, "f" | "g" | "followers") || sort == Some(Sort::Graph),
+            Some(Subject::Platoon) => {
+                name == "followers" || Parameter::from_name(name).is_some() || sort == Some(Sort::Graph)
+            }
             _ => false,
         }
     }

@@ -113,13 +113,13 @@ impl<'c> MotionSubject<'c> {
     /// The platoon as the sum over its modes, where it is one on a line.
     fn modal(&self) -> Option<&ModalPlatoon> {
         let made = self.modal.get_or_init(|| match &self.motion {
-            ExactMotion::Platoon { deviations, rates, gains, graph, swing, .. } => {
+            ExactMotion::Platoon { deviations, rates, platoon, swing, .. } => {
                 let start = |list: &Start, agent: usize| {
                     let values = if *list == Start::Positions { deviations } else { rates };
                     values.get(agent).map_or(point(&rational(0, 1)), |x| self.start(list, agent, 0, x))
                 };
                 let narrow = self.wide.iter().all(|(list, ..)| *list != Start::Positions);
-                narrow.then(|| ModalPlatoon::new(start, gains, graph, swing)).flatten()
+                narrow.then(|| ModalPlatoon::new(start, platoon, swing)).flatten()
             }
             _ => None,
         });
@@ -135,8 +135,8 @@ impl<'c> MotionSubject<'c> {
                 let start = [positions.concat(), velocities.concat()].concat();
                 self.small(positions.len()).ok().and_then(|()| ClosedForm::of(&law, &start))
             }
-            ExactMotion::Platoon { deviations, rates, gains, graph, swing, .. } => {
-                let law = PlatoonLaw { gains, graph, frequency: &swing.1 };
+            ExactMotion::Platoon { deviations, rates, platoon, swing, .. } => {
+                let law = PlatoonLaw { platoon, frequency: &swing.1 };
                 let relative = |list: &[Rational]| list.iter().map(|x| x - &list[0]).collect::<Vec<_>>();
                 let swing = vec![swing.0.clone(), rational(0, 1)];
                 let start = [relative(deviations), relative(rates), swing].concat();
@@ -231,7 +231,7 @@ impl<'c> MotionSubject<'c> {
                 }
                 self.followed(own.as_ref(), &Expanded::of_start(&state), until)
             }
-            ExactMotion::Platoon { deviations, rates, gains, graph, swing, .. } => {
+            ExactMotion::Platoon { deviations, rates, platoon, swing, .. } => {
                 self.small(deviations.len())?;
                 let list = |list: &Start, values: &[Rational]| -> IntervalVector {
                     values.iter().enumerate().map(|(agent, x)| self.start(list, agent, 0, x)).collect()
@@ -242,7 +242,7 @@ impl<'c> MotionSubject<'c> {
                 let mut state = list(&Start::Positions, deviations);
                 state.extend(list(&Start::Velocities, rates));
                 state.extend([point(&swing.0), point(&rational(0, 1))]);
-                self.followed(PlatoonLaw { gains, graph, frequency: &swing.1 }, &Expanded::of_start(&state), until)
+                self.followed(PlatoonLaw { platoon, frequency: &swing.1 }, &Expanded::of_start(&state), until)
             }
         }
     }

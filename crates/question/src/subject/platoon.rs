@@ -9,7 +9,7 @@ use crate::error::Problem;
 use crate::failure::Failure;
 use crate::timeline::Measured;
 use algebra::graph::AnyGraph;
-use algebra::matrix::SparseMatrix;
+use algebra::matrix::{RationalMatrix, SparseMatrix};
 use algebra::spectrum::{Polynomial, matrix_spectrum};
 use arithmetic::RealNumber as Number;
 use arithmetic::{
@@ -18,8 +18,9 @@ use arithmetic::{
 };
 use models::platoon::vector_form::motion_matrix;
 use models::platoon::{
-    Communication, CommunicationGraph, Gains, PeakError, Resonance, ResonanceError, amplitude_one_sided,
-    amplitude_two_sided, gain_squared_one_sided, peak_on_graph, resonance, slowest_rate, strongest_one_sided_square,
+    Communication, CommunicationGraph, Gains, Line, LineError, MOST_FOLLOWERS_PROVED, Parameter, PeakError, Platoon,
+    Resonance, ResonanceError, SIGNS, amplitude_one_sided, amplitude_two_sided, gain_squared_one_sided,
+    peak_of_platoon, resonance, slowest_rate, strongest_one_sided_square,
 };
 use num_traits::ToPrimitive;
 
@@ -30,6 +31,8 @@ pub(crate) struct PlatoonSubject<'p> {
     communication: Communication,
     /// Another communication graph; vertex 1 is the leader.
     graph: Option<CommunicationGraph>,
+    /// Cars that differ, or track velocities in another way than positions; then `f` and `g` say nothing.
+    own: Option<Platoon<Rational>>,
     f: (Rational, Rational),
     g: (Rational, Rational),
     progress: &'p dyn Progress,
@@ -42,7 +45,7 @@ const MOST_BITS: u32 = 64;
 const DIGITS: u32 = 20;
 
 /// Most followers whose response is solved on a graph.
-const MOST_ON_GRAPH: usize = 64;
+const MOST_ON_GRAPH: usize = MOST_FOLLOWERS_PROVED;
 
 fn refused(message: impl Into<String>) -> Failure {
     Failure::Refused(0, Problem::Other(message.into()))
@@ -55,6 +58,12 @@ fn open(error: &ArithmeticError) -> Failure {
 impl<'p> PlatoonSubject<'p> {
     /// The platoon with the names `f`, `g` and `followers`, or the first graph.
     pub fn new(bindings: &Bindings, communication: Communication, progress: &'p dyn Progress) -> Result<Self, Failure> {
+        let parameters = Parameter::NAMES.iter();
+        let is_each = |name: &str| matches!(bindings.get(name), Some(Value::Each(_)));
+        let mut said = parameters.filter(|(name, _)| bindings.get(name).is_some());
+        if said.any(|(name, parameter)| parameter.is_of_a_side() || is_each(name)) {
+            return PlatoonSubject::of_different(bindings, communication, progress);
+        }
         let interval = |name: &str| match bindings.get(name) {
             Some(Value::Number(q)) => Ok((q.clone(), q.clone())),
             Some(Value::Box(lo, hi)) => Ok((lo.clone(), hi.clone())),
@@ -79,16 +88,94 @@ impl<'p> PlatoonSubject<'p> {
                 found.ok_or_else(|| Failure::Refused(0, range()))
             };
             let followers = (count(&least)?, count(&most)?);
-            return Ok(PlatoonSubject { followers, communication, graph: None, f, g, progress });
+            return Ok(PlatoonSubject { followers, communication, graph: None, own: None, f, g, progress });
         }
-        let graphs = bindings.iter().find_map(|(_, value)| match value {
-            Value::Graph(graph) => Some(graph.clone()),
-            _ => None,
-        });
-        let graph = graphs.ok_or_else(|| refused("a platoon needs `followers` or a graph"))?;
-        let graph = tracked(&graph)?;
+        let graph = graph_of(bindings)?.ok_or_else(|| refused("a platoon needs `followers` or a graph"))?;
         let followers = graph.followers() as u64;
-        Ok(PlatoonSubject { followers: (followers, followers), communication, graph: Some(graph), f, g, progress })
+        Ok(PlatoonSubject {
+            followers: (followers, followers),
+            communication,
+            graph: Some(graph),
+            own: None,
+            f,
+            g,
+            progress,
+        })
+    }
+
+    /// The platoon whose cars have weights ahead and behind, or gains of each.
+    fn of_different(
+        bindings: &Bindings,
+        communication: Communication,
+        progress: &'p dyn Progress,
+    ) -> Result<Self, Failure> {
+        let mut line = Line::default();
+        let (mut f, mut g) = (None, None);
+        for (name, parameter) in Parameter::NAMES {
+            let ends = match bindings.get(name) {
+                None => continue,
+                Some(Value::Each(list)) => {
+                    line = line.with(parameter, list.to_vec());
+                    continue;
+                }
+                Some(Value::Number(q)) => (q.clone(), q.clone()),
+                Some(Value::Box(lo, hi)) if !parameter.is_of_a_side() => (lo.clone(), hi.clone()),
+                Some(_) => {
+                    let why = "a number, or `each:` with a number for each follower; of intervals of weights nothing is enclosed";
+                    return Err(refused(format!("`{name}` must be {why}")));
+                }
+            };
+            line = line.with(parameter, vec![ends.0.clone()]);
+            match parameter {
+                Parameter::F => f = Some(ends),
+                Parameter::G => g = Some(ends),
+                _ => {}
+            }
+        }
+        let told = |error: LineError| refused(error.told(|parameter| format!("`{}`", parameter.name())));
+        let built = |line: &Line| match (bindings.get("followers"), communication) {
+            (None, _) => {
+                let graph = graph_of(bindings)?.ok_or_else(|| refused("a platoon needs `followers` or a graph"))?;
+                line.on(graph).map_err(told)
+            }
+            (Some(Value::Number(q)), communication) => {
+                let count = q.is_integer().then(|| q.to_usize()).flatten();
+                let count = count.filter(|m| (1..=MOST_ON_GRAPH).contains(m)).ok_or_else(|| {
+                    refused(format!(
+                        "`followers` with weights or gains of each car is an integer from 1 to {MOST_ON_GRAPH}"
+                    ))
+                })?;
+                match communication {
+                    Communication::FrontAndBack => line.platoon(count).map_err(told),
+                    Communication::Front => {
+                        let graph = CommunicationGraph::of(communication, count).map_err(|error| told(error.into()))?;
+                        line.on(graph).map_err(told)
+                    }
+                }
+            }
+            _ => Err(refused("`followers` with weights or gains of each car is a single integer")),
+        };
+        let subject = |platoon: &Platoon<Rational>, f, g| {
+            let followers = platoon.followers() as u64;
+            let followers = (followers, followers);
+            PlatoonSubject { followers, communication, graph: None, own: None, f, g, progress }
+        };
+        if let (Some(f), Some(g)) = (f.clone(), g.clone()) {
+            // The graph does not depend on the gains, which may be intervals, or of any sign.
+            let one = || vec![rational(-1, 1)];
+            let platoon = built(&line.clone().with(Parameter::F, one()).with(Parameter::G, one()))?;
+            if let Some(graph) = platoon.one_graph() {
+                return Ok(PlatoonSubject { graph: Some(graph.clone()), ..subject(&platoon, f, g) });
+            }
+        }
+        if [&f, &g].into_iter().flatten().any(|(lo, hi)| lo != hi) {
+            let why = "intervals of gains are enclosed where positions and velocities have the same weights and cars the same gains";
+            return Err(refused(why));
+        }
+        let platoon = built(&line)?;
+        let negative = || (rational(-1, 1), rational(-1, 1));
+        let subject = subject(&platoon, negative(), negative());
+        Ok(PlatoonSubject { own: Some(platoon), ..subject })
     }
 
     /// Whether a quantity is enclosed for no box of gains, however small.
@@ -146,6 +233,9 @@ impl<'p> PlatoonSubject<'p> {
 
     /// The modes obey `z² = lambda (f + g z)` with `lambda > 0`: stable if and only if both gains are negative (Lemma 1).
     fn stable(&self) -> Result<Measured, Failure> {
+        if let Some(own) = &self.own {
+            return Ok(Measured::Truth(polynomial(own)?.is_hurwitz_watched(self.progress)?));
+        }
         let Some(graph) = &self.graph else {
             let unknown = || Failure::open("both signs of a gain lie in the box", None);
             return self.both_negative().map(Measured::Truth).ok_or_else(unknown);
@@ -171,13 +261,16 @@ impl<'p> PlatoonSubject<'p> {
 
     /// Frequency and height of the peak; over a box the frequency is that of the higher end.
     fn peak(&self, precision: u32) -> Result<(Interval, Interval), Failure> {
+        if let Some(own) = &self.own {
+            return self.peak_of_cars(own, precision);
+        }
         if let Some(graph) = &self.graph {
             return self.peak_of_graph(graph, precision);
         }
         if self.both_negative() != Some(true) {
             let range = |name: &str| Problem::Range {
                 what: format!("`{name}`"),
-                expected: "negative: only then is the platoon stable and has a peak".to_string(),
+                expected: format!("negative: only then is the platoon stable and has a peak ({SIGNS})"),
                 found: shown(&if name == "f" { &self.f.1 } else { &self.g.1 }.to_string()),
             };
             let name = if self.f.1.is_certainly_negative() { "g" } else { "f" };
@@ -203,20 +296,27 @@ impl<'p> PlatoonSubject<'p> {
     fn peak_of_graph(&self, graph: &CommunicationGraph, precision: u32) -> Result<(Interval, Interval), Failure> {
         match self.stable()? {
             Measured::Truth(true) => {}
-            _ => return Err(refused("the platoon is not stable, so that it has no peak")),
+            _ => return Err(Failure::Refused(0, Problem::NotStable)),
         }
-        let digits = ((f64::from(precision) * std::f64::consts::LOG10_2) as u32).max(5);
         self.between_corners(|gains, _| {
             let cars = vec![gains.clone(); graph.followers()];
-            let found = peak_on_graph(graph, &cars, graph.followers(), digits, self.progress);
-            let open = |error: PeakError| match error {
-                PeakError::Cancelled(cancelled) => cancelled.into(),
-                other => Failure::open(format!("the peak over all frequencies: {other}"), None),
-            };
-            let found = found.map_err(open)?;
-            let zero = Interval::from_rational(&rational(0, 1), precision);
-            Ok((found.omega.unwrap_or(zero), found.amplitude))
+            let platoon = Platoon::new(graph.clone(), cars).map_err(|error| refused(error.to_string()))?;
+            self.peak_of_cars(&platoon, precision)
         })
+    }
+
+    /// The peak of the last car of a platoon with single gains.
+    fn peak_of_cars(&self, platoon: &Platoon<Rational>, precision: u32) -> Result<(Interval, Interval), Failure> {
+        let digits = ((f64::from(precision) * std::f64::consts::LOG10_2) as u32).max(5);
+        let found = peak_of_platoon(platoon, platoon.followers(), digits, self.progress);
+        let open = |error: PeakError| match error {
+            PeakError::Cancelled(cancelled) => cancelled.into(),
+            PeakError::NotStable => Failure::Refused(0, Problem::NotStable),
+            other => Failure::open(format!("the peak over all frequencies: {other}"), None),
+        };
+        let found = found.map_err(open)?;
+        let zero = Interval::from_rational(&rational(0, 1), precision);
+        Ok((found.omega.unwrap_or(zero), found.amplitude))
     }
 
     fn peak_at(
@@ -270,8 +370,12 @@ impl<'p> PlatoonSubject<'p> {
         let w = w.with_precision(bits);
         let gains = self.gains(bits);
         let amplitude = || -> Result<Complex<Interval>, ArithmeticError> {
-            if let Some(graph) = &self.graph {
-                let all = graph.response(&gains, &w)?;
+            let all = match (&self.graph, &self.own) {
+                (Some(graph), _) => Some(graph.response(&gains, &w)?),
+                (None, Some(own)) => Some(own.map(|q| w.rational(q)).response(&w)?),
+                (None, None) => None,
+            };
+            if let Some(all) = all {
                 return Ok(all.into_iter().nth(k as usize - 1).unwrap_or_else(|| Complex::real(w.zero())));
             }
             match self.communication {
@@ -288,7 +392,7 @@ impl<'p> PlatoonSubject<'p> {
     /// somewhere between 0 and `w`.
     fn near_rest(&self, gains: &Gains<Interval>, w: &Interval, k: u64) -> Option<Interval> {
         let wide = w.contains_zero() && !w.lo().is_negative() && !w.hi().is_zero();
-        if self.graph.is_some() || !wide || self.both_negative() != Some(true) {
+        if self.graph.is_some() || self.own.is_some() || !wide || self.both_negative() != Some(true) {
             return None;
         }
         let one = w.one();
@@ -335,6 +439,10 @@ impl<'p> PlatoonSubject<'p> {
     }
 
     fn abscissa(&self, precision: u32) -> Result<Interval, Failure> {
+        if let Some(own) = &self.own {
+            let found = polynomial(own)?.abscissa(precision.min(MOST_BITS));
+            return found.ok_or_else(|| Failure::open("the abscissa could not be enclosed", None));
+        }
         if let Some(graph) = &self.graph {
             if self.is_box() {
                 return self.abscissa_of_box(graph, precision + 16);
@@ -373,11 +481,21 @@ fn largest_real_part(re: &Interval, im: &Interval, gains: &Gains<Interval>) -> R
     Ok((through.re + &sum.sqrt()?) * &half)
 }
 
+/// Who tracks whom in the first graph that is bound.
+fn graph_of(bindings: &Bindings) -> Result<Option<CommunicationGraph>, Failure> {
+    let graph = bindings.iter().find_map(|(_, value)| match value {
+        Value::Graph(graph) => Some(graph),
+        _ => None,
+    });
+    graph.map(|graph| tracked(graph)).transpose()
+}
+
 /// Who tracks whom: the arcs of the graph with their shares, vertex 1 the leader.
 fn tracked(graph: &AnyGraph) -> Result<CommunicationGraph, Failure> {
     let weighted = graph.weighted();
     if weighted.order() > MOST_ON_GRAPH + 1 {
-        return Err(refused(format!("platoons on a graph have at most {MOST_ON_GRAPH} followers")));
+        let beyond = "`flockproof resonance --graph` searches the peak of more, without proof";
+        return Err(refused(format!("platoons on a graph have at most {MOST_ON_GRAPH} followers; {beyond}")));
     }
     CommunicationGraph::behind(&weighted, 0).map_err(|error| refused(error.to_string()))
 }
@@ -386,5 +504,11 @@ fn tracked(graph: &AnyGraph) -> Result<CommunicationGraph, Failure> {
 fn characteristic(graph: &CommunicationGraph, f: &Rational, g: &Rational) -> Result<Polynomial, Failure> {
     let gains = Gains { f: f.clone(), g: g.clone() };
     let motion = graph.reduced_laplacian().and_then(|reduced| motion_matrix(&reduced, &gains));
+    motion.and_then(|motion| motion.primitive_characteristic()).map_err(|error| refused(error.to_string()))
+}
+
+/// The characteristic polynomial of the motion of a platoon with single gains.
+fn polynomial(platoon: &Platoon<Rational>) -> Result<Polynomial, Failure> {
+    let motion = platoon.motion_rows().and_then(|rows| RationalMatrix::from_rows(&rows));
     motion.and_then(|motion| motion.primitive_characteristic()).map_err(|error| refused(error.to_string()))
 }

@@ -226,3 +226,42 @@ fn every_inequality_stands_by_itself() {
     assert_eq!(of("gcd(n, 2) = 1 or 0 < n <= 3 and n <= 3"), ["gcd(n, 2) = 1", "0 < n", "n <= 3"]);
     assert_eq!(of("n >= 1 implies not n != 2"), ["n < 1", "n = 2"]);
 }
+
+/// Weights ahead and behind, and numbers for each car, in one line each; against the graph of the same weights and the words of what is refused.
+#[test]
+fn asymmetric_platoons_are_platoons_on_graphs() {
+    let margin = |family: &str| answer(&asked(family, "peak < 10", "peak < 1")).margin.expect("a margin");
+    let gains = "f = \"-1\"\ng = \"-2\"\n";
+    let line = margin(&format!("followers = 3\n{gains}ahead = \"3/5\""));
+    let graph = margin(&format!("graph = \"arcs:4:2-1*3,2-3*2,3-2*3,3-4*2,4-3\"\n{gains}"));
+    assert!((line.lo - graph.lo).abs() < 1e-12, "{line:?} {graph:?}");
+    let each =
+        margin("followers = 3\nf = \"each:-1,-1,-1\"\ng = \"-2\"\nf_ahead = \"3/5\"\ng_ahead = \"each:3/5,3/5,1/7\"");
+    assert!((line.lo - each.lo).abs() < 1e-12, "{line:?} {each:?}");
+    let plain = margin(&format!("followers = 3\n{gains}"));
+    let half = margin(&format!("followers = 3\n{gains}ahead = \"each:1/2,1/2,1\""));
+    assert!((plain.lo - half.lo).abs() < 1e-12 && (plain.lo - line.lo).abs() > 1e-3);
+    // Over a box of gains, and of other weights for velocities: where that is decided.
+    let boxed = "followers = 3\nf = \"[-2, -1]\"\ng = \"[-3, -2]\"\n";
+    assert_eq!(verdict(&format!("{boxed}ahead = \"3/5\""), "stable and peak < 10 and abscissa < 0"), Verdict::Holds);
+    let apart = format!("followers = 3\n{gains}f_ahead = \"3/5\"\ng_ahead = \"1/2\"");
+    assert_eq!(verdict(&apart, "stable and peak < 10 and peak >= gain(3, 1/2) and abscissa < 0"), Verdict::Holds);
+    assert_eq!(verdict(&apart, "peak < 1"), Verdict::False);
+    // Positions heard more from ahead than velocities: long platoons are not stable, which the peak says.
+    let long = format!("followers = 60\n{gains}f_ahead = \"3/5\"\ng_ahead = \"1/2\"");
+    let long = long.replace("g = \"-2\"", "g = \"-1\"");
+    assert_eq!(verdict(&long, "stable"), Verdict::False);
+    let refused = |family: &str, words: &str| {
+        let question = read(&asked(family, "peak < 10", "peak < 1")).expect("a question");
+        let error = decide(&question, &Unwatched).expect_err(family).to_string();
+        assert!(error.contains(words), "{error}");
+    };
+    refused(&long, "the platoon is not stable, so that it has no peak");
+    // Of an interval of weights nothing is decided, and the reason stands in the answer.
+    let open = answer(&asked(&format!("followers = 3\n{gains}ahead = \"[1/2, 3/5]\""), "peak < 10", "peak < 1"));
+    assert_ne!(open.verdict, Verdict::Holds);
+    assert!(open.why.contains("of intervals of weights nothing is enclosed"), "{}", open.why);
+    refused(&format!("followers = 3\n{gains}ahead = \"each:1,1\""), "`ahead` has 2 numbers for 3 followers");
+    refused("followers = 3\nf = \"each:-1,1,-1\"\ng = \"-1\"", "`f` must be negative, but it is 1: the law is");
+    refused(&format!("graph = \"path:4\"\n{gains}ahead = \"1/2\""), "`ahead` is for cars on a line");
+}

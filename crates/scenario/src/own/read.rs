@@ -131,6 +131,7 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
         positions: planar,
         directed: true,
         edges: false,
+        weighted: false,
         timed: true,
         default: Some(NetworkKind::AllToAll),
     };

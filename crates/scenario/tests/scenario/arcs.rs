@@ -90,3 +90,49 @@ fn the_last_car_is_that_with_the_largest_number() {
         assert_eq!(value(&outcome.rows[0], "last_deviation"), [-0.5, -0.5, 0.0][agent - 1]);
     }
 }
+
+/// A platoon with weights, with weighted edges, and by its equations: after a short time the same numbers; and what is refused.
+#[test]
+fn platoons_have_weights_in_one_line_or_on_edges() {
+    let text = |law: &str, graph: &str| {
+        format!(
+            "model = \"platoon\"\n{graph}[state]\npositions = [[0], [\"-3/2\"], [-2], [\"-7/2\"]]\nvelocities = [[1], [0], [0], [\"1/2\"]]\n\
+             [law]\n{law}\n[run]\nuntil = 3\nrows = 1\ntolerance = 1e-13\n"
+        )
+    };
+    let ends = |text: String| {
+        let outcome = run(&text);
+        let positions = &outcome.rows.last().expect("a row").frame.positions;
+        positions.iter().flatten().copied().collect::<Vec<f64>>()
+    };
+    let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
+    let line = ends(text("f = -1\ng = -2\nahead = \"3/5\"\nbehind = \"2/5\"", ""));
+    let edges = "[graph]\nkind = \"edges\"\ndirected = true\nedges = [[2, 1, 3], [2, 3, 2], [3, 2, \"0.6\"], [3, 4, 0.4], [4, 3]]\n";
+    assert!(near(&line, &ends(text("f = -1\ng = -2", edges))));
+    assert!(near(
+        &line,
+        &ends(text("f = [-1, -1, -1]\ng = -2\nf_ahead = [3, 6, 1]\nf_behind = [2, 4, 9]\ng_ahead = 0.6", ""))
+    ));
+    assert!(near(
+        &line,
+        &ends(text("f_ahead = [\"-3/5\", \"-3/5\", -1]\nf_behind = \"-2/5\"\ng = -2\ng_ahead = 0.6", ""))
+    ));
+    let plain = ends(text("f = -1\ng = -2", ""));
+    assert!(near(&plain, &ends(text("f = -1\ng = -2\nahead = 1\nbehind = 1", ""))) && !near(&plain, &line));
+    assert!(!near(&line, &ends(text("f = -1\ng = -2\nf_ahead = \"3/5\"", ""))));
+    for (law, graph, words) in [
+        ("f = 1\ng = -1", "", "law.f: f must be negative, but it is 1: the law is y'' = f e + g e'"),
+        ("f = [-1, -1]\ng = -1", "", "law.f: f has 2 numbers for 3 followers"),
+        ("g = -1", "", "f is needed"),
+        ("f = -1\ng = -1\nahead = -1\nbehind = 1", "", "law.ahead: ahead is -1, but a weight is not negative"),
+        ("f = -1\ng = -1\nahead = 0.5", edges, "law.ahead: ahead is for cars on a line"),
+        ("f = -1\ng = -1\nahead = 0.5\ncommunication = \"front\"", "", "law.ahead: ahead is for cars on a line"),
+        ("f = -1\ng = -1", "[graph]\nkind = \"edges\"\nedges = [[1, 2, 0]]\n", "entry 3: it must be a number above 0"),
+    ] {
+        let refused = Scenario::read(&text(law, graph)).map(drop).expect_err(law).to_string();
+        assert!(refused.contains(words), "{refused}");
+    }
+    let other = "model = \"phase\"\n[graph]\nkind = \"edges\"\nedges = [[1, 2, 3]]\n[state]\nphases = [0, 1]\n[law]\nK1 = 1\n[run]\nuntil = 1\nrows = 1\n";
+    let refused = Scenario::read(other).map(drop).expect_err("weights").to_string();
+    assert!(refused.contains("edges without weights"), "{refused}");
+}

@@ -5,6 +5,7 @@ mod front;
 mod graphs_and_time;
 mod growth;
 mod limits;
+mod line;
 mod matrices;
 mod observed;
 mod own_gains;

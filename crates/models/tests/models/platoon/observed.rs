@@ -6,7 +6,7 @@ use models::platoon::growth::{Growth, LARGEST_PEAK, peak, peak_of_car};
 use models::platoon::observe::{largest, measured_amplitude, measured_resonance};
 use models::platoon::time_domain::Modes;
 use models::platoon::{
-    Communication, CommunicationGraph, Gains, PeakError, next_order, peak_on_graph, resonance, theorem1,
+    Communication, CommunicationGraph, Gains, PeakError, Platoon, next_order, peak_on_graph, resonance, theorem1,
 };
 use std::cell::RefCell;
 use std::f64::consts::PI;
@@ -120,7 +120,7 @@ fn narrow_peaks_are_found_by_their_mode() {
         let graph = two_sided(followers);
         let known = resonance(&exact, followers as u64, 12).unwrap();
         let own = vec![gains.clone(); followers];
-        let last = peak_of_car(&graph, &own, followers).unwrap().unwrap();
+        let last = peak_of_car(&Platoon::new(graph.clone(), own.clone()).unwrap(), followers).unwrap().unwrap();
         assert!((last.value / known.amplitude.to_f64() - 1.0).abs() < 1e-9, "{last:?} {known:?}");
         assert!((last.at / known.omega.to_f64() - 1.0).abs() < 1e-6);
         let any = peak(&graph, &gains).unwrap().unwrap();
@@ -332,7 +332,7 @@ fn peaks_far_from_the_slow_mode_are_found() {
         assert!(found.value >= naive && found.value < naive * (1.0 + 1e-4), "{f} {g}: {found:?} {naive}");
         assert!((banded.largest_amplitude(&gains, found.at).unwrap() / found.value - 1.0).abs() < 1e-12);
         let own = vec![gains.clone(); 42];
-        let car = peak_of_car(&graph, &own, 12).unwrap().unwrap();
+        let car = peak_of_car(&Platoon::new(graph.clone(), own.clone()).unwrap(), 12).unwrap().unwrap();
         // One car after the other: the gain of one to the power 12.
         let one = |w: f64| {
             let (fs, gs) = (w * w + f, g * w);
@@ -344,7 +344,7 @@ fn peaks_far_from_the_slow_mode_are_found() {
     // The strongest gains reach up to their own frequencies: the first car is far stiffer than the others, with little damping.
     let mut own = vec![floats(-1.0, -2.0); 6];
     own[0] = floats(-100.0, -0.5);
-    let found = peak_of_car(&two_sided(6), &own, 1).unwrap().unwrap();
+    let found = peak_of_car(&Platoon::new(two_sided(6), own.to_vec()).unwrap(), 1).unwrap().unwrap();
     let banded = BandedPlatoon::new(&two_sided(6));
     let size = |w: f64| banded.response_of_cars(&own, w).map(|all| all[0].re.hypot(all[0].im)).unwrap();
     let naive = (1..30_000).map(|k| size(f64::from(k) * 5e-4)).fold(0.0, f64::max);

@@ -8,11 +8,15 @@ use models::platoon::phase_margin::{PhaseMargin, phase_margin, phase_of_mode};
 use models::platoon::state_space::StateSpace;
 use models::platoon::vector_form::{motion_matrix, motion_rows_of_cars};
 use models::platoon::{
-    Communication, CommunicationGraph, Gains, gain_squared_one_sided, resonance, strongest_one_sided_square,
+    Communication, CommunicationGraph, Gains, Platoon, gain_squared_one_sided, resonance, strongest_one_sided_square,
 };
 
 fn gains(f: f64, g: f64) -> Gains<f64> {
     Gains { f, g }
+}
+
+fn platoon(graph: &CommunicationGraph, gains: Vec<Gains<f64>>) -> Platoon<f64> {
+    Platoon::new(graph.clone(), gains).unwrap()
 }
 
 #[test]
@@ -21,14 +25,14 @@ fn equal_gains_give_the_certified_resonance() {
     for m in [1usize, 2, 5, 16, 64] {
         let graph = CommunicationGraph::of(Communication::FrontAndBack, m).unwrap();
         let certified = resonance(&exact, m as u64, 12).unwrap();
-        let found = peak_of_car(&graph, &vec![gains(-0.5, -3.0); m], m).unwrap().unwrap();
+        let found = peak_of_car(&platoon(&graph, vec![gains(-0.5, -3.0); m]), m).unwrap().unwrap();
         assert!((found.value / certified.amplitude.to_f64() - 1.0).abs() < 1e-9, "{m}");
         assert!((found.at / certified.omega.to_f64() - 1.0).abs() < 1e-4, "{m}");
     }
     let graph = CommunicationGraph::of(Communication::Front, 3).unwrap();
-    assert!(peak_of_car(&graph, &[gains(-1.0, -1.0)], 1).is_err());
-    assert!(peak_of_car(&graph, &vec![gains(-1.0, -1.0); 3], 4).is_err());
-    assert!(peak_of_car(&graph, &vec![gains(-1.0, -1.0); 3], 0).is_err());
+    assert!(Platoon::new(graph.clone(), vec![gains(-1.0, -1.0)]).is_err());
+    assert!(peak_of_car(&platoon(&graph, vec![gains(-1.0, -1.0); 3]), 4).is_err());
+    assert!(peak_of_car(&platoon(&graph, vec![gains(-1.0, -1.0); 3]), 0).is_err());
 }
 
 /// The last of many cars that all swing more than the one in front: squares of the amplitudes, or of the pivots, are beyond the floats, and
@@ -39,7 +43,7 @@ fn long_one_sided_platoons_have_a_peak_as_long_as_floats_reach() {
     let gain = gain_squared_one_sided(&one, &strongest_one_sided_square(&one).unwrap()).unwrap().sqrt();
     let peak = |m: usize| {
         let graph = CommunicationGraph::of(Communication::Front, m).unwrap();
-        peak_of_car(&graph, &vec![one.clone(); m], m)
+        peak_of_car(&platoon(&graph, vec![one.clone(); m]), m)
     };
     for m in [900, 1000, 1800] {
         let found = peak(m).unwrap().unwrap();
@@ -246,7 +250,7 @@ fn matrices_of_a_platoon_respond_as_it_does() {
     for w in [rational(1, 7), rational(1, 1), rational(9, 2)] {
         assert_eq!(system.response(&w).unwrap(), graph.response_of_cars(&own, &w).unwrap()[4]);
     }
-    let (found, known) = (system.searched_peak().unwrap(), peak_of_car(&graph, &floats, 5).unwrap().unwrap());
+    let (found, known) = (system.searched_peak().unwrap(), peak_of_car(&platoon(&graph, floats), 5).unwrap().unwrap());
     assert!((found.value / known.value - 1.0).abs() < 1e-9, "{found:?} {known:?}");
     assert!(StateSpace::new(&a, &b[1..], &[c.clone()], None).is_err());
     assert!(StateSpace::new(&a, &b, &[c.clone(), c], None).is_err());

@@ -105,8 +105,8 @@ impl<T: Scalar + Measurable + Number> At<'_, '_, T> {
                     ..View::new(Model::Particles, arcs(network))
                 }
             }
-            ExactMotion::Platoon { spacing, graph, swing, .. } => {
-                let cars = graph.followers() + 1;
+            ExactMotion::Platoon { spacing, platoon, swing, .. } => {
+                let cars = platoon.followers() + 1;
                 let (mut deviations, mut speeds) = (self.numbers(0, cars), self.numbers(cars, cars));
                 // The leader with its swing.
                 let w = deviations[0].rational(&swing.1);
@@ -115,12 +115,11 @@ impl<T: Scalar + Measurable + Number> At<'_, '_, T> {
                 let place = |(y, k): (&T, i64)| vec![y.clone() - y.rational(&(spacing * rational(k, 1)))];
                 let places: Vec<Vec<T>> = deviations.iter().zip(0..).map(place).collect();
                 let spacing = deviations[0].rational(spacing);
-                let tracked = (0..cars).flat_map(|k| graph.tracked_by(k).iter().map(move |(j, _)| (k, *j)));
                 View {
                     positions: Rows::of(cars, move || places),
                     velocities: Rows::of(cars, move || speeds.into_iter().map(|u| vec![u]).collect()),
                     law: Law::Cars { deviations, leader: 0, spacing },
-                    ..View::new(Model::Platoon, Links::These(cars, tracked.collect()))
+                    ..View::new(Model::Platoon, Links::These(cars, platoon.links().into()))
                 }
             }
             ExactMotion::Own(own) => {

@@ -9,7 +9,6 @@ use arithmetic::{Complex, Interval, Rational, rational};
 use expressions::Variable;
 use models::double_integrator::{Coordinates, Pair, Potential, linked_within, potential_gradients};
 use models::oscillator::{Neighbours, Orientation, Spacing, Steering};
-use models::platoon::Gains;
 use num_traits::Zero;
 use scenario::{Amount, ExactMotion, Law, Links, Model, Rows, Sensing, View, measure};
 use std::borrow::Cow;
@@ -39,13 +38,12 @@ impl MotionSubject<'_> {
                 are_equal(velocities) && is_without_force(&places, potential, linked.as_ref().unwrap_or(pairs))
             }
             ExactMotion::Phases { phases, .. } => are_equal(phases),
-            ExactMotion::Platoon { rates, gains, graph, swing, .. } => {
+            ExactMotion::Platoon { rates, platoon, swing, .. } => {
                 let deviations = self.deviations();
                 let still = (swing.0.is_zero() || swing.1.is_zero()) && are_equal(rates);
-                let gains = Gains { f: gains.0.clone(), g: gains.1.clone() };
                 still
                     && deviations.split_first().zip(rates.split_first()).is_some_and(|((y0, y), (u0, u))| {
-                        graph.accelerations(&gains, (y0, u0), y, u).iter().all(Zero::is_zero)
+                        platoon.accelerations((y0, u0), y, u).iter().all(Zero::is_zero)
                     })
             }
             _ => false,

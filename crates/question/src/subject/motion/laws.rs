@@ -5,7 +5,7 @@ use models::double_integrator::{
     Coordinates, Pair, Potential, State as Flock, gyroscopic, heading_rate, potential_gradients,
 };
 use models::oscillator::{Neighbours, State, Steering, laplacian_control};
-use models::platoon::{CommunicationGraph, Gains};
+use models::platoon::Platoon;
 use motion::System;
 
 /// The phase model as phasors: `z' = i (omega_0 + u) z`, real parts and imaginary parts by turns.
@@ -78,22 +78,21 @@ impl System for ParticleLaw<'_> {
 
 /// Deviations, rates, and the swing `(A cos wt, A sin wt)` of the leader at the end.
 pub(super) struct PlatoonLaw<'a> {
-    pub gains: &'a (Rational, Rational),
-    pub graph: &'a CommunicationGraph,
+    pub platoon: &'a Platoon<Rational>,
     pub frequency: &'a Rational,
 }
 
 impl System for PlatoonLaw<'_> {
     fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
-        let cars = self.graph.followers() + 1;
+        let cars = self.platoon.followers() + 1;
         let (Some(swing), Some(like)) = (state.get(2 * cars..), state.first()) else { return Ok(Vec::new()) };
         let w = like.rational(self.frequency);
         let swing_rate = [-(swing[1].clone() * &w), swing[0].clone() * &w];
         let place = state[0].clone() + &swing[0];
         let speed = state[cars].clone() + &swing_rate[0];
-        let gains = Gains { f: like.rational(&self.gains.0), g: like.rational(&self.gains.1) };
         let (positions, velocities) = (&state[1..cars], &state[cars + 1..2 * cars]);
-        let forces = self.graph.accelerations(&gains, (&place, &speed), positions, velocities);
+        let platoon = self.platoon.map(|q| like.rational(q));
+        let forces = platoon.accelerations((&place, &speed), positions, velocities);
         let rates = state[cars..2 * cars].iter().cloned();
         Ok(rates.chain([like.zero()]).chain(forces).chain(swing_rate).collect())
     }

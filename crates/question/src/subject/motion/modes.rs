@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use arithmetic::{ArithmeticError, FloatInterval, Interval, Number, Rational, rational};
 use models::platoon::front_in_time::{FrontMotion, FrontStart};
 use models::platoon::time_domain::{Followers, Modes, SwingingStart};
-use models::platoon::{Communication, CommunicationGraph, Gains};
+use models::platoon::{Communication, CommunicationGraph, Gains, Platoon};
 use motion::enclose::IntervalVector;
 
 /// Most followers.
@@ -57,17 +57,17 @@ impl ModalPlatoon {
     /// of all cars without the swing.
     pub fn new(
         start: impl Fn(&Start, usize) -> FloatInterval,
-        gains: &(Rational, Rational),
-        graph: &CommunicationGraph,
+        platoon: &Platoon<Rational>,
         swing: &(Rational, Rational),
     ) -> Option<Self> {
+        let (graph, gains) = platoon.with_equal_gains()?;
         let followers = graph.followers();
         let zero = rational(0, 1);
-        if followers > MOST_FOLLOWERS || gains.0 >= zero || gains.1 >= zero {
+        if followers > MOST_FOLLOWERS || gains.f >= zero || gains.g >= zero {
             return None;
         }
         let number = |q: &Rational| Interval::from_rational(q, BITS);
-        let exact = Gains { f: number(&gains.0), g: number(&gains.1) };
+        let exact = gains.map(number);
         let (amplitude, w) = (number(&swing.0), number(&swing.1));
         // The swing begins at its largest deviation, at rest.
         let relative = |list: &Start, own: &Interval| -> Vec<Interval> {
@@ -79,7 +79,7 @@ impl ModalPlatoon {
             velocities: relative(&Start::Velocities, &number(&zero)),
         };
         let start = Motion::of(graph, &exact, &first, (&amplitude, &w))?;
-        let gains = Gains { f: point(&gains.0), g: point(&gains.1) };
+        let gains = gains.map(point);
         let swing = (amplitude * number(&(&swing.1 * &swing.1)), w);
         Some(ModalPlatoon { start, graph: graph.clone(), gains, swing })
     }
