@@ -355,6 +355,7 @@ def tracks(
     plain_nearest: bool = False,
     nearest: Sequence[int] = (),
     ids: Sequence[str] | None = None,
+    delays: float | None = None,
     null: int = 199,
     at: float | None = None,
     seed: str = "flockproof",
@@ -401,6 +402,8 @@ def tracks(
         A fish that is no faster has no heading.
     plain_nearest, nearest, ids
         As the options of the command line.
+    delays
+        Delays between the headings of each pair, up to so many seconds: who turns first; left out: none.
     null
         Circular time shifts for each of the two null models.
     at, pictures
@@ -460,6 +463,7 @@ def tracks(
         "still": still,
         "plain_nearest": bool(plain_nearest),
         "nearest": list(nearest),
+        "delays": delays,
         "ids": None if ids is None else [str(name) for name in ids],
         "seed": seed,
         "pictures": bool(pictures),

@@ -5,7 +5,9 @@ use super::refuse;
 use super::watch::{Watch, watched};
 use flockproof::report::{Provenance, TracksReport, digest};
 use flockproof::scenario::{End, Ensemble, Outcome, Row, Scenario, with_law};
-use flockproof::tracks::{BridgeShape, Choices, Format, NearestRule, PositionsUsed, Smoothing, Tracks, analyse};
+use flockproof::tracks::{
+    BridgeShape, Choices, Format, NearestRule, PositionsUsed, Smoothing, Tracks, analyse, delays,
+};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -144,6 +146,7 @@ pub struct Chosen {
     still: f64,
     plain_nearest: bool,
     nearest: Vec<usize>,
+    delays: Option<f64>,
     ids: Option<Vec<String>>,
     seed: String,
     pictures: bool,
@@ -184,13 +187,21 @@ pub fn tracks<'py>(
         "fps": chosen.fps, "part": chosen.part, "score": chosen.score, "max_gap": chosen.max_gap, "bridge": chosen.bridge, "min_fish": chosen.min_fish, "ids": chosen.ids,
         "smoothing": chosen.smoothing, "window": chosen.window, "smooth_positions": chosen.smooth_positions, "body_length": chosen.body_length,
         "zones": chosen.zones, "blind": chosen.blind, "still": chosen.still, "plain_nearest": chosen.plain_nearest,
-        "nearest": chosen.nearest, "null": shifts, "at": at,
+        "nearest": chosen.nearest, "delays": chosen.delays, "null": shifts, "at": at,
     });
     let work = move |watch: &Arc<Watch>| {
         let analysis = analyse(&tracks, &choices, &**watch).map_err(|error| error.to_string())?;
         let null =
             analysis.null_models(shifts as usize, &chosen.seed, &**watch).map_err(|stopped| stopped.to_string())?;
-        let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: null.as_ref() };
+        let found = chosen.delays.map(|seconds| delays(&tracks, &analysis.motion, seconds, &**watch)).transpose();
+        let found = found.map_err(|error| error.to_string())?;
+        let report = TracksReport {
+            source: &source,
+            tracks: &tracks,
+            analysis: &analysis,
+            null: null.as_ref(),
+            delays: found.as_ref(),
+        };
         let mut files = report.tables(&Provenance::new("flockproof.tracks/1", Some(&chosen.seed), configuration));
         if chosen.pictures {
             files.extend(report.pictures(at).map_err(|error| error.to_string())?);

@@ -76,6 +76,19 @@ def test_rotation_and_distances_stand_beside_null_models() -> None:
     assert 0 < null["shifted"]["tracks shifted"]["nearest_distance"]["share_at_most"] <= 1
 
 
+def test_who_turns_first() -> None:
+    rng = np.random.default_rng(9)
+    turns = np.convolve(rng.standard_normal(1200), np.ones(10) / 40, mode="same").cumsum()
+    angle = np.stack([turns[20 - late : 1120 - late] for late in (0, 5, 12)], axis=1)
+    data = np.stack([np.cos(angle), np.sin(angle)], axis=2).cumsum(axis=0) + 10 * np.arange(3)[:, None]
+    found = flockproof.tracks(data, fps=20, window=3, null=0, delays=1).summary["delays"]
+    assert [pair["delay"] for pair in found["pairs"]] == pytest.approx([0.25, 0.6, 0.35])
+    assert found["lead"] == pytest.approx({"1": 0.425, "2": 0.05, "3": -0.475})
+    assert flockproof.tracks(data, fps=20, window=3, null=0).summary["delays"] is None
+    with pytest.raises(ValueError, match="largest delay"):
+        flockproof.tracks(data, fps=20, window=3, delays=50)
+
+
 def test_dates_and_splines() -> None:
     data = circling(120)
     data[50:53, 2] = np.nan

@@ -6,7 +6,7 @@ use flockproof::arithmetic::Cancelled;
 use flockproof::report::{File, Provenance, TracksReport};
 use flockproof::tracks::{
     BridgeShape, Choices, ChoicesError, Format, FormatError, NearestRule, PositionsUsed, School, Setting, Smoothing,
-    Tracks, analyse, synthetic_school,
+    Tracks, analyse, delays, largest_lag, synthetic_school,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -79,6 +79,9 @@ pub struct Arguments {
     /// Only these fish
     #[arg(long, value_name = "ID,..", value_delimiter = ',')]
     ids: Vec<String>,
+    /// Delays between the headings of each pair, up to so many seconds: who turns first
+    #[arg(long, value_name = "SECONDS", value_parser = super::help::finite)]
+    delays: Option<f64>,
     /// Circular time shifts for each of the two null models; the time grows with frames x fish^2 x shifts
     #[arg(long, value_name = "SHIFTS", default_value_t = 199)]
     null: usize,
@@ -189,6 +192,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         return Err(CliError::Use(format!("--at {at}: the recording goes from t = {from} to {to}")));
     }
     choices.check(tracks.fish()).map_err(|error| CliError::Use(error.to_string()))?;
+    if let Some(seconds) = arguments.delays {
+        largest_lag(&tracks, seconds).map_err(|error| CliError::Use(format!("--delays: {error}")))?;
+    }
     output::make_folder(&arguments.out)?;
     if arguments.synthetic.is_some() {
         output::write_file(&arguments.out.join("tracks.csv"), tracks.to_csv().as_bytes())?;
@@ -199,7 +205,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         "max_gap": arguments.max_gap, "bridge": arguments.bridge.0, "min_fish": arguments.min_fish, "ids": arguments.ids, "smoothing": arguments.smoothing.name(), "window": arguments.window,
         "smooth_positions": arguments.smooth_positions, "body_length": arguments.body_length, "zones": arguments.zones,
         "blind": arguments.blind, "still": arguments.still, "plain_nearest": arguments.plain_nearest,
-        "nearest": arguments.nearest, "null": arguments.null, "at": arguments.at,
+        "nearest": arguments.nearest, "delays": arguments.delays, "null": arguments.null, "at": arguments.at,
     });
     let provenance = Provenance::new("flockproof.tracks/1", Some(&arguments.seed), configuration);
     let watch = Watch::with(progress::bar());
@@ -213,7 +219,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     };
     let (reached, frames) = (analysis.frames.len(), tracks.frames.len());
     let tracks = if reached < frames { tracks.first(reached) } else { tracks };
-    let mut report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: None };
+    let mut report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: None, delays: None };
     // The null models take longest: what was measured is written before them, whatever becomes of them.
     interrupt::finishing();
     let files = write(arguments, report.tables(&provenance))?;
@@ -231,12 +237,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     interrupt::keep(&measured);
     interrupt::working();
+    let found = arguments.delays.map(|seconds| delays(&tracks, &analysis.motion, seconds, &watch)).transpose();
     let null = analysis.null_models(arguments.null, &arguments.seed, &watch);
     interrupt::finishing();
     interrupt::kept();
-    let Ok(null) = null else { return interrupted() };
+    let (Ok(null), Ok(found)) = (null, found) else { return interrupted() };
     watch.finish();
     report.null = null.as_ref();
+    report.delays = found.as_ref();
     let mut files = write(arguments, report.tables(&provenance))?;
     // Who stops the work does not wait for pictures.
     let complete = !interrupt::happened();

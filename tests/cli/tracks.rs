@@ -29,7 +29,21 @@ fn a_synthetic_school_can_be_analysed_again_from_its_table() {
     let csv = format!("{out}/tracks.csv");
     let again = folder.join("again");
     let again = again.to_str().expect("UTF-8");
-    let read = flockproof(&["tracks", &csv, "--null", "9", "--nearest", "2,3", "--at", "10", "--out", again, "--json"]);
+    let read = flockproof(&[
+        "tracks",
+        &csv,
+        "--null",
+        "9",
+        "--nearest",
+        "2,3",
+        "--delays",
+        "1",
+        "--at",
+        "10",
+        "--out",
+        again,
+        "--json",
+    ]);
     assert!(read.status.success() && read.stderr.is_empty());
     let printed: serde_json::Value = serde_json::from_str(&stdout(&read)).expect("one JSON document");
     assert_eq!((printed["fish"].as_u64(), printed["frames"].as_u64()), (Some(5), Some(200)));
@@ -114,6 +128,7 @@ fn bad_tracks_are_refused() {
     let good: String = (0..9).map(|i| format!("{i},a,{i},0\n{i},b,{i},9\n{i},c,{},{i}\n", 20 - i)).collect();
     let good = format!("t,id,x,y\n{good}");
     refuse("empty.csv", "", &[], "empty.csv: there are no rows");
+    refuse("delays.csv", &good, &["--delays", "9"], "--delays: the largest delay of 9 s is not between");
     refuse("arc.csv", &good, &["--bridge", "arc"], "there are line, spline");
     let dates = good.replace("\n8,", "\n2024-05-01,");
     refuse("dates.csv", &dates, &[], "dates.csv: line");

@@ -88,16 +88,8 @@ struct Spectrum {
 /// # Errors
 /// [`DelaysError`].
 pub fn delays(tracks: &Tracks, motion: &Motion, seconds: f64, progress: &dyn Progress) -> Result<Delays, DelaysError> {
-    let recorded = tracks.recorded_frames();
-    if recorded > MOST_FRAMES {
-        return Err(DelaysError::TooLong(recorded));
-    }
-    let (frames, step) = (recorded as usize, tracks.step);
-    let largest = (seconds / step).round();
-    if !(largest >= 1.0 && largest <= (frames / 4) as f64) {
-        return Err(DelaysError::Longest { seconds, step, longest: (frames / 4) as f64 * step });
-    }
-    let largest = largest as usize;
+    let largest = largest_lag(tracks, seconds)?;
+    let frames = tracks.recorded_frames() as usize;
     // A length of small factors, with room for a padding as long as the series.
     let length = (2 * frames).next_power_of_two();
     let mut planner = FftPlanner::new();
@@ -116,6 +108,22 @@ pub fn delays(tracks: &Tracks, motion: &Motion, seconds: f64, progress: &dyn Pro
     }
     let lead = (0..fish).map(|k| lead(&pairs, k)).collect();
     Ok(Delays { largest, pairs, lead })
+}
+
+/// The largest lag in frames.
+///
+/// # Errors
+/// [`DelaysError`], where it makes no sense for the recording.
+pub fn largest_lag(tracks: &Tracks, seconds: f64) -> Result<usize, DelaysError> {
+    let (recorded, step) = (tracks.recorded_frames(), tracks.step);
+    if recorded > MOST_FRAMES {
+        return Err(DelaysError::TooLong(recorded));
+    }
+    let (lag, longest) = ((seconds / step).round(), recorded / 4);
+    if !(lag >= 1.0 && lag <= longest as f64) {
+        return Err(DelaysError::Longest { seconds, step, longest: longest as f64 * step });
+    }
+    Ok(lag as usize)
 }
 
 /// The mean number of frames by which the others follow a fish.

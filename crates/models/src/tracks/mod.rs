@@ -25,7 +25,7 @@ mod trackers;
 pub use analysis::{Analysis, FishSummary, LeftOut, Reason, analyse};
 pub use bridge::BridgeShape;
 pub use choices::{Choices, ChoicesError, NearestRule, PositionsUsed};
-pub use delays::{Delays, DelaysError, PairDelay, delays};
+pub use delays::{Delays, DelaysError, PairDelay, delays, largest_lag};
 pub use gaps::{Gap, gaps};
 pub use histogram::Histogram;
 pub use measures::{FrameMeasures, GroupState, ZonePresence, nearest_neighbour};

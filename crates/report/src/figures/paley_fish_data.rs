@@ -56,7 +56,13 @@ impl Made {
     }
 
     fn report(&self) -> TracksReport<'_> {
-        TracksReport { source: self.name, tracks: &self.tracks, analysis: &self.analysis, null: Some(&self.null) }
+        TracksReport {
+            source: self.name,
+            tracks: &self.tracks,
+            analysis: &self.analysis,
+            null: Some(&self.null),
+            delays: None,
+        }
     }
 }
 

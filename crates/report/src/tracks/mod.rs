@@ -10,7 +10,7 @@ pub(super) use pictures::{difference_panel, potential_panel, scaled_panel, snaps
 use super::file::File;
 use super::plot::PictureError;
 use super::provenance::Provenance;
-use models::tracks::{Analysis, NullModels, Tracks};
+use models::tracks::{Analysis, Delays, NullModels, Tracks};
 
 /// A recording, its analysis and the null models.
 #[derive(Debug, Clone, Copy)]
@@ -23,6 +23,8 @@ pub struct TracksReport<'a> {
     pub analysis: &'a Analysis,
     /// The null models; `None` before they are finished.
     pub null: Option<&'a NullModels>,
+    /// Delays between headings, where they are asked for.
+    pub delays: Option<&'a Delays>,
 }
 
 impl TracksReport<'_> {
@@ -47,6 +49,7 @@ impl TracksReport<'_> {
             text("gaps.csv", tables::gaps(self)),
             text("histograms.csv", tables::histograms(self)),
         ];
+        files.extend(self.delays.map(|delays| text("delays.csv", tables::delays(self, delays))));
         files.push(text("about.txt", provenance.about(&files)));
         files
     }
@@ -63,7 +66,8 @@ impl TracksReport<'_> {
             ("snapshot", pictures::snapshot(self, snapshot_at)),
         ];
         let mut files = Vec::new();
-        for (name, picture) in pictures {
+        let delays = self.delays.map(|delays| ("delays", pictures::delays(self, delays)));
+        for (name, picture) in pictures.into_iter().chain(delays) {
             files.push(File { name: format!("{name}.svg"), contents: picture.svg().into_bytes() });
             files.push(File { name: format!("{name}.png"), contents: picture.png()? });
         }

@@ -2,8 +2,8 @@
 
 use super::text::cut;
 use super::{TracksReport, tables};
-use crate::plot::{Axis, Panel, Picture, Series};
-use models::tracks::{Analysis, FrameMeasures, Histogram, Scale, Vector};
+use crate::plot::{Axis, PALETTE, Panel, Picture, Series};
+use models::tracks::{Analysis, Delays, FrameMeasures, Histogram, Scale, Vector};
 use std::f64::consts::PI;
 
 const BLUE: &str = "#0b5fa5";
@@ -122,6 +122,25 @@ pub(super) fn order(report: &TracksReport) -> Picture {
     )
     .series(Series::line("mean over the fish", nearest).colour(BLUE).size(1.6));
     Picture::new(titled(report, "order over time")).grid(1, (760.0, 300.0)).panel(states).panel(distances)
+}
+
+/// Pairs whose curves are drawn.
+const DRAWN: usize = 6;
+
+/// The cosines over the lag, of the pairs with the largest ones.
+pub(super) fn delays(report: &TracksReport, delays: &Delays) -> Picture {
+    let step = report.tracks.step;
+    let mut pairs: Vec<_> = delays.pairs.iter().collect();
+    pairs.sort_by(|a, b| b.correlation.total_cmp(&a.correlation));
+    let mut panel = Panel::new("", Axis::linear("lag (s)"), Axis::linear("mean cosine of headings"));
+    for (k, pair) in pairs.iter().take(DRAWN).enumerate() {
+        let [first, second] = pair.pair.map(|k| cut(&report.tracks.ids[k], 11));
+        let lag = |i: usize| (i as f64 - delays.largest as f64) * step;
+        let curve = pair.curve.iter().enumerate().map(|(i, c)| (lag(i), c.unwrap_or(f64::NAN)));
+        let series = Series::line(format!("{second} after {first}"), curve);
+        panel = panel.series(series.colour(PALETTE[k % PALETTE.len()]).size(1.6));
+    }
+    Picture::new(titled(report, "delays of headings")).grid(1, (760.0, 380.0)).panel(panel)
 }
 
 pub(super) fn snapshot(report: &TracksReport, at: Option<f64>) -> Picture {

@@ -1,7 +1,7 @@
 //! `summary.json`.
 
 use super::{TracksReport, tables};
-use models::tracks::{NearestRule, NullModels, PositionsUsed, Scale, Smoothing, Statistics};
+use models::tracks::{Delays, NearestRule, NullModels, PositionsUsed, Scale, Smoothing, Statistics};
 use motion::Share;
 use serde_json::{Map, Value, json};
 
@@ -49,8 +49,30 @@ pub(super) fn summary(report: &TracksReport) -> Value {
         "gaps": gaps,
         "per_fish": fish,
         "means": means(report),
+        "delays": report.delays.map(|found| delays(report, found)),
         "null_models": report.null.map(|models| null_models(report, models)),
     })
+}
+
+fn delays(report: &TracksReport, delays: &Delays) -> Value {
+    let (ids, step) = (&report.tracks.ids, report.tracks.step);
+    let pairs: Vec<Value> = delays
+        .pairs
+        .iter()
+        .map(|pair| {
+            json!({
+                "pair": pair.pair.map(|k| &ids[k]), "delay": pair.frames as f64 * step, "correlation": pair.correlation,
+                "correlation_at_once": pair.at_once, "windows_at_least": pair.beyond.0, "windows": pair.beyond.1,
+                "share_at_least": pair.share_at_least(),
+            })
+        })
+        .collect();
+    let lead: Map<String, Value> = ids
+        .iter()
+        .zip(&delays.lead)
+        .map(|(id, lead)| (id.clone(), lead.map_or(Value::Null, |frames| number(frames * step))))
+        .collect();
+    json!({"largest": delays.largest as f64 * step, "pairs": pairs, "lead": lead})
 }
 
 fn declaration(report: &TracksReport) -> Value {

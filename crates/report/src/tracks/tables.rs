@@ -1,7 +1,7 @@
 //! CSV files of an analysis.
 
 use super::TracksReport;
-use models::tracks::{Gap, Histogram, Reason, Scale, csv_field};
+use models::tracks::{Delays, Gap, Histogram, Reason, Scale, csv_field};
 use std::fmt::Write;
 
 /// Six significant digits or so; empty for what is not there.
@@ -80,6 +80,26 @@ pub(super) fn fish(report: &TracksReport) -> String {
             zone(0),
             zone(1),
             zone(2)
+        );
+    }
+    text
+}
+
+/// A row for each pair.
+pub(super) fn delays(report: &TracksReport, delays: &Delays) -> String {
+    let mut text =
+        String::from("first,second,delay,correlation,correlation_at_once,windows_at_least,windows,share_at_least\n");
+    for pair in &delays.pairs {
+        let [first, second] = pair.pair.map(|k| csv_field(&report.tracks.ids[k]));
+        let _ = writeln!(
+            text,
+            "{first},{second},{},{:.6},{},{},{},{}",
+            cell(Some(pair.frames as f64 * report.tracks.step)),
+            pair.correlation,
+            cell(pair.at_once),
+            pair.beyond.0,
+            pair.beyond.1,
+            cell(pair.share_at_least())
         );
     }
     text

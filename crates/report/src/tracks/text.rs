@@ -1,7 +1,9 @@
 //! The analysis as a text of at most 80 columns.
 
 use super::{TracksReport, tables};
-use models::tracks::{Choices, Comparison, Form, NearestRule, NullModels, PositionsUsed, Scale, Smoothing};
+use models::tracks::{
+    Choices, Comparison, Delays, Form, NearestRule, NullModels, PairDelay, PositionsUsed, Scale, Smoothing,
+};
 use motion::Share;
 use std::fmt::Write;
 
@@ -16,6 +18,9 @@ pub(super) fn text(report: &TracksReport) -> String {
     left_out(report, &mut text);
     each_fish(report, &mut text);
     potentials(report, &mut text);
+    if let Some(found) = report.delays {
+        delays(report, found, &mut text);
+    }
     match report.null {
         Some(null) => null_models(report, null, &mut text),
         None if report.analysis.whole_frames() == 0 => {
@@ -272,6 +277,41 @@ fn potentials(report: &TracksReport, text: &mut String) {
         let per_arc = Scale::PerArc.factor(*n) * w;
         let _ = writeln!(text, "{:18} {w:>10.4} {:>9} W_1/n = {per_arc:.4}", format!("W_1, n = {n}"), "");
     }
+    text.push('\n');
+}
+
+fn delays(report: &TracksReport, delays: &Delays, text: &mut String) {
+    let (tracks, step) = (report.tracks, report.tracks.step);
+    let what = format!(
+        "of headings, up to {} s: the lag at which the mean cosine between the heading of the first fish and that of the second one later \
+         is largest; positive where the second follows. p: share of windows of lags beyond, up to half of the recording, that reach it \
+         (neighbouring windows are not independent)",
+        number(delays.largest as f64 * step)
+    );
+    paragraph(text, "delays", &what);
+    text.push_str("first        second       delay (s)    cosine   at once         p\n");
+    let mut pairs: Vec<&PairDelay> = delays.pairs.iter().collect();
+    pairs.sort_by(|a, b| b.correlation.total_cmp(&a.correlation));
+    for pair in pairs.iter().take(LISTED) {
+        let [first, second] = pair.pair.map(|k| cut(&tracks.ids[k], 11));
+        let shown = |x: Option<f64>| x.map_or_else(|| "-".to_string(), |x| format!("{x:.3}"));
+        let _ = writeln!(
+            text,
+            "{first:12} {second:11} {:>10} {:>9.3} {:>9} {:>9}",
+            number(pair.frames as f64 * step),
+            pair.correlation,
+            shown(pair.at_once),
+            shown(pair.share_at_least())
+        );
+    }
+    if pairs.len() > LISTED {
+        let _ = writeln!(text, "{} more, see delays.csv", pairs.len() - LISTED);
+    }
+    let mut fish: Vec<(f64, &String)> =
+        delays.lead.iter().zip(&tracks.ids).filter_map(|(lead, id)| Some(((*lead)?, id))).collect();
+    fish.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let order = fish.iter().take(LISTED).map(|(lead, id)| format!("{} {}", cut(id, 11), number(lead * step)));
+    paragraph(text, "lead (s)", &format!("the others follow in the mean by: {}", order.collect::<Vec<_>>().join(", ")));
     text.push('\n');
 }
 
