@@ -285,3 +285,6 @@ fn rational_roots(polynomial: &Polynomial) -> Option<(Vec<Rational>, Polynomial)
     }
     Some((found, rest))
 }
+
+#[cfg(test)]
+mod tests;
