@@ -123,7 +123,7 @@ pub fn eq9() -> Record<RateVariant> {
     )
     .repaired(Fault::False, "", RateVariant::Form { form: -1, potential: 1 })
     .repaired_clauses(&[
-        "While no agent is at rest, no linked agents are in one place and no heading jumps, Vdot_t = - theta^T L_w theta - sum_i theta_i \
+        "Under (4), (5), while no agent is at rest, no linked agents are in one place and no heading jumps, Vdot_t = - theta^T L_w theta - sum_i theta_i \
          (v_i x grad_{r_i} V_i)/|v_i|².",
         "Vdot_t > 0 for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s, s the squared distance.",
     ])

@@ -161,7 +161,7 @@ pub fn eq7() -> Record<HeadingVariant> {
     )
     .repaired(
         Fault::False,
-        "Where v_i != 0, no agent linked to i is in its place and theta_i does not jump: thetadot_i = - sum_{j~i} (theta_i - \
+        "Under (4), (5), where v_i != 0, no agent linked to i is in its place and theta_i does not jump: thetadot_i = - sum_{j~i} (theta_i - \
          theta_j)/|r_ij|² - (v_i x grad_{r_i} V_i)/|v_i|².",
         TRUE_HEADINGS,
     )
@@ -179,7 +179,7 @@ pub fn eq6b() -> Record<HeadingVariant> {
     )
     .repaired(
         Fault::False,
-        "Where no agent is at rest, no linked agents are in one place and no heading jumps: sum_i (r_i . v_i)(thetadot_i + sum_{j~i} \
+        "Under (4), (5), where no agent is at rest, no linked agents are in one place and no heading jumps: sum_i (r_i . v_i)(thetadot_i + sum_{j~i} \
          (theta_i - theta_j)/|r_ij|² + (v_i x grad_{r_i} V_i)/|v_i|²) = 0.",
         TRUE_HEADINGS,
     )

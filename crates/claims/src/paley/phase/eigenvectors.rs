@@ -190,6 +190,13 @@ impl CyclicVariant {
             return Ok(Some("a rhombus is no eigenvector with eigenvalue 2".to_string()));
         }
         let rhombi = rhombi(nodes)?;
+        let is_spanned = |z: &Vec<Complex<Rational>>| {
+            let combined = |k: usize| z[0].scale(&spanned[0][k].re) + z[1].scale(&spanned[1][k].re);
+            (0..nodes).all(|k| z[k] == combined(k))
+        };
+        if !rhombi.iter().all(is_spanned) {
+            return Ok(Some("two rhombi do not span all of them".to_string()));
+        }
         if rhombi.iter().all(|z| clusters_of_pattern(z).is_some()) {
             return Ok(Some("every rhombus is a symmetric pattern".to_string()));
         }
