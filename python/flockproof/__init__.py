@@ -26,7 +26,7 @@ from ._queries import (
     spectrum,
     system_peak,
 )
-from ._questions import Answer, Campaign, Failure, Invariant, Table, check, fuzz, invariants, sweep
+from ._questions import Answer, Campaign, Failure, Invariant, Member, Table, check, fuzz, graphs, invariants, sweep
 from ._runs import Event, Simulation, Tracks, simulate, tracks
 from ._systems import Check, Reach, reach
 from .law import Law
@@ -50,6 +50,7 @@ __all__ = [
     "Invariant",
     "Law",
     "Ledger",
+    "Member",
     "Peak",
     "Platoon",
     "Prefix",
@@ -73,6 +74,7 @@ __all__ = [
     "exact",
     "explain",
     "fuzz",
+    "graphs",
     "invariants",
     "ledger",
     "peak",

@@ -65,6 +65,33 @@ def given(graph: Any, zero_based: bool = False) -> Given:
     raise TypeError(f"graph: `{str(graph)[:60]}` is none of {kinds}")
 
 
+def networkx_graph(order: int, edges: Sequence[tuple[int, int]], directed: bool) -> Any:
+    """The graph of networkx on the vertices 1 to ``order``."""
+    try:
+        import networkx
+    except ImportError:
+        raise ImportError('graphs of networkx need it: pip install "flockproof[graphs]"') from None
+    graph = networkx.DiGraph() if directed else networkx.Graph()
+    graph.add_nodes_from(range(1, order + 1))
+    graph.add_edges_from(edges)
+    return graph
+
+
+def read_member(text: str) -> tuple[int, list[tuple[int, int]], bool]:
+    """Order, edges or arcs from 1, and whether they are arcs, of graph6 or ``arcs:N:..``."""
+    if text.startswith(("arcs:", "edges:")):
+        kind, order, listed = text.split(":")
+        pairs = [edge.split("*")[0].split("-") for edge in listed.split(",") if edge]
+        return int(order), [(int(i), int(j)) for i, j in pairs], kind == "arcs"
+    sixes = [ord(sign) - 63 for sign in text]
+    order, start = sixes[0], 1
+    if order == 63:
+        order, start = (sixes[1] << 12) + (sixes[2] << 6) + sixes[3], 4
+    bits = (six >> k & 1 for six in sixes[start:] for k in range(5, -1, -1))
+    pairs_of = ((i, j) for j in range(2, order + 1) for i in range(1, j))
+    return order, [pair for pair, bit in zip(pairs_of, bits, strict=False) if bit], False
+
+
 def _named_or_file(graph: str | bytes, zero_based: bool) -> Given:
     name = os.fsdecode(graph)
     problem = _native.graph_name_problem(name)

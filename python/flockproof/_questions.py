@@ -19,8 +19,9 @@ from typing import TYPE_CHECKING, Any, cast
 from . import _native
 from ._extras import needed
 from ._flock import _refused
+from ._graphs import networkx_graph, read_member
 from ._ledger import _table
-from ._numbers import Enclosure, Known, exact, read_decimal
+from ._numbers import Enclosure, Known, exact, is_float, read_decimal
 from ._progress import Progress, callback
 from ._runs import toml
 from .law import Law
@@ -33,6 +34,27 @@ Plan = dict[str, Any]
 
 
 @dataclass(frozen=True)
+class Member:
+    """A member of a family with what decides there.
+
+    Attributes
+    ----------
+    names : dict
+        What the names stand for, as texts; :func:`flockproof.spectrum` reads those of graphs.
+    inequality, left, right : str or None
+        The inequality that decides, with the values of its sides; None where none does.
+    margin : Enclosure or None
+        The margin of the property there.
+    """
+
+    names: Mapping[str, str] = field(hash=False)
+    inequality: str | None
+    left: str | None
+    right: str | None
+    margin: Enclosure | None
+
+
+@dataclass(frozen=True)
 class Answer:
     """What is known about a statement.
 
@@ -41,16 +63,21 @@ class Answer:
     id, verdict, why : str
         The verdict is ``holds``, ``false``, ``undecided``, or ``withheld`` where a control was not refuted.
     grades : tuple of str
-        ``exhaustive``, ``certified`` or ``exact``: a sample never gives ``holds``.
+        ``exhaustive``, ``certified`` or ``exact``: a sample never gives ``holds``. ``simulated`` where a function of
+        ``define`` gave floats.
     counterexample : dict or None
         What the names stand for where the property fails, as texts.
     replay : str or None
         The question of that one instance; :func:`check` decides it again.
     margin : Enclosure or None
-        The smallest margin of all cases that were looked at.
+        The smallest margin of all cases that were looked at; of a counterexample its own.
     inequalities : dict
         The same of each inequality of the property by itself, under the time operators around it; None where it is not bounded.
     cases, undecided, controls_refuted, controls_total : int
+    controls_made : tuple of str or None
+        The controls that the program made, where the question has none.
+    counterexamples, tight : tuple of Member
+        What was asked for: counterexamples, and members at which an inequality of the property is an equation.
     """
 
     id: str
@@ -65,6 +92,9 @@ class Answer:
     undecided: int
     controls_refuted: int
     controls_total: int
+    controls_made: tuple[str, ...] | None = None
+    counterexamples: tuple[Member, ...] = ()
+    tight: tuple[Member, ...] = ()
     text: str = field(compare=False, default="")
 
     def __repr__(self) -> str:
@@ -76,7 +106,14 @@ class Answer:
         return f"<pre>{escape(self.text)}</pre>"
 
 
-def check(question: Question, progress: Progress = None) -> Answer:
+def check(
+    question: Question,
+    progress: Progress = None,
+    *,
+    define: Mapping[str, str | Callable[[Any], Any]] | None = None,
+    counterexamples: int = 0,
+    tight: int = 0,
+) -> Answer:
     """Decide a statement of one's own.
 
     Parameters
@@ -85,6 +122,12 @@ def check(question: Question, progress: Progress = None) -> Answer:
         The path of a question file, or the same as a dictionary; ``notes/questions.md`` has the language.
     progress
         Called with (stage, done, total), or True.
+    define
+        Names that the property may use: expressions as in ``[define]``, or functions of a graph of networkx with the
+        vertices 1 to n. A function that gives int or Fraction is exact; where it gives floats the answer is
+        ``undecided``, with what they say. None, or an exception, is a value that is missing.
+    counterexamples, tight
+        How many counterexamples, and members at which an inequality of the property is an equation, are listed at most.
 
     Returns
     -------
@@ -94,7 +137,7 @@ def check(question: Question, progress: Progress = None) -> Answer:
     Raises
     ------
     ValueError, TypeError
-        What is no question, with the place at fault; no control.
+        What is no question, with the place at fault.
     OSError
         A file that cannot be read.
 
@@ -108,10 +151,20 @@ def check(question: Question, progress: Progress = None) -> Answer:
     >>> answer.verdict, answer.counterexample["n"]
     ('false', '1')
     """
+    functions = []
+    for key, own in (define or {}).items():
+        if callable(own):
+            functions.append((key, _measure(own)))
+        elif isinstance(own, str) and isinstance(question, Mapping):
+            question = {**question, "define": {**question.get("define", {}), key: own}}
+        else:
+            kinds = "a function of a graph, or an expression where the question is a dictionary"
+            raise TypeError(f"define: `{key}` should be {kinds}, but it is `{str(own)[:60]}`")
     text, files, name = _read(question)
     with _named(name):
-        document, words, replay = _native.check(text, files, callback(progress))
+        document, words, replay = _native.check(text, files, callback(progress), functions, counterexamples, tight)
     found = json.loads(document)
+    made = found["controls"].get("what")
     return Answer(
         found["id"],
         found["verdict"],
@@ -125,8 +178,79 @@ def check(question: Question, progress: Progress = None) -> Answer:
         found["undecided"],
         found["controls"]["refuted"],
         found["controls"]["total"],
+        None if made is None else tuple(made),
+        _members(found.get("counterexamples")),
+        _members(found.get("tight")),
         words,
     )
+
+
+def _members(listed: Mapping[str, Any] | None) -> tuple[Member, ...]:
+    def member(own: Mapping[str, Any]) -> Member:
+        sides = own["decisive"] or {}
+        texts = (sides.get("inequality"), sides.get("left"), sides.get("right"))
+        return Member(own["member"], *texts, _enclosed(own["margin"]))
+
+    return tuple(member(own) for own in listed["members"]) if listed else ()
+
+
+def _measure(function: Callable[[Any], Any]) -> Callable[..., tuple[str, int, int, str]]:
+    """A function of a graph as the native half calls it."""
+
+    def measured(order: int, edges: list[tuple[int, int]], directed: bool) -> tuple[str, int, int, str]:
+        try:
+            value = function(networkx_graph(order, edges, directed))
+            if value is None:
+                return "missing", 0, 1, "the function gave None"
+            number = exact(int(value) if isinstance(value, bool) else value)
+        except Exception as error:
+            return "missing", 0, 1, f"{type(error).__name__}: {error}"
+        return "float" if is_float(value) else "exact", number.numerator, number.denominator, ""
+
+    return measured
+
+
+def graphs(family: str, *numbers: int, edges: bool = False) -> Iterator[Any]:
+    """The graphs of a family, one of each isomorphism class, in order of size.
+
+    Parameters
+    ----------
+    family
+        ``connected``, ``all``, ``trees``, ``bipartite``, ``planar``, ``regular`` or ``digraphs``, or a text such as
+        ``"hypercube:3"``.
+    numbers
+        The number of vertices, and of ``regular`` the degree.
+    edges
+        Whether edges are given in the place of graphs of networkx.
+
+    Returns
+    -------
+    iterator
+        Graphs of networkx on the vertices 1 to n, or (order, list of edges); directed ones of ``digraphs``.
+
+    Raises
+    ------
+    ValueError, TypeError
+        An unknown family, or a size that is not gone through.
+
+    Examples
+    --------
+    >>> sum(1 for _ in graphs("connected", 6, edges=True))
+    112
+    >>> next(graphs("regular", 5, 4, edges=True))[0]
+    5
+    """
+    text = f"{family}({', '.join(str(int(number)) for number in numbers)})" if numbers else family
+    try:
+        found = _native.graphs(text, None)
+    except ValueError as error:
+        raise ValueError(re.sub(r"^line \d+(, column \d+)?: ", "graphs: ", str(error))) from None
+
+    def one(member: str) -> Any:
+        order, pairs, directed = read_member(member)
+        return (order, pairs) if edges else networkx_graph(order, pairs, directed)
+
+    return map(one, found)
 
 
 def _enclosed(margin: Mapping[str, str] | None) -> Enclosure | None:

@@ -32,7 +32,8 @@ mod _native {
     };
     #[pymodule_export]
     use super::questions::{
-        campaign_merge, campaign_shard, campaign_size, check, fuzz_summary, invariants, question_needs, sweep_table,
+        campaign_merge, campaign_shard, campaign_size, check, fuzz_summary, graphs, invariants, question_needs,
+        sweep_table,
     };
     #[pymodule_export]
     use super::runs::{law_file, simulate, tracks};

@@ -270,6 +270,10 @@ pub enum GraphInput {
 /// Why a text is not the name of a graph; nothing where it is one.
 #[pyfunction]
 pub fn graph_name_problem(name: &str) -> Option<String> {
+    // Graphs with names need not be stored.
+    if name.parse::<NamedGraph>().is_ok() {
+        return None;
+    }
     name.parse::<AnyGraph>().err().map(|error| error.to_string())
 }
 

@@ -3,17 +3,20 @@
 use super::convert::count;
 use super::refuse;
 use super::watch::watched;
-use flockproof::arithmetic::Progress;
+use flockproof::arithmetic::{Progress, Rational};
 use flockproof::campaign::fuzz::{Attack, Fuzz, Summary};
 use flockproof::campaign::invariants::table;
 use flockproof::campaign::job::Campaign;
 use flockproof::campaign::store::{Shard, merge, run_shard};
 use flockproof::campaign::sweep::{Sweep, Table};
-use flockproof::question::{Question, decide};
+use flockproof::graph::AnyGraph;
+use flockproof::question::{Given, GivenValue, Question, Value, decide};
+use num_bigint::BigInt;
 use pyo3::prelude::*;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The contents of the files that a question names.
 type Contents = BTreeMap<String, String>;
@@ -39,6 +42,29 @@ pub fn question_needs(text: &str, files: Contents) -> Option<String> {
     missing.into_inner()
 }
 
+/// A function of a graph of Python's, called with the order, the edges or arcs from 1, and whether they are arcs; it gives `exact`, `float` or `missing`, a
+/// numerator, a denominator, and why there is no value.
+fn given(name: String, function: Py<PyAny>) -> Given {
+    let measure = move |graph: &AnyGraph| {
+        let directed = graph.is_directed();
+        let arcs: Vec<(usize, usize)> =
+            graph.arcs().into_iter().filter(|(i, j)| directed || i <= j).map(|(i, j)| (i + 1, j + 1)).collect();
+        let found = Python::attach(|py| {
+            let value = function.bind(py).call1((graph.order(), arcs, directed))?;
+            value.extract::<(String, BigInt, BigInt, String)>()
+        });
+        match found {
+            Ok((kind, numerator, denominator, _)) if kind != "missing" && denominator != BigInt::ZERO => {
+                let value = Rational::new(numerator, denominator);
+                if kind == "exact" { GivenValue::Exact(value) } else { GivenValue::Float(value) }
+            }
+            Ok((.., why)) => GivenValue::Missing(why),
+            Err(error) => GivenValue::Missing(error.to_string()),
+        }
+    };
+    Given::new(name, Arc::new(measure))
+}
+
 /// The JSON of `check`, its text, and the question of the counterexample.
 #[pyfunction]
 pub fn check(
@@ -46,10 +72,39 @@ pub fn check(
     text: String,
     files: Contents,
     progress: Option<&Bound<'_, PyAny>>,
+    functions: Vec<(String, Py<PyAny>)>,
+    counterexamples: &Bound<'_, PyAny>,
+    tight: &Bound<'_, PyAny>,
 ) -> PyResult<(String, String, Option<String>)> {
-    let work = move |watch: &std::sync::Arc<super::watch::Watch>| {
-        let answer = decide(&read(&text, &files)?, &**watch).map_err(|error| error.to_string())?;
+    let (counterexamples, tight) = (count("counterexamples", counterexamples)?, count("tight", tight)?);
+    let functions: Vec<Given> = functions.into_iter().map(|(name, function)| given(name, function)).collect();
+    let work = move |watch: &Arc<super::watch::Watch>| {
+        let file = |name: &str| files.get(name).cloned().ok_or_else(|| format!("there is no file `{name}`"));
+        let mut question = Question::read_with(&text, &file, functions).map_err(|error| error.to_string())?;
+        (question.listed_counterexamples, question.listed_tight) = (counterexamples, tight);
+        let answer = decide(&question, &**watch).map_err(|error| error.to_string())?;
         Ok::<_, String>((answer.json(None).to_string(), answer.text(None), answer.replay))
+    };
+    watched(py, progress, work)?.map_err(refuse)
+}
+
+/// The graphs of a family such as `connected(8)`, one after the other: in graph6, directed ones as `arcs:N:..`.
+#[pyfunction]
+pub fn graphs(py: Python<'_>, family: String, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
+    let work = move |watch: &Arc<super::watch::Watch>| {
+        let quoted = serde_json::Value::from(family.as_str());
+        let text = format!("[question]\nid = \"graphs\"\n[for]\ngraph = {quoted}\n[values]\norder = \"edges\"\n");
+        let question = read(&text, &Contents::new())?;
+        let found = (0..question.cases(&**watch).map_err(|error| error.to_string())?).map(|number| {
+            let case = question.case(number, &**watch).map_err(|error| error.to_string())?;
+            match case.as_ref().and_then(|case| case.get("graph")) {
+                Some(Value::Graph(graph)) => {
+                    Ok(graph.simple().and_then(|g| g.graph6()).unwrap_or_else(|| graph.to_string()))
+                }
+                _ => Err("it is no family of graphs".to_string()),
+            }
+        });
+        found.collect::<Result<Vec<String>, String>>()
     };
     watched(py, progress, work)?.map_err(refuse)
 }
@@ -92,7 +147,7 @@ impl Plan {
 /// The canonical text and the number of jobs of a campaign.
 #[pyfunction]
 pub fn campaign_size(py: Python<'_>, plan: Plan) -> PyResult<(String, u64)> {
-    let work = move |watch: &std::sync::Arc<super::watch::Watch>| {
+    let work = move |watch: &Arc<super::watch::Watch>| {
         let campaign = plan.campaign(&**watch)?;
         Ok::<_, String>((campaign.canonical(), campaign.cases()))
     };
@@ -112,7 +167,7 @@ pub fn campaign_shard(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<(u64, u64)> {
     let shard: Shard = format!("{}/{}", count("index", index)?, count("of", of)?).parse().map_err(refuse)?;
-    let work = move |watch: &std::sync::Arc<super::watch::Watch>| {
+    let work = move |watch: &Arc<super::watch::Watch>| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
         let campaign = plan.campaign(&**watch)?;
         let run = pool.install(|| run_shard(&*campaign, &store, shard, resume, &**watch));

@@ -105,10 +105,13 @@ pub fn of_text(name: &str, list: output::Input, kind: &str, most: usize) -> Resu
         small(file.graph.order())?;
         let (graph, directed) = (file.graph.clone(), file.directed);
         (graph, directed, of_file(&arguments, kind, file, list.origin)?)
+    } else if let Ok(named) = name.parse::<NamedGraph>() {
+        small(named.order())?;
+        (named.build().map_err(|error| wrong(&error))?, named.is_directed(), of_name(&arguments, kind, &named)?)
     } else {
         let found: AnyGraph = name.parse().map_err(|error| wrong(&error))?;
         small(found.order())?;
-        (found.weighted(), found.is_directed(), of_named(&arguments, kind, &found)?)
+        (found.weighted(), found.is_directed(), of_listed(&arguments, kind, &found)?)
     };
     Ok(OfText { document: stamped(&arguments, kind, &found), graph, directed, spectrum: found.spectrum })
 }
@@ -138,10 +141,13 @@ pub fn zero_based_name(graph: &str) -> CliError {
 fn find(arguments: &Arguments, kind: LaplacianKind) -> Result<Found, CliError> {
     let graph = &arguments.graph;
     let path = Path::new(graph);
-    // A file wins over a name only where the name means nothing.
+    // A file wins over a name only where the name means nothing. Graphs with names need not be stored.
+    if let Ok(named) = graph.parse::<NamedGraph>() {
+        return if arguments.zero_based { Err(zero_based_name(graph)) } else { of_name(arguments, kind, &named) };
+    }
     match graph.parse::<AnyGraph>() {
         Ok(_) if arguments.zero_based => Err(zero_based_name(graph)),
-        Ok(found) => of_named(arguments, kind, &found),
+        Ok(found) => of_listed(arguments, kind, &found),
         Err(_) if path.exists() || graph == "-" => {
             let (file, origin) = read_file(path, arguments.zero_based)?;
             of_file(arguments, kind, file, origin)
@@ -151,11 +157,8 @@ fn find(arguments: &Arguments, kind: LaplacianKind) -> Result<Found, CliError> {
     }
 }
 
-/// A graph that is said in the argument itself: closed forms are for those with names.
-fn of_named(arguments: &Arguments, kind: LaplacianKind, graph: &AnyGraph) -> Result<Found, CliError> {
-    if let AnyGraph::Named(named, _) = graph {
-        return of_name(arguments, kind, named);
-    }
+/// A graph whose edges the argument lists.
+fn of_listed(arguments: &Arguments, kind: LaplacianKind, graph: &AnyGraph) -> Result<Found, CliError> {
     let root = root_of(arguments, graph.order(), |word| word.parse().ok())?;
     let found = graph_spectrum(&graph.weighted(), kind, root - 1, arguments.digits);
     let spectrum = found.map_err(|error| CliError::Use(format!("{}: {error}", arguments.graph)))?;

@@ -69,6 +69,21 @@ fn files_are_read() {
     assert_refused(&["spectrum", "--graph", &folder.to_string_lossy()], "it is a folder");
 }
 
+/// A graph with a name need not be stored where its spectrum has a closed form; one by its edges is what it says.
+#[test]
+fn names_and_lists_of_edges() {
+    let found = |graph: &str| {
+        let output = flockproof(&["spectrum", "--graph", graph, "--kind", "normalized", "--json"]);
+        serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap_or_else(|_| panic!("{graph}: {output:?}"))
+    };
+    let large = found("complete:100000");
+    assert_eq!((&large["method"], &large["kind"]), (&"closed form".into(), &"normalised".into()));
+    let eigenvalues = |graph: &str| found(graph)["eigenvalues"].clone();
+    for other in ["graph6:Cr", "edges:4:1-2,1-3,2-4,3-4", "grid:2x2", "hypercube:2", "sparse6::Cci"] {
+        assert_eq!(eigenvalues(other).as_array().map(Vec::len), Some(3), "{other}");
+    }
+}
+
 #[test]
 fn bad_spectra_are_refused() {
     let ask = |graph: &str, more: &[&str], named: &str| {

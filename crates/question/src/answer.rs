@@ -158,6 +158,20 @@ impl Answer {
         }
     }
 
+    /// What rests on functions that gave floating-point numbers is no proof, either way.
+    pub(crate) fn without_floats(&mut self, names: &[&str]) {
+        if names.is_empty() || matches!(self.verdict, Verdict::Withheld | Verdict::Undecided) {
+            return;
+        }
+        let listed = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" and ");
+        let found = if self.verdict == Verdict::Holds { "hold" } else { "fail" };
+        self.why = format!(
+            "{listed} gave floating-point numbers; taken as exact they make the property {found}, which proves nothing. {}",
+            self.why
+        );
+        (self.verdict, self.grades) = (Verdict::Undecided, vec!["simulated"]);
+    }
+
     /// The document `flockproof.check/1`; `replay` is the file where the counterexample was written.
     pub fn json(&self, replay: Option<&str>) -> serde_json::Value {
         let named = |bindings: &Bindings| {

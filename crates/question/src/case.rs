@@ -3,7 +3,8 @@
 use crate::bindings::{Bindings, Value};
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::names::{OWN, Quantity, Subject, quantity_of, unknown_quantity};
+use crate::given::GivenValue;
+use crate::names::{GIVEN, OWN, Quantity, Subject, quantity_of, unknown_quantity};
 use crate::question::Question;
 use crate::subject::flock::FlockSubject;
 use crate::subject::graph::GraphSubject;
@@ -27,6 +28,8 @@ pub(crate) struct Case<'q> {
     pub points_only: Cell<bool>,
     /// The vertices that names inside sums over a graph stand for, the innermost last.
     pub places: RefCell<Vec<(String, usize)>>,
+    /// Values of functions of graphs that the program was given, by the name of the graph and of the function.
+    values: RefCell<BTreeMap<(String, String), GivenValue>>,
     progress: &'q dyn Progress,
     graphs: RefCell<BTreeMap<String, Rc<GraphSubject<'q>>>>,
     moving: OnceCell<Result<Moving<'q>, Failure>>,
@@ -48,6 +51,7 @@ impl<'q> Case<'q> {
             bindings,
             points_only,
             places: RefCell::default(),
+            values: RefCell::default(),
             progress,
             graphs: RefCell::default(),
             moving: OnceCell::new(),
@@ -66,6 +70,9 @@ impl<'q> Case<'q> {
         let full = owner.map_or(name.to_string(), |owner| format!("{owner}.{name}"));
         if self.question.is_own(&full) {
             return Ok(&OWN);
+        }
+        if self.question.given(name).is_some() {
+            return Ok(&GIVEN);
         }
         quantity_of(name, subjects).ok_or_else(|| unknown_quantity(owner, name, &self.question.known_names()))
     }
@@ -102,6 +109,21 @@ impl<'q> Case<'q> {
                 Moving::Flock(flock) if !quantity.moves => flock.measure(quantity.name),
                 _ => Err(Failure::open("a moving quantity has no value without a time", None)),
             },
+        }
+    }
+
+    /// The value of a function of a graph that the program was given, asked for once.
+    pub fn given(&self, name: &str, owner: Option<&str>) -> Result<Measured, Failure> {
+        let refused = |why: String| Failure::Refused(0, Problem::Other(why));
+        let given = self.question.given(name).ok_or_else(|| missing(&GIVEN))?;
+        let graph = self.graph(owner).ok_or_else(|| missing(&GIVEN))?;
+        let key = (owner.unwrap_or_default().to_string(), name.to_string());
+        let value = self.values.borrow().get(&key).cloned();
+        let value = value.unwrap_or_else(|| given.value(graph.graph()));
+        self.values.borrow_mut().insert(key, value.clone());
+        match value {
+            GivenValue::Exact(q) | GivenValue::Float(q) => Ok(Measured::Number(Number::Exact(q))),
+            GivenValue::Missing(why) => Err(refused(format!("`{name}` has no value: {why}"))),
         }
     }
 

@@ -184,6 +184,7 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
         answer.margin = Some(there.margin);
         answer.inequalities.iter_mut().zip(there.inequalities).for_each(|(own, margin)| own.1 = Some(margin));
     }
+    answer.without_floats(&question.float_names());
     (answer.counterexamples, answer.tight) = (counterexamples, tight);
     let remarks = unmet.into_iter().chain(made.iter().flat_map(|made| made.remarks.clone()));
     answer.why = std::iter::once(answer.why).chain(remarks).collect::<Vec<String>>().join(" ");

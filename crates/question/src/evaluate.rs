@@ -11,7 +11,7 @@ use crate::bindings::Value;
 use crate::case::Case;
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::names::{FUNCTIONS, OWN};
+use crate::names::{FUNCTIONS, GIVEN, OWN};
 use crate::subject::graph::kind_number;
 use crate::syntax::{Kind, Node, Relation};
 use crate::timeline::{Measured, Moment, Piece};
@@ -349,6 +349,7 @@ impl Evaluator<'_, '_> {
         };
         let arguments = arguments.iter().enumerate().map(argument).collect::<Result<Vec<_>, _>>()?;
         let found = match self.moment {
+            _ if std::ptr::eq(quantity, &GIVEN) => self.case.given(own_name, owner),
             Some(moment) if std::ptr::eq(quantity, &OWN) => moment.own(name, self.precision),
             Some(moment) if quantity.moves => moment.measure(quantity, &arguments, self.precision),
             _ => self.case.measure(quantity, owner, &arguments, self.precision),

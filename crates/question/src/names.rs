@@ -91,6 +91,10 @@ pub(crate) static OWN: Quantity = Quantity {
     meaning: "a number of the state, `x[2].1`, or an observable of the law",
 };
 
+/// A function of a graph that a program gives, by a name of its own.
+pub(crate) static GIVEN: Quantity =
+    fixed(Subject::Graph, "a function of a graph", &[], "a function that the program was given");
+
 /// Those that do not move.
 const FIXED: &[Quantity] = &[
     fixed(Subject::Graph, "n", &[], "number of vertices"),

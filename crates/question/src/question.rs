@@ -9,6 +9,7 @@ use crate::definitions::Definition;
 use crate::domain::{Bound, Classes, Domain, Members, Sort};
 use crate::error::{Place, Problem, QuestionError};
 use crate::failure::Failure;
+use crate::given::Given;
 use crate::names::{FUNCTIONS, Subject, quantities, quantity_of};
 use crate::scenario_file::ScenarioFile;
 use crate::states::LawFile;
@@ -50,6 +51,7 @@ pub struct Question {
     values_at: usize,
     subjects: Vec<Subject>,
     definitions: Vec<Definition>,
+    given: Vec<Given>,
     classes: Classes,
     /// Members of the names that depend on no other.
     alone: Vec<OnceLock<Arc<Members>>>,
@@ -71,7 +73,18 @@ impl Question {
     /// Whether a name stands for something by itself: it is bound, a quantity, a function.
     pub(crate) fn is_known(&self, name: &str) -> bool {
         let is_quantity = || quantity_of(name.rsplit('.').next().unwrap_or(name), self.subjects()).is_some();
-        self.sort(name).is_some() || FUNCTIONS.iter().any(|function| function.name == name) || is_quantity()
+        let is_function = FUNCTIONS.iter().any(|function| function.name == name);
+        self.sort(name).is_some() || is_function || is_quantity() || self.given(name).is_some()
+    }
+
+    /// The function of a graph of that name that the program was given.
+    pub(crate) fn given(&self, name: &str) -> Option<&Given> {
+        self.given.iter().find(|given| given.name == name.rsplit('.').next().unwrap_or(name))
+    }
+
+    /// The names of functions that gave floating-point numbers, on which no proof rests.
+    pub(crate) fn float_names(&self) -> Vec<&str> {
+        self.given.iter().filter(|given| given.was_float()).map(|given| given.name.as_str()).collect()
     }
 
     /// The sort of a bound name.
@@ -108,7 +121,8 @@ impl Question {
         let bound = self.bounds.iter().map(|bound| bound.name.to_string());
         let functions = FUNCTIONS.iter().map(|function| function.name.to_string());
         let own = quantities().iter().filter(|quantity| self.subjects.contains(&quantity.subject));
-        bound.chain(own.map(|quantity| quantity.name.to_string())).chain(functions).collect()
+        let given = self.given.iter().map(|given| given.name.clone());
+        bound.chain(own.map(|quantity| quantity.name.to_string())).chain(given).chain(functions).collect()
     }
 
     /// What quantities are measured on.

@@ -1,9 +1,9 @@
 //! Who senses whom: the graph of a scenario, fixed or made from positions, with its switches.
 
 use super::error::{ConfigError, Problem};
-use super::source::{Entry, Section, Source};
+use super::source::{Section, Source};
 use super::view::{Links, Sensing};
-use algebra::graph::{AnyGraph, ArcList, GraphTextError, NamedGraph};
+use algebra::graph::{ArcList, NamedGraph};
 use arithmetic::{Complex, Field, Rational, rational};
 use models::oscillator::{Everyone, Interaction, Neighbours};
 use num_traits::{One, Signed};
@@ -192,10 +192,10 @@ impl Network {
     }
 
     /// A graph as all commands read it: `hypercube:3`, `edges:4:1-2,2-3`, `graph6:..`; all weights must be 1.
-    fn of_text(order: usize, entry: &Entry, can: Abilities) -> Result<Self, ConfigError> {
+    fn of_text(order: usize, entry: &super::source::Entry, can: Abilities) -> Result<Self, ConfigError> {
         let refused = |why: String| entry.problem(Problem::Range(why));
-        let graph: AnyGraph =
-            entry.word()?.parse().map_err(|error: GraphTextError| entry.problem(Problem::Graph(error)))?;
+        let graph: algebra::graph::AnyGraph =
+            entry.word()?.parse().map_err(|error| entry.problem(Problem::Graph(error)))?;
         if graph.order() != order {
             return Err(refused(format!(
                 "a graph on {order} vertices, one for each agent, and not on {}",
@@ -206,11 +206,12 @@ impl Network {
             return Err(entry.problem(Problem::Network { model: can.model, needs: "an undirected graph" }));
         }
         let weights = graph.weighted();
-        if weights.adjacency().entries().any(|(i, j, weight)| i == j || *weight != rational(1, 1)) {
+        if weights.adjacency().entries().any(|(i, j, weight)| i == j || *weight != Rational::from_integer(1.into())) {
             return Err(refused("a graph without loops whose edges all have weight 1".to_string()));
         }
         let directed = graph.is_directed();
-        let pairs: Vec<Pair> = graph.arcs().into_iter().filter(|(i, j)| directed || i < j).collect();
+        let mut pairs: Vec<Pair> = graph.arcs().into_iter().filter(|(i, j)| directed || i < j).collect();
+        pairs.sort_unstable();
         Ok(Network::fixed(order, pairs, directed, format!("fixed network {graph}")))
     }
 

@@ -4,7 +4,7 @@ use super::{Checked, Invariant, OrFails, Stop, Tested, require, shown};
 use crate::draws::Draws;
 use crate::strategies::{digraph, fraction, list, start, stochastic_sequence};
 use algebra::graph::read::read_graph;
-use algebra::graph::{NamedGraph, WeightedGraph};
+use algebra::graph::{AnyGraph, NamedGraph, WeightedGraph};
 use algebra::matrix::StochasticMatrix;
 use algebra::matrix::read::read_sequence;
 use arithmetic::{Rational, decimal, parse_rational, rational};
@@ -278,7 +278,10 @@ pub const READERS: [Reader; 10] = [
     ("numbers", |text| parse_rational(text).map(drop).map_err(|error| error.to_string())),
     ("matrices", |text| read_sequence(text).map(drop).map_err(|error| error.to_string())),
     ("graphs", |text| read_graph(text).map(drop).map_err(|error| error.to_string())),
-    ("graph_names", |text| text.parse::<NamedGraph>().map(drop).map_err(|error| error.to_string())),
+    ("graph_names", |text| {
+        let found = text.parse::<NamedGraph>().map(drop).or_else(|_| text.parse::<AnyGraph>().map(drop));
+        found.map_err(|error| error.to_string())
+    }),
     ("flocks", |text| read_flock(text).map(drop).map_err(|error| error.to_string())),
     ("tracks", |text| Tracks::from_csv(text).map(drop).map_err(|error| error.to_string())),
     ("scenarios", |text| Scenario::read(text).map(drop).map_err(|error| error.to_string())),

@@ -5,7 +5,7 @@ use crate::binder::{Binder, Gathered};
 use crate::domain::{Domain, Sort};
 use crate::error::{Problem, QuestionError};
 use crate::evaluate::kind_argument;
-use crate::names::{FAMILIES, FUNCTIONS, OWN, Subject, quantity_of, unknown_quantity};
+use crate::names::{FAMILIES, FUNCTIONS, GIVEN, OWN, Subject, quantity_of, unknown_quantity};
 use crate::scenario_file::ScenarioFile;
 use crate::syntax::{Kind, Node};
 use arithmetic::shown;
@@ -215,6 +215,7 @@ impl Check<'_> {
         let known = self.question.known_names();
         let own = if self.question.is_own(name) { Some(&OWN) } else { None };
         let owner = owner.filter(|_| own.is_none());
+        let own = own.or_else(|| self.question.given(own_name).map(|_| &GIVEN));
         let quantity = own.or_else(|| quantity_of(own_name, self.question.subjects()));
         let quantity = quantity.ok_or_else(|| at(unknown_quantity(owner, own_name, &known)))?;
         self.owner(owner, name, quantity.subject).map_err(at)?;

@@ -5,8 +5,9 @@ use super::{BUDGET, Expression, Question};
 use crate::definitions::Definition;
 use crate::domain::{Bound, Classes, Domain, read_domain};
 use crate::error::{Place, Problem, QuestionError};
+use crate::given::Given;
 use crate::inequalities::inequalities;
-use crate::names::FUNCTIONS;
+use crate::names::{FUNCTIONS, Subject};
 use crate::scenario_file::Files;
 use crate::scenario_file::{ScenarioFile, is_place};
 use crate::source::{Entry, Section, Source};
@@ -20,6 +21,9 @@ use std::sync::{Arc, OnceLock};
 /// Largest budget.
 const LARGEST_BUDGET: u64 = 1_000_000_000;
 
+/// Words of sums over a graph.
+const RESERVED: [&str; 5] = ["sum", "count", "vertex", "edge", "pair"];
+
 const SECTIONS: [&str; 5] = ["question", "for", "define", "holds", "values"];
 
 impl Question {
@@ -28,6 +32,14 @@ impl Question {
     /// # Errors
     /// [`QuestionError`] with line and column.
     pub fn read(text: &str, files: Files) -> Result<Self, QuestionError> {
+        Question::read_with(text, files, Vec::new())
+    }
+
+    /// The same with functions of graphs that properties may name.
+    ///
+    /// # Errors
+    /// As [`Question::read`].
+    pub fn read_with(text: &str, files: Files, given: Vec<Given>) -> Result<Self, QuestionError> {
         let source = Source::parse(text)?;
         let sections = source.sections(&SECTIONS)?;
         let [head, family, definitions, holds, values] = &sections;
@@ -42,6 +54,7 @@ impl Question {
         };
         question.alone = question.bounds.iter().map(|_| OnceLock::new()).collect();
         question.subjects = question.found_subjects();
+        question.read_given(given)?;
         if let Some(definitions) = definitions {
             question.read_definitions(definitions)?;
         }
@@ -132,6 +145,7 @@ impl Question {
             values_at: 0,
             subjects: Vec::new(),
             definitions: Vec::new(),
+            given: Vec::new(),
             classes: Classes::default(),
             alone: Vec::new(),
             starts: OnceLock::new(),
@@ -214,6 +228,27 @@ impl Question {
         Ok(restriction)
     }
 
+    fn read_given(&mut self, given: Vec<Given>) -> Result<(), QuestionError> {
+        for own in given {
+            let refuse = |why: String| Err(self.at(0, Problem::Other(why)));
+            let header = parse_property(&own.name).ok().and_then(|key| Definition::header(&key));
+            if header.is_none_or(|(_, parameters)| !parameters.is_empty()) || KEYWORDS.contains(&own.name.as_str()) {
+                return refuse(format!("`{}` is no name of letters, digits and `_`", shown(&own.name)));
+            }
+            if self.is_known(&own.name) || RESERVED.contains(&own.name.as_str()) {
+                return refuse(format!("`{}` stands for something else already", own.name));
+            }
+            if !self.subjects.contains(&Subject::Graph) {
+                return refuse(format!(
+                    "`{}` is a function of a graph, and no name in [for] ranges over graphs",
+                    own.name
+                ));
+            }
+            self.given.push(own);
+        }
+        Ok(())
+    }
+
     fn read_definitions(&mut self, section: &Section) -> Result<(), QuestionError> {
         if self.law.is_some() {
             let why = "a question about all states of a law has the definitions of the law".to_string();
@@ -226,8 +261,7 @@ impl Question {
                 let expected = "a name, or a name with names in brackets such as `weight(i, j)`,";
                 self.at(entry.key_at, Problem::expected(expected, format!("`{}`", shown(&entry.key))))
             })?;
-            let reserved = KEYWORDS.contains(&name.as_str())
-                || ["sum", "count", "vertex", "edge", "pair"].contains(&name.as_str());
+            let reserved = KEYWORDS.contains(&name.as_str()) || RESERVED.contains(&name.as_str());
             let taken = |own: &str| self.is_known(own) || self.definitions.iter().any(|known| known.name == own);
             if let Some(own) = [&name].into_iter().chain(&parameters).find(|own| taken(own)) {
                 return Err(self.at(entry.key_at, Problem::Other(format!("`{own}` stands for something else already"))));

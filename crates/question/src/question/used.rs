@@ -59,7 +59,7 @@ impl Question {
         let (owner, quantity) = own.split_once('.').map_or((None, own), |(owner, rest)| (Some(owner), rest));
         let sort = self.sort(name);
         let is_owner = owner.is_none_or(|owner| owner == name);
-        if called && ["sum", "count"].contains(&quantity) {
+        if called && ["sum", "count"].contains(&quantity) || self.given(quantity).is_some() {
             return sort == Some(Sort::Graph) && is_owner;
         }
         match quantity_of(quantity, self.subjects()).map(|quantity| quantity.subject) {

@@ -243,3 +243,33 @@ fn every_text_of_a_graph_stands_in_a_family() {
     let answer = question::decide(&question, &arithmetic::Unwatched).expect("an answer");
     assert_eq!((answer.verdict, answer.cases), (False, 2));
 }
+
+/// Functions that the program is given: exact numbers decide, floating-point numbers do not.
+#[test]
+fn functions_of_graphs_are_given() {
+    use arithmetic::{Unwatched, rational};
+    use question::{Given, GivenValue, Question, Verdict, decide};
+    use std::sync::Arc;
+    let given = |name: &str, is_float: bool| {
+        let measure = move |graph: &AnyGraph| match (graph.order(), is_float) {
+            (1, _) => GivenValue::Missing("a single vertex".to_string()),
+            (n, false) => GivenValue::Exact(rational(n as i64, 2)),
+            (n, true) => GivenValue::Float(rational(n as i64, 2)),
+        };
+        Given::new(name.to_string(), Arc::new(measure))
+    };
+    let text = |property: &str| asked("n = \"1..4\"\ngraph = \"connected(n)\"", property, "edges < 0");
+    let verdict = |property: &str, is_float: bool| {
+        let question = Question::read_with(&text(property), &super::no_files, vec![given("half", is_float)])?;
+        decide(&question, &Unwatched).map(|answer| (answer.verdict, answer.grades))
+    };
+    assert_eq!(verdict("n > 1 implies half = n/2", false), Ok((Holds, vec!["exhaustive"])));
+    assert_eq!(verdict("n > 1 implies graph.half < n/2", false), Ok((False, vec!["exact"])));
+    assert_eq!(verdict("n > 1 implies half = n/2", true), Ok((Verdict::Undecided, vec!["simulated"])));
+    assert_eq!(verdict("n > 1 implies half < n/2", true), Ok((Verdict::Undecided, vec!["simulated"])));
+    assert!(verdict("half = n/2", false).expect_err("missing").to_string().contains("a single vertex"));
+    for name in ["edges", "n", "sqrt", "sum", "not", "a b", "graph"] {
+        let found = Question::read_with(&text("edges > 0"), &super::no_files, vec![given(name, false)]);
+        assert!(found.is_err(), "{name}");
+    }
+}

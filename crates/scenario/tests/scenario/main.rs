@@ -29,6 +29,36 @@ fn value(row: &Row, name: &str) -> f64 {
     }
 }
 
+/// A graph by any of its texts is the network of its edges.
+#[test]
+fn networks_have_the_names_of_graphs() {
+    let phases = |agents: usize, graph: &str| {
+        let start: Vec<String> = (0..agents).map(|k| format!("\"{}/10\"", k * k + 1)).collect();
+        let start = start.join(", ");
+        format!(
+            "model = \"phase\"\n[graph]\n{graph}\n[state]\nphases = [{start}]\n[law]\nK1 = -1\n[run]\nuntil = 1\nrows = 1\n"
+        )
+    };
+    let end = |agents: usize, graph: &str| run(&phases(agents, graph)).rows.last().expect("a row").frame.phases.clone();
+    let square = "kind = \"edges\"\nedges = [[1, 2], [1, 3], [2, 4], [3, 4]]";
+    for text in ["grid:2x2", "edges:4:3-4,1-2,2-4,1-3", "graph6:Cr", "hypercube:2"] {
+        assert_eq!(end(4, &format!("kind = \"{text}\"")), end(4, square), "{text}");
+    }
+    let arcs = "kind = \"edges\"\nedges = [[1, 2], [2, 3], [2, 1]]\ndirected = true";
+    assert_eq!(end(3, "kind = \"arcs:3:2-3,2-1,1-2\""), end(3, arcs));
+    assert_eq!(end(10, "kind = \"petersen\"").len(), 10);
+    for (agents, graph, word) in [
+        (4, "kind = \"petersen\"", "10"),
+        (4, "kind = \"grid:2y2\"", "grid:AxB"),
+        (4, "kind = \"edges:4:1-2*2\"", "weight 1"),
+        (4, "kind = \"petersson\"", "not known"),
+        (4, "kind = \"grid:2x2\"\nradius = 1", "radius"),
+    ] {
+        let error = Scenario::read(&phases(agents, graph)).expect_err(graph).to_string();
+        assert!(error.contains(word), "{graph}: {error}");
+    }
+}
+
 #[test]
 fn two_phases_follow_their_closed_form() {
     // With N = 2 the difference d obeys d' = K1 sin d: tan(d/2) = tan(d_0/2) e^(K1 t).
