@@ -1,4 +1,4 @@
-"""Platoons on a line: asymmetric and heterogeneous ones, their peaks, responses and poles, and as state-space models."""
+"""Platoons on a line, asymmetric and heterogeneous: peaks, responses, poles, and state-space models."""
 
 from __future__ import annotations
 

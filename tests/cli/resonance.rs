@@ -205,7 +205,7 @@ fn asymmetric_platoons_are_said_in_one_line() {
         assert_eq!(one, other);
     }
     let folder = folder("resonance_weights");
-    let edges = "directed\n1 leader 0.6\n1 2 0.4\n2 1 3\n2 3 2\n3 2 0.6\n3 4 0.4\n4 3\n";
+    let edges = "directed\na leader 0.6\na b 0.4\nb a 3\nb c 2\nc b 0.6\nc d 0.4\nd c\n";
     let path = file(&folder, "weights.txt", edges.as_bytes());
     let graph = json(&["--graph", &path, "--f=-1", "--g=-2"]);
     let weights = peak(&["--ahead", "0.6", "--behind", "0.4"]);
