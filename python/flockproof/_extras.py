@@ -34,6 +34,10 @@ def require(*extras: str) -> None:
     extras
         Such as ``"plot"``; see the page on Python in the notes.
 
+    Returns
+    -------
+    None
+
     Raises
     ------
     ImportError

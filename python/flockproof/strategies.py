@@ -26,8 +26,8 @@ from ._flock import Flock
 
 try:
     from hypothesis import strategies as st
-except ModuleNotFoundError as error:
-    raise missing(["hypothesis"], ["strategies"]) from error
+except ModuleNotFoundError as _error:
+    raise missing(["hypothesis"], ["strategies"]) from _error
 
 __all__ = [
     "CirclePoint",
