@@ -23,7 +23,7 @@ def needed(module: str, extra: str) -> Any:
     try:
         return importlib.import_module(module)
     except ModuleNotFoundError as error:
-        raise _missing([module.split(".")[0]], [extra]) from error
+        raise missing([module.partition(".")[0]], [extra]) from error
 
 
 def require(*extras: str) -> None:
@@ -33,6 +33,10 @@ def require(*extras: str) -> None:
     ----------
     extras
         Such as ``"plot"``; see the page on Python in the notes.
+
+    Returns
+    -------
+    None
 
     Raises
     ------
@@ -48,13 +52,14 @@ def require(*extras: str) -> None:
     unknown = [extra for extra in extras if extra not in EXTRAS]
     if unknown:
         raise ValueError(f"`{unknown[0]}` is none of the extras {', '.join(EXTRAS)}")
-    missing = {extra: [p for p in EXTRAS[extra] if importlib.util.find_spec(p) is None] for extra in extras}
-    packages = [package for found in missing.values() for package in found]
+    lacking = {extra: [p for p in EXTRAS[extra] if importlib.util.find_spec(p) is None] for extra in extras}
+    packages = [package for found in lacking.values() for package in found]
     if packages:
-        raise _missing(packages, [extra for extra, found in missing.items() if found])
+        raise missing(packages, [extra for extra, found in lacking.items() if found])
 
 
-def _missing(packages: list[str], extras: list[str]) -> ImportError:
+def missing(packages: list[str], extras: list[str]) -> ImportError:
+    """The error that says how to get packages."""
     verb = "is" if len(packages) == 1 else "are"
     install = f'pip install "flockproof[{",".join(extras)}]"'
     return ImportError(f"{' and '.join(packages)} {verb} needed for this: {install}", name=packages[0])

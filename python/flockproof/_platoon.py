@@ -1,4 +1,4 @@
-"""Platoons on a line: asymmetric and heterogeneous ones, their peaks, responses and poles, and as state-space models."""
+"""Platoons on a line, asymmetric and heterogeneous: peaks, responses, poles, and state-space models."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class Platoon:
     >>> print(platoon.peak(digits=6).amplitude)
     [36.6019264, 36.6019265]
     >>> print(platoon.response(1, car=1, digits=6).amplitude)
-    [0.712026173, 0.712026174]
+    [0.712026195, 0.712026196]
     """
 
     def __init__(

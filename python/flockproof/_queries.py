@@ -119,7 +119,7 @@ def resonance(followers: int, f: Number, g: Number, digits: int = 15) -> Resonan
 
     Notes
     -----
-    Veerman, Stosic and Olvera, *Spatial instabilities and size limitations of flocks* (2009), Theorem 1; that the
+    Veerman, Stosic and Olvera, *Spatial instabilities and size limitations of flocks* (2007), Theorem 1; that the
     maximum is the global one is proved in ``notes/resonance.md``.
 
     Examples

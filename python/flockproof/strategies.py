@@ -21,13 +21,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from ._extras import needed
-
-needed("hypothesis", "strategies")
-
-from hypothesis import strategies as st  # noqa: E402
-
+from ._extras import missing
 from ._flock import Flock
+
+try:
+    from hypothesis import strategies as st
+except ModuleNotFoundError as _error:
+    raise missing(["hypothesis"], ["strategies"]) from _error
 
 __all__ = [
     "CirclePoint",

@@ -131,7 +131,7 @@ def test_peaks_say_what_is_wrong() -> None:
         ("leader: 'x' is not a vertex", lambda: flockproof.peak(line, -1, -1, leader="x")),
         ("car: vertex 1 leads", lambda: flockproof.peak(line, -1, -1, car="a")),
         ("f must be negative", lambda: flockproof.peak(line, 1, -1)),
-        ("there are 3 gains for 2 followers", lambda: flockproof.peak(line, [-1, -1, -1], -1)),
+        ("f has 3 numbers for 2 followers", lambda: flockproof.peak(line, [-1, -1, -1], -1)),
         ("not stable", lambda: flockproof.system_peak([[1]], [[1]], [[1]])),
         ("without bound", lambda: flockproof.system_peak([[-1]], [[0, 1]], [[1]], [[0, 1]])),
         ("more than the 100", lambda: flockproof.peak("path:200", -1, -1)),

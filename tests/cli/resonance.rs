@@ -205,7 +205,7 @@ fn asymmetric_platoons_are_said_in_one_line() {
         assert_eq!(one, other);
     }
     let folder = folder("resonance_weights");
-    let edges = "directed\n1 leader 0.6\n1 2 0.4\n2 1 3\n2 3 2\n3 2 0.6\n3 4 0.4\n4 3\n";
+    let edges = "directed\na leader 0.6\na b 0.4\nb a 3\nb c 2\nc b 0.6\nc d 0.4\nd c\n";
     let path = file(&folder, "weights.txt", edges.as_bytes());
     let graph = json(&["--graph", &path, "--f=-1", "--g=-2"]);
     let weights = peak(&["--ahead", "0.6", "--behind", "0.4"]);
@@ -231,7 +231,7 @@ fn asymmetric_platoons_are_said_in_one_line() {
     for (arguments, named) in [
         (&["--f=-1", "--g=-1", "--ahead", "0.6", "--f-ahead", "1"][..], "--ahead and --f-ahead cannot both be given"),
         (&["--f=-1", "--g=-1", "--ahead", "0.6,0.5"], "--ahead has 2 numbers for 4 followers: one, or one for each"),
-        (&["--f=-1", "--g=-1", "--ahead", "x"], "--ahead: `x` is not a number"),
+        (&["--f=-1", "--g=-1", "--ahead", "x"], "--ahead: `x` is not an integer"),
         (&["--f=-1", "--g=-1", "--g-behind", "1.5"], "--g-behind is 3/2, but a weight is between 0 and 1"),
         (&["--f=-1", "--g=-1", "--ahead", "-1", "--behind", "1"], "--ahead is -1, but a weight is not negative"),
         (&["--f-ahead=-1", "--g=-1"], "--f-behind is needed"),

@@ -235,7 +235,7 @@ fn bad_configurations_are_refused() {
         ("kind = \"complete\"", "kind = \"edges\"\nedges = [[0, 2]]", &["0-2"]),
         ("kind = \"complete\"", "kind = \"edges\"\nedges = [[1, 2], [2, 1]]", &["2-1", "twice"]),
         ("kind = \"complete\"", "kind = \"edges\"\nedges = [[2, 2]]", &["with itself"]),
-        ("kind = \"complete\"", "kind = \"edges\"\nedges = [[1, 2, 3]]", &["pairs"]),
+        ("kind = \"complete\"", "kind = \"edges\"\nedges = [[1, 2, 3]]", &["edges without weights"]),
         ("kind = \"complete\"", "kind = \"edges\"\nedges = [[1, 2]]\ndirected = true", &["directed", "undirected"]),
         ("[[\"0\", \"0\"], [\"2\", \"0\"], [\"0\", \"1\"]]", "[]", &["state.positions", "no agents"]),
         ("[\"2\", \"0\"]", "[\"2\"]", &["state.positions, entry 2", "1 coordinates instead of 2"]),
@@ -287,7 +287,7 @@ fn bad_configurations_of_other_models_are_refused() {
         ("fish", "until = 20", "until = \"401/40\"", &["multiple"]),
         ("fish", "[1, 0]", "[0, 0]", &["same place"]),
         ("heading", "[0, 1], [-1, 1]", "[0, 0], [-1, 1]", &["agent 2", "no heading"]),
-        ("platoon", "g = -2", "g = 0", &["law.g", "below 0"]),
+        ("platoon", "g = -2", "g = 0", &["law.g", "g must be negative"]),
         (
             "platoon",
             "[[0], [-1], [-2], [-3]]\nvelocities = [[1], [1], [1], [0]]",

@@ -121,13 +121,13 @@ fn platoons_have_weights_in_one_line_or_on_edges() {
     assert!(near(&plain, &ends(text("f = -1\ng = -2\nahead = 1\nbehind = 1", ""))) && !near(&plain, &line));
     assert!(!near(&line, &ends(text("f = -1\ng = -2\nf_ahead = \"3/5\"", ""))));
     for (law, graph, words) in [
-        ("f = 1\ng = -1", "", "law.f: f must be negative, but it is 1: the law is y'' = f e + g e'"),
-        ("f = [-1, -1]\ng = -1", "", "law.f: f has 2 numbers for 3 followers"),
+        ("f = 1\ng = -1", "", "`law.f`: f must be negative, but it is 1: the law is y'' = f e + g e'"),
+        ("f = [-1, -1]\ng = -1", "", "`law.f`: f has 2 numbers for 3 followers"),
         ("g = -1", "", "f is needed"),
-        ("f = -1\ng = -1\nahead = -1\nbehind = 1", "", "law.ahead: ahead is -1, but a weight is not negative"),
-        ("f = -1\ng = -1\nahead = 0.5", edges, "law.ahead: ahead is for cars on a line"),
-        ("f = -1\ng = -1\nahead = 0.5\ncommunication = \"front\"", "", "law.ahead: ahead is for cars on a line"),
-        ("f = -1\ng = -1", "[graph]\nkind = \"edges\"\nedges = [[1, 2, 0]]\n", "entry 3: it must be a number above 0"),
+        ("f = -1\ng = -1\nahead = -1\nbehind = 1", "", "`law.ahead`: ahead is -1, but a weight is not negative"),
+        ("f = -1\ng = -1\nahead = 0.5", edges, "`law.ahead`: ahead is for cars on a line"),
+        ("f = -1\ng = -1\nahead = 0.5\ncommunication = \"front\"", "", "`law.ahead`: ahead is for cars on a line"),
+        ("f = -1\ng = -1", "[graph]\nkind = \"edges\"\nedges = [[1, 2, 0]]\n", "entry 3`: it must be a number above 0"),
     ] {
         let refused = Scenario::read(&text(law, graph)).map(drop).expect_err(law).to_string();
         assert!(refused.contains(words), "{refused}");
