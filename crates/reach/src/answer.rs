@@ -132,6 +132,9 @@ pub fn text(system: &System, decided: &[Decided], digits: u32) -> String {
     text
 }
 
+/// Most values of an input in a text; a document has them all.
+const MOST_SHOWN: usize = 12;
+
 /// The witness in one line.
 fn motion(system: &System, witness: &Witness, digits: u32) -> String {
     let digits = digits.min(9);
@@ -142,9 +145,14 @@ fn motion(system: &System, witness: &Witness, digits: u32) -> String {
             witness.modes.iter().map(|(from, mode)| format!("{} from {}", system.modes[*mode].name, number(from)));
         parts.push(modes.collect::<Vec<_>>().join(", "));
     }
-    for (input, values) in system.inputs.iter().zip(&witness.inputs) {
-        let values = values.iter().map(|(from, value)| format!("{} from {}", number(value), number(from)));
-        parts.push(format!("{} = {}", input.name, values.collect::<Vec<_>>().join(", ")));
+    for (input, all) in system.inputs.iter().zip(&witness.inputs) {
+        let values =
+            all.iter().take(MOST_SHOWN).map(|(from, value)| format!("{} from {}", number(value), number(from)));
+        let mut values: Vec<String> = values.collect();
+        if all.len() > MOST_SHOWN {
+            values.push(format!("and {} more", all.len() - MOST_SHOWN));
+        }
+        parts.push(format!("{} = {}", input.name, values.join(", ")));
     }
     let free = system.states.iter().zip(&system.start).zip(&witness.start).filter(|((_, range), _)| !range.is_point());
     parts.extend(free.map(|((name, _), x)| format!("{name}(0) = {}", number(x))));

@@ -10,7 +10,7 @@ const DIGITS: u32 = 12;
 
 /// The certificate that the witness of a condition comes beyond its value rounded against it; none where there is no witness.
 pub fn certificate(system: &System, part: &Part) -> Option<String> {
-    let witness = part.witness.as_ref().filter(|witness| !witness.at.is_zero())?;
+    let witness = part.witness.as_ref().filter(|witness| !witness.at.is_zero() && system.is_written_out())?;
     let condition = &part.condition;
     let turned = condition.side == Side::AtLeast;
     // Row and value as a greatest value, without the constant.

@@ -58,7 +58,11 @@ pub(crate) fn greatest(
     digits: u32,
     progress: &dyn Progress,
 ) -> Result<Option<Vec<Worst>>, Cancelled> {
-    let longest = if matches!(switching, Switching::Dwell { .. }) { LONGEST_OF_SEVERAL } else { LONGEST };
+    let longest = match switching {
+        Switching::Dwell { .. } => LONGEST_OF_SEVERAL,
+        Switching::Windows { windows, .. } if windows.iter().any(|window| !window.is_point()) => LONGEST_OF_SEVERAL,
+        _ => LONGEST,
+    };
     let mut times = times.clone();
     loop {
         let Some(solver) = Solver::new(prepared, switching, &times, digits, progress) else { return Ok(None) };

@@ -4,7 +4,9 @@ use crate::comparison::{Comparison, greatest};
 use crate::ellipsoid::{abscissa, kept_box};
 use crate::flow::Flows;
 use crate::guess::bad_order;
+use crate::modal::ModalError;
 use crate::orders::Times;
+use crate::platoon::{self, Platoon, Swung};
 use crate::prepared::Prepared;
 use crate::system::{Check, Condition, Range, Side, Switching, System};
 use crate::walk::{Depth, Leg, longest_of, worst};
@@ -29,6 +31,9 @@ pub enum ReachError {
         /// The largest real part of an eigenvalue, in floats.
         growth: f64,
     },
+    /// A platoon whose modes are out of reach of floats.
+    #[error("{0}")]
+    Platoon(String),
     /// More than can be followed.
     #[error("`until` = {until} is more than {most} steps of the fastest mode, the longest that is followed")]
     TooLong {
@@ -114,6 +119,11 @@ const BITS: u32 = 256;
 /// # Errors
 /// [`ReachError`].
 pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<Vec<Decided>, ReachError> {
+    if let Some(platoon) = &system.platoon
+        && let Some(decided) = by_modes(system, platoon, digits, progress)?
+    {
+        return Ok(decided);
+    }
     let prepared = Prepared::new(system);
     within_limits(system, &prepared)?;
     stable_for_ever(system)?;
@@ -126,7 +136,7 @@ pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<V
     }
     let mut parts: Vec<Vec<Part>> = vec![Vec::new(); system.checks.len()];
     for at in &times {
-        let (asked, rows) = rows(system, &prepared, at);
+        let (asked, rows) = rows(system, prepared.order(), at);
         let mut found = worst_of(system, &prepared, at.as_ref(), &rows, digits, progress)?;
         // A bound that lies within the enclosure may be met exactly: more digits, in which small numbers are exact, may tell.
         for (_, condition, index) in &asked {
@@ -150,6 +160,11 @@ pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<V
             parts[check].push(part(condition, worst, how, witnesses[index].clone(), digits));
         }
     }
+    Ok(together(system, parts))
+}
+
+/// The verdict of each check from those of its parts.
+fn together(system: &System, parts: Vec<Vec<Part>>) -> Vec<Decided> {
     let decided = |(check, parts): (&Check, Vec<Part>)| {
         let any = |verdict| parts.iter().any(|part| part.verdict == verdict);
         let verdict = match (any(Verdict::False), any(Verdict::Undecided)) {
@@ -159,20 +174,59 @@ pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<V
         };
         Decided { check: check.clone(), verdict, parts }
     };
-    Ok(system.checks.iter().zip(parts).map(decided).collect())
+    system.checks.iter().zip(parts).map(decided).collect()
 }
+
+/// The checks of a platoon as sums over its modes, where they can be: the worst cases grow with time, so that they are those of the last.
+fn by_modes(
+    system: &System,
+    platoon: &Platoon,
+    digits: u32,
+    progress: &dyn Progress,
+) -> Result<Option<Vec<Decided>>, ReachError> {
+    let (m, order) = (platoon.graph.followers(), system.states.len());
+    let lags = |check: &Check| check.conditions.iter().all(|c| c.row[m..].iter().all(Zero::is_zero));
+    let Some(weights) = platoon.weights().filter(|_| system.checks.iter().all(lags)) else { return Ok(None) };
+    let mut parts: Vec<Vec<Part>> = vec![Vec::new(); system.checks.len()];
+    let mut times: Vec<&Option<Rational>> = Vec::new();
+    for check in &system.checks {
+        if !times.contains(&&check.at) {
+            times.push(&check.at);
+        }
+    }
+    for at in times {
+        let (asked, rows) = rows(system, order, at);
+        let last = at.as_ref().or(system.until.as_ref());
+        let found = match platoon::greatest(system, (platoon, &weights), &rows, last, progress) {
+            Err(ModalError::Cancelled(cancelled)) => return Err(cancelled.into()),
+            // Small ones are left to the general method.
+            Err(_) if system.is_written_out() => return Ok(None),
+            Err(error) => return Err(ReachError::Platoon(error.to_string())),
+            Ok(found) => found,
+        };
+        for (check, condition, index) in asked {
+            let Swung { lo, hi, witness } = &found[index];
+            let time = last.cloned().map(Range::point);
+            let worst = Worst { lo: Some(lo.clone()), hi: Some(hi.clone()), at: time, legs: Vec::new() };
+            parts[check].push(part(condition, &worst, SUMMED, witness.clone(), digits));
+        }
+    }
+    Ok(Some(together(system, parts)))
+}
+
+const SUMMED: &str = "summed over the modes of the platoon; near the other end comes a leader whose acceleration follows the sign of the response";
 
 /// A condition with its check, and the row whose greatest value it asks for.
 type Asked<'a> = (usize, &'a Condition, usize);
 
 /// The rows whose greatest values are asked for at these times, each once, and which condition asks for which.
-fn rows<'a>(system: &'a System, prepared: &Prepared, at: &Option<Rational>) -> (Vec<Asked<'a>>, Vec<Vec<Rational>>) {
+fn rows<'a>(system: &'a System, order: usize, at: &Option<Rational>) -> (Vec<Asked<'a>>, Vec<Vec<Rational>>) {
     let (mut asked, mut rows): (Vec<_>, Vec<Vec<Rational>>) = (Vec::new(), Vec::new());
     for (k, check) in system.checks.iter().enumerate().filter(|(_, check)| check.at == *at) {
         for condition in &check.conditions {
             let turned = condition.side == Side::AtLeast;
             let mut row: Vec<Rational> = condition.row.iter().map(|x| if turned { -x } else { x.clone() }).collect();
-            row.resize(prepared.order(), Rational::ZERO);
+            row.resize(order, Rational::ZERO);
             let index = rows.iter().position(|known| *known == row).unwrap_or_else(|| {
                 rows.push(row);
                 rows.len() - 1
@@ -221,8 +275,12 @@ fn worst_of(
         Switching::Windows { windows, .. } => windows.iter().all(Range::is_point),
         _ => false,
     };
-    // Where durations are free, a few digits are what a search over them gives.
-    let digits = if fixed { digits } else { digits.min(3) };
+    // Where durations are free, a few digits are what a search over them gives; where a limit is approached in each of many periods, those of floats.
+    let digits = match (&system.switching, last) {
+        (Switching::Periodic { order, .. }, None) if order.len() > 1 => digits.min(8),
+        _ if fixed => digits,
+        _ => digits.min(3),
+    };
     let listed = match &times {
         Some(times) => greatest(prepared, &system.switching, times, rows, digits, progress)?,
         None => None,
@@ -242,7 +300,7 @@ fn worst_of(
             }
             None => {
                 let how = if bound.is_some() { COMPARED } else { NO_BOUND };
-                (guessed(system, prepared, row, last, bound, progress)?, how)
+                (guessed(system, prepared, row, (at, last), bound, progress)?, how)
             }
         });
     }
@@ -259,18 +317,36 @@ fn lasting(system: &System, prepared: &Prepared) -> Vec<crate::prepared::Motion>
     }
 }
 
+/// The greatest value up to some time for which there are few enough orders of modes.
+fn attained_early(
+    system: &System,
+    prepared: &Prepared,
+    row: &[Rational],
+    progress: &dyn Progress,
+) -> Result<Option<Worst>, ReachError> {
+    for until in [16, 4, 1] {
+        let last = rational(until, 1).min(system.until.clone().unwrap_or(rational(until, 1)));
+        let times = Times::Until(last);
+        if let Some(found) = greatest(prepared, &system.switching, &times, &[row.to_vec()], 3, progress)? {
+            return Ok(found.into_iter().next());
+        }
+    }
+    Ok(None)
+}
+
 /// A bound, and the value of a bad order of modes that was guessed.
 fn guessed(
     system: &System,
     prepared: &Prepared,
     row: &[Rational],
-    last: Option<&Rational>,
+    (at, last): (Option<&Rational>, Option<&Rational>),
     hi: Option<Rational>,
     progress: &dyn Progress,
 ) -> Result<Worst, ReachError> {
     let nothing = Worst { lo: None, hi: hi.clone(), at: None, legs: Vec::new() };
     if !matches!(system.switching, Switching::Arbitrary) {
-        return Ok(nothing);
+        let early = if at.is_none() { attained_early(system, prepared, row, progress)? } else { None };
+        return Ok(early.map_or(nothing, |worst| Worst { hi, ..worst }));
     }
     // For unbounded time, as long as motions are remembered.
     let slowest = prepared.motions.iter().filter_map(|motion| abscissa(&motion.a)).fold(f64::NEG_INFINITY, f64::max);

@@ -101,7 +101,7 @@ pub(crate) struct Flow<T> {
     /// The same after the short expansion.
     rough: T,
     order: usize,
-    /// Whether the costate of one state can ever depend on that of another: `links[j][i]`.
+    /// Whether the derivative of the costate of one state can ever depend on that of another: `links[j][i]`.
     links: Vec<Vec<bool>>,
 }
 
@@ -194,9 +194,8 @@ impl<T: Scalar> Flow<T> {
             }
         }
         let rest = T::symmetric(&(remainder.clone() * largest(p)));
-        // What cannot depend on anything that is not zero stays exactly zero.
-        let touched = |j: usize| p.iter().zip(&self.links[j]).any(|(x, linked)| *linked && !is_zero(x));
-        sum.into_iter().enumerate().map(|(j, x)| if touched(j) { x + &rest } else { x }).collect()
+        // What cannot depend on anything that is not zero stays exactly what it is.
+        sum.into_iter().enumerate().map(|(j, x)| if self.moves(j, p) { x + &rest } else { x }).collect()
     }
 
     /// Everything that the costate is at durations from `from` to `to`.
@@ -247,12 +246,19 @@ impl<T: Scalar> Flow<T> {
     }
 
     fn error(&self, output: &Output<T>, step: usize, p: &Start<T>) -> T {
+        if !output.row.iter().enumerate().any(|(j, y)| !is_zero(y) && self.moves(j, &p.costate)) {
+            return self.step_scalar.zero();
+        }
         (self.remainder.clone() * &output.size * &output.steps[step].growth * &p.size).top()
     }
 
     fn touches(&self, output: &Output<T>, p: &[T]) -> bool {
-        let touched = |j: usize| p.iter().zip(&self.links[j]).any(|(x, linked)| *linked && !is_zero(x));
-        output.row.iter().enumerate().any(|(j, y)| !is_zero(y) && touched(j))
+        output.row.iter().enumerate().any(|(j, y)| !is_zero(y) && (!is_zero(&p[j]) || self.moves(j, p)))
+    }
+
+    /// Whether the costate of a state may change.
+    fn moves(&self, j: usize, p: &[T]) -> bool {
+        p.iter().zip(&self.links[j]).any(|(x, linked)| *linked && !is_zero(x))
     }
 }
 
@@ -365,11 +371,10 @@ fn exponential(scaled: &Matrix<Interval>, links: &[Vec<bool>], wide: &Interval) 
     sum.into_iter().zip(links).map(|(row, links)| row.into_iter().zip(links).map(entry).collect()).collect()
 }
 
-/// Which costates can depend on which, through any number of others.
+/// The derivatives of which costates can depend on which, through any number of others.
 fn links(motion: &Motion) -> Vec<Vec<bool>> {
     let n = motion.a.len();
-    let mut links: Vec<Vec<bool>> =
-        (0..n).map(|j| (0..n).map(|i| i == j || !motion.a[i][j].is_zero()).collect()).collect();
+    let mut links: Vec<Vec<bool>> = (0..n).map(|j| (0..n).map(|i| !motion.a[i][j].is_zero()).collect()).collect();
     for k in 0..n {
         let through = links[k].clone();
         for row in links.iter_mut().filter(|row| row[k]) {

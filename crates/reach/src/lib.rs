@@ -9,7 +9,9 @@ mod ellipsoid;
 mod family;
 mod flow;
 mod guess;
+mod modal;
 mod orders;
+mod platoon;
 mod prepared;
 mod read;
 mod scalar;
@@ -23,6 +25,7 @@ mod worst;
 
 pub use certificate::certificate;
 pub use decide::{Decided, Part, ReachError, Verdict, decide};
+pub use platoon::Platoon;
 pub use system::{Check, Condition, Input, Mode, Range, Side, Stay, Switching, System};
 pub use tube::{Tube, along, tube};
 pub use witness::Witness;

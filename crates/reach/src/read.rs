@@ -1,9 +1,12 @@
 //! A system from a TOML text; every error says where.
 
 use crate::condition;
+use crate::platoon::{Platoon, WRITTEN_OUT};
 use crate::system::{Check, Input, Mode, Range, Stay, Switching, System};
+use algebra::graph::NamedGraph;
 use arithmetic::{Rational, shown};
-use num_traits::Signed;
+use models::platoon::{Communication, CommunicationGraph, Gains};
+use num_traits::{Signed, Zero};
 use scenario::source::{Entry, Section, Source};
 use scenario::{ConfigError, Problem};
 
@@ -24,7 +27,11 @@ impl System {
     pub fn read(text: &str) -> Result<System, ConfigError> {
         let source = Source::parse(text)?;
         let top = source.top();
-        top.allow(&["system", "mode", "switching", "run", "check"], "")?;
+        top.allow(&["system", "platoon", "mode", "switching", "run", "check"], "")?;
+        if let Some(section) = source.section("platoon")? {
+            top.allow(&["platoon", "run", "check"], " beside [platoon]")?;
+            return of_platoon(&source, &section);
+        }
         let section = source.needed("system")?;
         section.allow(&["states", "inputs", "start", "name"], "")?;
         let states = states(&section)?;
@@ -41,9 +48,99 @@ impl System {
         let run = source.needed("run")?;
         run.allow(&["until"], "")?;
         let until = until(&run)?;
+        followed(&top, &switching, until.as_ref())?;
         let checks = checks(&top, &states, until.as_ref())?;
-        Ok(System { states, inputs, start, modes, switching, until, checks })
+        Ok(System { states, inputs, start, modes, switching, until, checks, platoon: None })
     }
+}
+
+/// A platoon stands for a system of one mode.
+fn of_platoon(source: &Source, section: &Section) -> Read<System> {
+    let platoon = platoon(section)?;
+    let run = source.needed("run")?;
+    run.allow(&["until"], "")?;
+    let until = until(&run)?;
+    let mut checks = checks(&source.top(), &platoon.names(), until.as_ref())?;
+    checks.iter_mut().flat_map(|check| &mut check.conditions).for_each(|c| c.row = platoon.row(&c.row));
+    let m = platoon.graph.followers();
+    let only_lags = checks.iter().flat_map(|check| &check.conditions).all(|c| c.row[m..].iter().all(Zero::is_zero));
+    if m > WRITTEN_OUT && !(only_lags && platoon.weights().is_some()) {
+        return Err(section.problem(Problem::Range(format!(
+            "of at most {WRITTEN_OUT} followers, not {m}, unless they track each other in both directions, the gains are below 0, the acceleration may be 0, and \
+             checks are about lags and gaps"
+        ))));
+    }
+    let (states, inputs, start, modes) = platoon.system();
+    let switching = Switching::Windows { order: vec![0], windows: Vec::new() };
+    Ok(System { states, inputs, start, modes, switching, until, checks, platoon: Some(platoon) })
+}
+
+/// Most pairs of a follower and an agent that it tracks.
+const LINKS: usize = 100_000;
+
+/// Most followers of a platoon.
+const FOLLOWERS: usize = 2000;
+
+fn platoon(section: &Section) -> Read<Platoon> {
+    section.allow(&["followers", "graph", "tracks", "f", "g", "acceleration"], "")?;
+    let gain = |key: &'static str| section.need(key, "the gain, a number")?.exact();
+    let gains = Gains { f: gain("f")?, g: gain("g")? };
+    let acceleration = range(&section.need("acceleration", "a list of two numbers")?)?;
+    let graph = tracked(section)?;
+    if graph.followers() > FOLLOWERS {
+        return Err(
+            section.problem(Problem::Range(format!("of at most {FOLLOWERS} followers, not {}", graph.followers())))
+        );
+    }
+    let links: usize = (1..=graph.followers()).map(|k| graph.tracked_by(k).len()).sum();
+    if links > LINKS {
+        return Err(section.problem(Problem::Range(format!("one of at most {LINKS} links, not {links}"))));
+    }
+    if let Some(k) = graph.reached_by_leader().iter().position(|reached| !reached) {
+        return Err(section.problem(Problem::Range(format!(
+            "one whose followers all hear of the leader, which car {k} does not, so that its lag has no worst case"
+        ))));
+    }
+    Ok(Platoon { graph, gains, acceleration })
+}
+
+/// Who tracks whom: two graphs with a number of followers, a graph with a name, whose first vertex leads, or lists of agents.
+fn tracked(section: &Section) -> Read<CommunicationGraph> {
+    let count = || section.need("followers", "the number of followers")?.count(1, FOLLOWERS);
+    let refused = |error: &dyn std::fmt::Display| section.problem(Problem::Range(format!("a platoon, but {error}")));
+    if let Some(entry) = section.get("tracks") {
+        if let Some(other) = section.get("graph").or(section.get("followers")) {
+            return Err(other.problem(Problem::Both("tracks", "graph or followers")));
+        }
+        let agents = |entry: &Entry| entry.items("a list of agents")?.iter().map(|e| e.count(0, FOLLOWERS)).collect();
+        let rows: Vec<Vec<usize>> =
+            entry.items("a list of lists of agents")?.iter().map(agents).collect::<Read<_>>()?;
+        return CommunicationGraph::with_equal_weights(&rows)
+            .map_err(|error| entry.range(format!("a platoon, but {error}")));
+    }
+    let entry = section.get("graph");
+    let communication = match entry.as_ref().map(Entry::word).transpose()? {
+        None | Some("front-and-back") => Communication::FrontAndBack,
+        Some("front") => Communication::Front,
+        Some(name) => {
+            let must = |error: &dyn std::fmt::Display| {
+                entry.as_ref().map_or_else(
+                    || refused(error),
+                    |entry| entry.range(format!("front, front-and-back or a graph, but {error}")),
+                )
+            };
+            let named: NamedGraph = name.parse().map_err(|error| must(&error))?;
+            if let Some(followers) = section.get("followers") {
+                return Err(followers.range("left out: the graph says how many there are"));
+            }
+            if named.order() > FOLLOWERS + 1 {
+                return Err(must(&format!("it has {} vertices, more than {}", named.order(), FOLLOWERS + 1)));
+            }
+            let built = named.build().map_err(|error| must(&error))?;
+            return CommunicationGraph::behind(&built, 0).map_err(|error| must(&error));
+        }
+    };
+    CommunicationGraph::of(communication, count()?).map_err(|error| refused(&error))
 }
 
 fn states(section: &Section) -> Read<Vec<String>> {
@@ -259,6 +356,18 @@ fn stays(section: &Section, modes: &[Mode]) -> Read<Vec<Stay>> {
         }
     }
     Ok(stays)
+}
+
+/// A single mode that has to end before the last time leaves nothing to look at.
+fn followed(top: &Section, switching: &Switching, until: Option<&Rational>) -> Read<()> {
+    let Switching::Dwell { stays, .. } = switching else { return Ok(()) };
+    let [Stay { most: Some(most), .. }] = &stays[..] else { return Ok(()) };
+    match (until.is_none_or(|until| until > most), top.get("switching")) {
+        (true, Some(entry)) => {
+            Err(entry.range(format!("`at_most` from `until` on, not {most}: there is no other mode")))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn until(run: &Section) -> Read<Option<Rational>> {

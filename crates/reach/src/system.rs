@@ -1,5 +1,6 @@
 //! What is asked: modes, inputs, start, switching, checks. All numbers are rationals.
 
+use crate::platoon::Platoon;
 use arithmetic::{Rational, rational};
 
 /// From `lo` to `hi`, both included.
@@ -158,4 +159,13 @@ pub struct System {
     pub until: Option<Rational>,
     /// What is asked.
     pub checks: Vec<Check>,
+    /// The platoon that the rest was made from. Beyond 100 followers the matrices of its mode are left out.
+    pub platoon: Option<Platoon>,
+}
+
+impl System {
+    /// Whether the matrices of the modes are there.
+    pub(crate) fn is_written_out(&self) -> bool {
+        self.modes.iter().all(|mode| !mode.a.is_empty())
+    }
 }

@@ -31,7 +31,7 @@ pub fn tube(
         Switching::Windows { windows, .. } => windows.iter().all(|window| window.is_point()),
         _ => false,
     };
-    if !fixed {
+    if !fixed || !system.is_written_out() {
         return Ok(Vec::new());
     }
     let prepared = Prepared::new(system);
@@ -54,6 +54,9 @@ pub fn tube(
 
 /// The left side of a condition along a witness, in floats.
 pub fn along(system: &System, condition: &Condition, witness: &Witness, samples: usize) -> Vec<(f64, f64)> {
+    if !system.is_written_out() {
+        return Vec::new();
+    }
     let float = |x: &Rational| x.to_f64().unwrap_or(f64::NAN);
     let floats = |row: &[Rational]| row.iter().map(float).collect::<Vec<f64>>();
     let latest = |list: &[(Rational, Rational)], t: f64| {

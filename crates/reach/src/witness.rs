@@ -135,6 +135,10 @@ fn exponential(rows: &[Vec<Rational>], time: &Rational, zero: &Interval) -> Matr
         rows.iter().map(|row| row.iter().map(|x| zero.rational(&(x * &scale))).collect()).collect();
     let mut sum: Matrix<Interval> = (0..n).map(|i| (0..n).map(|j| zero.integer(i64::from(i == j))).collect()).collect();
     let mut term = sum.clone();
+    // Where nothing moves, everything stays exactly what it is.
+    if squarings == 0 && size.is_zero() {
+        return sum;
+    }
     // The rest after order k is below twice the next term, at norm 1/2: 2^-k / k!.
     let mut rest = Rational::ONE;
     let smallest = rational(1, 2).power(u64::from(zero.precision()));

@@ -82,7 +82,13 @@ impl<'a> Solver<'a> {
             let (Some(best), Some(above)) = (&found.best, &found.above) else { return false };
             above - &best.value <= &tolerance * best.value.abs().max(Rational::ONE)
         };
-        if !reached(&found) && found.best.is_some() && self.digits > 8 && found.open.len() < 1000 {
+        // What only bounds, and by far too much, is not made better by digits but by looking further back.
+        let far = |found: &Found| {
+            let gap = found.above.as_ref().zip(found.best.as_ref()).map(|(above, best)| above - &best.value);
+            gap.is_some_and(|gap| gap > rational(1, 1_000_000_000))
+                && found.open.iter().any(|(index, _)| !self.orders.families[*index].attained)
+        };
+        if !reached(&found) && !far(&found) && found.best.is_some() && self.digits > 8 && found.open.len() < 1000 {
             let bits = 80 + (f64::from(self.digits) * std::f64::consts::LOG2_10) as u32;
             let like = Interval::from_rational(&Rational::ZERO, bits);
             let flows = Flows::new(&self.prepared.motions, &self.orders.longest, &self.orders.chain, &like);

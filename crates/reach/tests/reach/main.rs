@@ -3,7 +3,9 @@
 extern crate flockproof_reach as reach;
 
 mod certificates;
+mod degenerate;
 mod inputs;
+mod platoon;
 mod random;
 mod switching;
 

@@ -1,0 +1,133 @@
+//! Platoons behind a leader of bounded acceleration: the section `[platoon]`, and the linear system that it stands for.
+
+use crate::modal::{Modal, ModalError, balance};
+use crate::system::{Input, Mode, Range, System};
+use crate::witness::Witness;
+use arithmetic::{Enclosure, Progress, Rational, rational};
+use models::platoon::{CommunicationGraph, Gains};
+use num_traits::Signed;
+
+/// A platoon of Veerman and others: the acceleration of follower `k` is `f e_k + g e'_k`, with its deviation `e_k` from the mean of the agents that it tracks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Platoon {
+    /// Who tracks whom; agent 0 leads.
+    pub graph: CommunicationGraph,
+    /// The gains.
+    pub gains: Gains<Rational>,
+    /// Where the leader's acceleration lies.
+    pub acceleration: Range,
+}
+
+/// Most followers whose motion is written out as one matrix.
+pub(crate) const WRITTEN_OUT: usize = 100;
+
+/// Most changes of sign of an input that is shown.
+const MOST_CHANGES: usize = 50_000;
+
+impl Platoon {
+    /// The names that checks use: `lag1`, .. for `y_k - y_0`, `gap1`, .. for `y_k - y_(k-1)`, and `rate1`, .. for the rates of the lags.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let m = self.graph.followers();
+        ["lag", "gap", "rate"].iter().flat_map(|word| (1..=m).map(move |k| format!("{word}{k}"))).collect()
+    }
+
+    /// A row over the names as one over lags and rates.
+    pub(crate) fn row(&self, named: &[Rational]) -> Vec<Rational> {
+        let m = self.graph.followers();
+        let mut row = named[..m].to_vec();
+        for (k, gap) in named[m..2 * m].iter().enumerate() {
+            row[k] += gap;
+            if k > 0 {
+                row[k - 1] -= gap;
+            }
+        }
+        row.extend(named[2 * m..].iter().cloned());
+        row
+    }
+
+    /// Whether worst cases are sums over modes: links in both directions, gains below zero, an acceleration that may be 0.
+    pub(crate) fn weights(&self) -> Option<Vec<Rational>> {
+        let still = !self.acceleration.lo.is_positive() && !self.acceleration.hi.is_negative();
+        let damped = self.gains.f.is_negative() && self.gains.g.is_negative();
+        (still && damped).then(|| balance(&self.graph)).flatten()
+    }
+
+    /// States, inputs, start and the mode of the system; the matrices are left out where there are too many followers, so that only sums over modes are possible.
+    pub(crate) fn system(&self) -> (Vec<String>, Vec<Input>, Vec<Range>, Vec<Mode>) {
+        let m = self.graph.followers();
+        let states = ["lag", "rate"].iter().flat_map(|word| (1..=m).map(move |k| format!("{word}{k}")));
+        let leader = Input { name: "leader".to_string(), range: self.acceleration.clone(), constant: false };
+        let start = vec![Range::point(Rational::ZERO); 2 * m];
+        let mut mode = Mode { name: "platoon".to_string(), a: Vec::new(), b: Vec::new(), c: Vec::new() };
+        if m <= WRITTEN_OUT {
+            let unit = |i: usize, j: usize| rational(i64::from(i == j), 1);
+            mode.a.extend((0..m).map(|i| (0..2 * m).map(|j| unit(i + m, j)).collect()));
+            for i in 1..=m {
+                let mut laplacian: Vec<Rational> = (1..=m).map(|j| unit(i, j)).collect();
+                for (j, weight) in self.graph.tracked_by(i).iter().filter(|(j, _)| *j != 0) {
+                    laplacian[j - 1] -= weight;
+                }
+                let times = |gain: &Rational| laplacian.iter().map(|x| x * gain).collect::<Vec<_>>();
+                mode.a.push(times(&self.gains.f).into_iter().chain(times(&self.gains.g)).collect());
+            }
+            mode.b = (0..2 * m).map(|i| vec![rational(if i < m { 0 } else { -1 }, 1)]).collect();
+            mode.c = vec![Rational::ZERO; 2 * m];
+        }
+        (states.collect(), vec![leader], start, vec![mode])
+    }
+}
+
+/// The greatest value of a row of lags with the leader's acceleration that attains it.
+pub(crate) struct Swung {
+    pub lo: Rational,
+    pub hi: Rational,
+    pub witness: Option<Witness>,
+}
+
+/// The greatest values of rows at a time, or for ever, as sums over modes.
+///
+/// # Errors
+/// [`ModalError`].
+pub(crate) fn greatest(
+    system: &System,
+    (platoon, weights): (&Platoon, &[Rational]),
+    rows: &[Vec<Rational>],
+    until: Option<&Rational>,
+    progress: &dyn Progress,
+) -> Result<Vec<Swung>, ModalError> {
+    let modal = Modal::new(&platoon.graph, weights, &platoon.gains, progress)?;
+    let m = platoon.graph.followers();
+    let one = |row: &Vec<Rational>| -> Result<Swung, ModalError> {
+        let found = modal.greatest(&row[..m], &platoon.acceleration, until, progress)?;
+        let (lo, hi) = found.value.ends().ok_or(ModalError::Unbounded)?;
+        let shown = found.signs.len() <= MOST_CHANGES;
+        let witness = shown.then(|| swung(system, &found.signs, found.time.clone(), &lo, &hi, found.unsigned));
+        Ok(Swung { lo, hi, witness })
+    };
+    rows.iter().map(one).collect()
+}
+
+/// The acceleration that follows the sign of the response, backwards from the end.
+fn swung(
+    system: &System,
+    signs: &[(Rational, bool)],
+    at: Rational,
+    lo: &Rational,
+    hi: &Rational,
+    unsigned: f64,
+) -> Witness {
+    let range = &system.inputs[0].range;
+    let mut input = Vec::new();
+    for (i, (_, positive)) in signs.iter().enumerate().rev() {
+        // The part ends where the next one begins, and so is on from the end less that.
+        let from = signs.get(i + 1).map_or(Rational::ZERO, |(to, _)| &at - to);
+        input.push((from, if *positive { range.hi.clone() } else { range.lo.clone() }));
+    }
+    if input.is_empty() {
+        input.push((Rational::ZERO, range.lo.clone()));
+    }
+    let slack = Rational::from_float(unsigned.next_up()).unwrap_or_default();
+    let start = vec![Rational::ZERO; system.states.len()];
+    let value = Range { lo: lo - slack, hi: hi.clone() };
+    Witness { at, start, modes: vec![(Rational::ZERO, 0)], inputs: vec![input], value }
+}
