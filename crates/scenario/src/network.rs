@@ -4,7 +4,7 @@ use super::error::{ConfigError, Problem};
 use super::source::{Section, Source};
 use super::view::{Links, Sensing};
 use algebra::graph::{ArcList, NamedGraph};
-use arithmetic::{Complex, Field, Rational, rational};
+use arithmetic::{Complex, Field, Rational};
 use models::oscillator::{Everyone, Interaction, Neighbours};
 use num_traits::{One, Signed};
 use std::borrow::Cow;

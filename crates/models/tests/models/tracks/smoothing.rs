@@ -64,9 +64,8 @@ fn solved(mut a: Vec<Vec<f64>>, mut x: Vec<f64>) -> Vec<f64> {
         x.swap(k, pivot);
         for i in (0..n).filter(|&i| i != k) {
             let factor = a[i][k] / a[k][k];
-            for j in k..n {
-                a[i][j] -= factor * a[k][j];
-            }
+            let pivot = a[k].clone();
+            a[i].iter_mut().zip(&pivot).skip(k).for_each(|(x, y)| *x -= factor * y);
             x[i] -= factor * x[k];
         }
     }
