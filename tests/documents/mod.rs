@@ -162,7 +162,7 @@ fn shown_files_can_be_read() {
                     let read = Question::read(&contents, &files);
                     assert!(read.is_ok(), "{place}: {:?}", read.err());
                 }
-                "toml" if contents.contains("[[mode]]") => {
+                "toml" if contents.contains("[[mode]]") || contents.contains("[platoon]") => {
                     let read = flockproof::reach::System::read(&contents);
                     assert!(read.is_ok(), "{place}: {:?}", read.err());
                 }
