@@ -147,6 +147,9 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
     let format = Format::new(&arguments.columns, arguments.fps).map_err(|error| {
         CliError::Use(format!("--{}: {error}", if matches!(error, FormatError::Rate(_)) { "fps" } else { "columns" }))
     })?;
+    if arguments.score < 0.0 {
+        return Err(CliError::Use(format!("--score {} is below 0", arguments.score)));
+    }
     let format = format.of_parts(arguments.part.clone(), arguments.score);
     let tracks = Tracks::from_table(&input.text, &format).map_err(|error| CliError::file(path, error))?;
     // The name only, so that the same file gives the same output wherever it is.
@@ -183,6 +186,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     } else {
         tracks.only(&arguments.ids).map_err(|error| CliError::Use(format!("--ids: {error}")))?
     };
+    if arguments.max_gap == 0 && arguments.bridge.1 != BridgeShape::Line {
+        return Err(CliError::Use(format!("--bridge {} bridges nothing without --max-gap", arguments.bridge.0)));
+    }
     let tracks = tracks.bridge(arguments.max_gap, arguments.bridge.1);
     let choices = choices(arguments, &tracks)?;
     if let (Some(at), [first, .., last]) = (arguments.at, tracks.frames.as_slice())

@@ -54,7 +54,7 @@ pub enum Problem {
     #[error("{0}")]
     Toml(scenario::NotToml),
     /// A platoon of which there is no peak.
-    #[error("the platoon is not stable, so that it has no peak")]
+    #[error("the platoon is not stable, so that it has no peak (z'' = f (z - m) + g (z' - m'): negative gains pull)")]
     NotStable,
     /// A number that cannot be read.
     #[error(transparent)]

@@ -68,14 +68,10 @@ fn joined(parts: impl Iterator<Item = Judged>, stops: bool) -> Judged {
 
 /// The kind of matrix that an argument names.
 pub(crate) fn kind_argument(node: &Node) -> Result<Number, (usize, Problem)> {
-    let name = match &node.kind {
-        Kind::Name { name, called: false, .. } => name.as_str(),
-        _ => "",
-    };
+    // `out-degree` is read as a difference.
+    let name = node.to_string().replace(' ', "");
     let names = LaplacianKind::NAMES.iter().map(|(name, _)| *name);
-    kind_number(name)
-        .map(Number::integer)
-        .ok_or_else(|| (node.at, Problem::unknown("kind of matrix", &node.to_string(), names)))
+    kind_number(&name).map(Number::integer).ok_or_else(|| (node.at, Problem::unknown("kind of matrix", &name, names)))
 }
 
 impl Evaluator<'_, '_> {

@@ -40,7 +40,7 @@ impl Question {
         progress: &dyn Progress,
     ) -> Result<Listed, QuestionError> {
         let what = format!("not ({})", property.node);
-        self.listed(property, property, Truth::False, what, most, progress)
+        self.listed(property, [property, property], Truth::False, what, most, progress)
     }
 
     /// The first members at which an inequality of the property is an equation, so many at most; `None` where it has no inequality that can be.
@@ -50,22 +50,25 @@ impl Question {
         most: u64,
         progress: &dyn Progress,
     ) -> Result<Option<Listed>, QuestionError> {
-        let Some(node) = equation(&property.node) else { return Ok(None) };
-        let what = node.to_string();
-        let equation = Expression { node, base: property.base, inequalities: Vec::new() };
-        self.listed(property, &equation, Truth::True, what, most, progress).map(Some)
+        let like = |node: Node| Expression { node, base: property.base, inequalities: Vec::new() };
+        let Some((whole, alone)) = equation(&property.node, true).zip(equation(&property.node, false)) else {
+            return Ok(None);
+        };
+        let what = whole.to_string();
+        self.listed(property, [&like(whole), &like(alone)], Truth::True, what, most, progress).map(Some)
     }
 
     /// Whether the property has no inequality that can be an equation.
     pub fn cannot_be_tight(&self) -> bool {
-        self.property.as_ref().is_some_and(|property| equation(&property.node).is_none())
+        self.property.as_ref().is_some_and(|property| equation(&property.node, true).is_none())
     }
 
-    /// Members for which a condition has the truth that is wanted; those for which it is not known, or has no value, are none.
+    /// Members for which a condition has the truth that is wanted; those for which it is not known, or has no value, are none. What is shown of a
+    /// member is the inequality that decides in the second expression.
     fn listed(
         &self,
         property: &Expression,
-        condition: &Expression,
+        [condition, shown]: [&Expression; 2],
         wanted: Truth,
         what: String,
         most: u64,
@@ -97,7 +100,7 @@ impl Question {
                     return Ok(listed);
                 }
                 let margin = self.decide_point(property, &bindings, progress)?.margin;
-                let decisive = self.decisive(condition, &bindings, wanted == Truth::True, progress)?;
+                let decisive = self.decisive(shown, &bindings, wanted == Truth::True, progress)?;
                 listed.members.push(Member { bindings, decisive, margin });
             }
             progress.tell("members", next.min(total), Some(total));
@@ -106,8 +109,9 @@ impl Question {
     }
 }
 
-/// That some inequality of a property is an equation where the property speaks of it: `a implies b <= c` as `a and b = c`. `None` where it has none.
-fn equation(node: &Node) -> Option<Node> {
+/// That some inequality of a property is an equation where the property speaks of it: `a implies b <= c` as `a and b = c`, or, without the hypotheses, as `b = c`.
+/// `None` where it has none.
+fn equation(node: &Node, with_hypotheses: bool) -> Option<Node> {
     let like = |kind| Node { kind, at: node.at };
     let some = |parts: Vec<Node>| match parts.len() {
         0 => None,
@@ -115,10 +119,13 @@ fn equation(node: &Node) -> Option<Node> {
         _ => Some(like(Kind::Or(parts))),
     };
     match &node.kind {
+        Kind::Implies(_, conclusion) if !with_hypotheses => equation(conclusion, false),
         Kind::Implies(hypothesis, conclusion) => {
-            Some(like(Kind::And(vec![hypothesis.as_ref().clone(), equation(conclusion)?])))
+            Some(like(Kind::And(vec![hypothesis.as_ref().clone(), equation(conclusion, true)?])))
         }
-        Kind::And(parts) | Kind::Or(parts) => some(parts.iter().filter_map(equation).collect()),
+        Kind::And(parts) | Kind::Or(parts) => {
+            some(parts.iter().filter_map(|part| equation(part, with_hypotheses)).collect())
+        }
         Kind::Relation(first, others) => {
             let lefts = std::iter::once(first.as_ref()).chain(others.iter().map(|(_, right)| right));
             let attained =

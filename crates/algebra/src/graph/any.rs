@@ -67,8 +67,11 @@ enum Packed {
 fn packed(form: Packed, text: &str) -> Result<AnyGraph, String> {
     let found = match form {
         Packed::Graph => read_graph6(text).map(AnyGraph::Simple),
-        Packed::Sparse => read_sparse6(text.strip_prefix(':').unwrap_or(text)).map(AnyGraph::Simple),
-        Packed::Directed => read_digraph6(text.strip_prefix('&').unwrap_or(text)).map(AnyGraph::Directed),
+        // The mark tells them from graph6, of which most texts would be read as some other graph.
+        Packed::Sparse => read_sparse6(text.strip_prefix(':').ok_or("sparse6 begins with `:`")?).map(AnyGraph::Simple),
+        Packed::Directed => {
+            read_digraph6(text.strip_prefix('&').ok_or("digraph6 begins with `&`")?).map(AnyGraph::Directed)
+        }
     };
     let graph = found.map_err(|error| error.to_string())?;
     if graph.order() == 0 { Err("there is no vertex in it".to_string()) } else { Ok(graph) }
@@ -101,7 +104,7 @@ impl FromStr for AnyGraph {
 
 impl AnyGraph {
     /// The graphs of a file: one in the formats of [`read_graph_file`], or one for each line in graph6, sparse6 or digraph6, the file beginning with such a
-    /// line or its header.
+    /// line or its header. A vertex that is called `leader` becomes the first one, which leads a platoon.
     ///
     /// # Errors
     /// [`GraphReadError`] with the line at fault.
@@ -109,7 +112,7 @@ impl AnyGraph {
         if let Some(all) = packed_lines(text) {
             return all;
         }
-        let file = read_graph_file(text, zero_based)?;
+        let file = read_graph_file(text, zero_based)?.leader_first();
         Ok(vec![if file.directed { AnyGraph::Directed(file.graph) } else { AnyGraph::Weighted(file.graph) }])
     }
 

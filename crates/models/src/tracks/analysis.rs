@@ -49,7 +49,7 @@ pub struct LeftOut {
 /// What is said of one fish.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FishSummary {
-    /// Frames with a position.
+    /// Frames with a position in the recording, not on a bridge.
     pub seen: u64,
     /// Frames without a position, and the number of gaps they form.
     pub missing: (u64, usize),
@@ -233,12 +233,16 @@ impl Analysis {
             let in_zone = self.frames.iter().filter_map(|frame| frame.zones[k]).map(|zones| f64::from(zones[zone]));
             mean(&mut { in_zone })
         };
-        let seen = tracks.positions[k].iter().flatten().count() as u64;
+        // Places on bridges were not seen.
+        let bridged = || tracks.bridged.iter().filter(move |gap| gap.fish == k);
+        let on_bridges: u64 = bridged().map(|gap| gap.frames).sum();
+        let seen = tracks.positions[k].iter().flatten().count() as u64 - on_bridges;
+        let gaps = self.gaps.iter().filter(|gap| gap.fish == k).count() + bridged().count();
         let moving = velocities.iter().flatten().count();
         let headed = self.motion.headings[k].iter().flatten().count();
         FishSummary {
             seen,
-            missing: (tracks.recorded_frames() - seen, self.gaps.iter().filter(|gap| gap.fish == k).count()),
+            missing: (tracks.recorded_frames() - seen, gaps),
             still: (moving - headed) as u64,
             speed: mean(&mut velocities.iter().flatten().map(|v| v.norm_squared().sqrt())),
             distance: mean(&mut self.frames.iter().filter_map(|frame| frame.distances[k])),

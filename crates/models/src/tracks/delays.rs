@@ -23,6 +23,8 @@ pub struct PairDelay {
     pub frames: i64,
     /// `C` at that lag.
     pub correlation: f64,
+    /// Frames in which both have a heading, so far apart.
+    pub both: usize,
     /// `C(0)`; `None` where they never have a heading at once.
     pub at_once: Option<f64>,
     /// Windows of lags beyond the largest delay, of the same length and over at least half of the recording, with at least that correlation
@@ -49,6 +51,18 @@ pub struct Delays {
     pub pairs: Vec<PairDelay>,
     /// For each fish the mean number of frames by which the others follow it; `None` without a pair.
     pub lead: Vec<Option<f64>>,
+}
+
+impl Delays {
+    /// The pairs, those of the fish that leads most first, and then by the correlation.
+    pub fn leading(&self) -> Vec<&PairDelay> {
+        let known = self.lead.iter().enumerate().filter_map(|(k, lead)| Some((k, (*lead)?)));
+        let leader = known.reduce(|best, next| if next.1 > best.1 { next } else { best }).map(|(k, _)| k);
+        let mut pairs: Vec<&PairDelay> = self.pairs.iter().collect();
+        let of_leader = |pair: &PairDelay| leader.is_some_and(|k| pair.pair.contains(&k));
+        pairs.sort_by(|a, b| of_leader(b).cmp(&of_leader(a)).then(b.correlation.total_cmp(&a.correlation)));
+        pairs
+    }
 }
 
 /// Why there are no delays.
@@ -119,7 +133,8 @@ pub fn largest_lag(tracks: &Tracks, seconds: f64) -> Result<usize, DelaysError> 
     if recorded > MOST_FRAMES {
         return Err(DelaysError::TooLong(recorded));
     }
-    let (lag, longest) = ((seconds / step).round(), recorded / 4);
+    // Of whole frames, and not one too few because the step is rounded.
+    let (lag, longest) = ((seconds / step + 1e-6).floor(), recorded / 4);
     if !(lag >= 1.0 && lag <= longest as f64) {
         return Err(DelaysError::Longest { seconds, step, longest: longest as f64 * step });
     }
@@ -170,8 +185,12 @@ impl Correlations {
         Correlations { sums: lagged(&first.headings, &second.headings), counts }
     }
 
+    fn place(&self, lag: i64) -> usize {
+        lag.rem_euclid(self.sums.len() as i64) as usize
+    }
+
     fn at(&self, lag: i64) -> Option<f64> {
-        let place = lag.rem_euclid(self.sums.len() as i64) as usize;
+        let place = self.place(lag);
         (self.counts[place] >= LEAST_FRAMES).then(|| self.sums[place] / self.counts[place] as f64)
     }
 
@@ -195,6 +214,7 @@ impl Correlations {
             pair,
             frames: lag,
             correlation,
+            both: self.counts[self.place(lag)],
             at_once: self.at(0),
             beyond: (at_least, highest.len()),
             curve: (-longest..=longest).map(|lag| self.at(lag)).collect(),

@@ -120,10 +120,46 @@ pub enum TracksError {
         found: String,
     },
     /// Numbers of frames without their rate.
-    #[error("times are numbers of frames in a table of this form ({form}): say how many frames there are in a second")]
+    #[error(
+        "times are numbers of frames in a table of this form ({form}): say how many frames there are in a second (fps)"
+    )]
     NoRate {
         /// The form.
         form: &'static str,
+    },
+    /// Body parts or scores where there are none.
+    #[error("a table of this form ({form}) has no body parts and no scores")]
+    NoParts {
+        /// The form.
+        form: &'static str,
+    },
+    /// No part was seen surely enough.
+    #[error("no body part that was seen has a score of at least {least}")]
+    NoScore {
+        /// The smallest score.
+        least: f64,
+    },
+    /// A time that is no number of frames.
+    #[error("line {line}: {column} is `{found}`, not a whole number of frames; leave fps out where times are seconds")]
+    Fraction {
+        /// The line.
+        line: u64,
+        /// The column.
+        column: String,
+        /// The field.
+        found: String,
+    },
+    /// A time that is neither.
+    #[error(
+        "line {line}: {column} is `{found}`, neither a number nor a date such as 2024-05-01T12:00:00.04, as in the first row"
+    )]
+    Time {
+        /// The line.
+        line: u64,
+        /// The column.
+        column: String,
+        /// The field.
+        found: String,
     },
     /// A body part that is not there.
     #[error("there is no body part `{part}`; there are {known}")]
@@ -242,6 +278,8 @@ pub struct Tracks {
     pub positions: Vec<Vec<Option<Vector>>>,
     /// The form of the table.
     pub form: Form,
+    /// The body parts whose mean stands for a fish; none where the table has none.
+    pub parts: Vec<String>,
     /// The gaps that were bridged; none in what is read.
     pub bridged: Vec<Gap>,
     /// How they were bridged.
@@ -274,14 +312,14 @@ impl Tracks {
     /// # Errors
     /// [`TracksError`], with the line.
     pub fn from_table(text: &str, format: &Format) -> Result<Tracks, TracksError> {
-        let (mut rows, clock, form) = rows(text, format)?;
+        let Table { mut rows, clock, form, parts } = rows(text, format)?;
         let first = rows.iter().filter_map(|row| row.date).min();
         for row in &mut rows {
             if let Some((first, date)) = first.zip(row.date) {
                 row.time = (date - first) as f64 / 1e9;
             }
         }
-        Ok(Tracks { form, start: first.map(|first| clock.text(first)), ..Tracks::from_rows(&rows)? })
+        Ok(Tracks { form, parts, start: first.map(|first| clock.text(first)), ..Tracks::from_rows(&rows)? })
     }
 
     fn from_rows(rows: &[Row]) -> Result<Tracks, TracksError> {
@@ -313,6 +351,7 @@ impl Tracks {
             step,
             positions,
             form: Form::Rows,
+            parts: vec![],
             bridged: vec![],
             bridged_by: BridgeShape::Line,
             start: None,
@@ -370,6 +409,7 @@ impl Tracks {
                 })
                 .collect(),
             form: self.form,
+            parts: self.parts.clone(),
             bridged_by: self.bridged_by,
             start: self.start.clone(),
         })
@@ -397,8 +437,15 @@ impl Tracks {
     }
 }
 
-/// The rows, in the order of the file, how their times are written, and the form of the table.
-fn rows(text: &str, format: &Format) -> Result<(Vec<Row>, Clock, Form), TracksError> {
+/// What a table has: rows in the order of the file, how their times are written, its form, and the body parts that are used.
+struct Table {
+    rows: Vec<Row>,
+    clock: Clock,
+    form: Form,
+    parts: Vec<String>,
+}
+
+fn rows(text: &str, format: &Format) -> Result<Table, TracksError> {
     let broken = |error: &csv::Error| TracksError::Csv {
         line: error.position().map_or(0, csv::Position::line),
         what: "it cannot be read as CSV".to_string(),
@@ -414,10 +461,11 @@ fn rows(text: &str, format: &Format) -> Result<(Vec<Row>, Clock, Form), TracksEr
         for record in reader.records() {
             records.push(record.map_err(|error| broken(&error))?);
         }
-        return Ok((trackers::rows(form, &records, format)?, Clock::Numbers, form));
+        let (rows, parts) = trackers::rows(form, &records, format)?;
+        return Ok(Table { rows, clock: Clock::Numbers, form, parts });
     }
-    if format.part.is_some() {
-        return Err(TracksError::NoPart { part: format.part.clone().unwrap_or_default(), known: "none".to_string() });
+    if format.part.is_some() || format.least_score > 0.0 {
+        return Err(TracksError::NoParts { form: form.words() });
     }
     let mut columns = [0; 4];
     for (place, column) in columns.iter_mut().zip(&format.columns) {
@@ -435,7 +483,7 @@ fn rows(text: &str, format: &Format) -> Result<(Vec<Row>, Clock, Form), TracksEr
         let clock = *clock.get_or_insert_with(|| Clock::of(record.get(columns[0]).unwrap_or_default()));
         rows.push(row(&record, format, clock, &columns, header.len())?);
     }
-    clock.map(|clock| (rows, clock, form)).ok_or(TracksError::Empty)
+    clock.map(|clock| Table { rows, clock, form, parts: vec![] }).ok_or(TracksError::Empty)
 }
 
 fn row(
@@ -457,13 +505,35 @@ fn row(
     }
     let place = Complex::new(number(2)?, number(3)?);
     if clock == Clock::Numbers {
-        return Ok(Row { line, time: number(0)? / format.fps.unwrap_or(1.0), date: None, id, place });
+        return Ok(Row {
+            line,
+            time: time(record, columns[0], line, format, &format.columns[0])?,
+            date: None,
+            id,
+            place,
+        });
     }
     let (column, found) = (format.columns[0].clone(), shown(field(0), 40));
     match clock.date(field(0)) {
         Some(_) if format.fps.is_some() => Err(TracksError::DateAndRate { line, column, found }),
         Some(date) => Ok(Row { line, time: 0.0, date: Some(date), id, place }),
         None => Err(TracksError::Date { line, column, found, example: clock.example() }),
+    }
+}
+
+/// A time in seconds; with frames per second it is a whole number of frames.
+pub(super) fn time(
+    record: &csv::StringRecord,
+    column: usize,
+    line: u64,
+    format: &Format,
+    name: &str,
+) -> Result<f64, TracksError> {
+    let (column_name, found) = (name.to_string(), shown(record.get(column).unwrap_or_default(), 40));
+    match (number(record, column, line, name), format.fps) {
+        (Err(TracksError::Number { .. }), _) => Err(TracksError::Time { line, column: column_name, found }),
+        (Ok(time), Some(_)) if time.fract() != 0.0 => Err(TracksError::Fraction { line, column: column_name, found }),
+        (time, fps) => Ok(time? / fps.unwrap_or(1.0)),
     }
 }
 

@@ -108,6 +108,7 @@ pub fn synthetic_school(school: School, setting: &Setting) -> Tracks {
         step: setting.step,
         positions: (0..setting.fish).map(scaled).collect(),
         form: super::Form::Rows,
+        parts: vec![],
         bridged: vec![],
         bridged_by: BridgeShape::Line,
         start: None,

@@ -1,7 +1,7 @@
 //! Tables as trackers write them: all fish in one row (idtracker.ai), body parts (DeepLabCut, SLEAP).
 
 use super::Vector;
-use super::read::{Format, Row, TracksError, number, shown};
+use super::read::{Format, Row, TracksError, number, shown, time};
 use arithmetic::Complex;
 use csv::StringRecord;
 
@@ -67,18 +67,25 @@ struct Layout {
     fish: Vec<(String, Vec<Part>)>,
 }
 
-/// The rows of a table in such a form.
-pub(super) fn rows(form: Form, records: &[StringRecord], format: &Format) -> Result<Vec<Row>, TracksError> {
+/// The rows of a table in such a form, and the body parts that are used.
+pub(super) fn rows(
+    form: Form,
+    records: &[StringRecord],
+    format: &Format,
+) -> Result<(Vec<Row>, Vec<String>), TracksError> {
     let (layout, data) = match form {
         Form::DeepLabCut => deep_lab_cut(records)?,
         Form::Sleap => (sleap(&records[0])?, &records[1..]),
         Form::Wide | Form::Rows => (wide(&records[0])?, &records[1..]),
     };
     let parts = || layout.fish.iter().flat_map(|(_, parts)| parts);
+    let mut known: Vec<String> = parts().map(|part| part.name.clone()).filter(|name| !name.is_empty()).collect();
+    known.sort();
+    known.dedup();
+    if known.is_empty() && (format.part.is_some() || format.least_score > 0.0) {
+        return Err(TracksError::NoParts { form: form.words() });
+    }
     if let Some(part) = format.part.as_ref().filter(|part| !parts().any(|known| known.name == **part)) {
-        let mut known: Vec<String> = parts().map(|part| part.name.clone()).filter(|name| !name.is_empty()).collect();
-        known.sort();
-        known.dedup();
         return Err(TracksError::NoPart { part: part.clone(), known: known.join(", ") });
     }
     if layout.in_frames && format.fps.is_none() {
@@ -90,7 +97,7 @@ pub(super) fn rows(form: Form, records: &[StringRecord], format: &Format) -> Res
         if record.len() != records[0].len() {
             return Err(TracksError::Fields { line, found: record.len(), expected: records[0].len() });
         }
-        let time = number(record, layout.time, line, "the time")? / format.fps.unwrap_or(1.0);
+        let time = time(record, layout.time, line, format, "the time")?;
         for (name, parts) in &layout.fish {
             let id = layout.name.and_then(|column| record.get(column)).unwrap_or(name).to_string();
             if id.is_empty() || id.contains(char::is_control) {
@@ -106,7 +113,16 @@ pub(super) fn rows(form: Form, records: &[StringRecord], format: &Format) -> Res
             }
         }
     }
-    if rows.is_empty() { Err(TracksError::Empty) } else { Ok(rows) }
+    if rows.is_empty() {
+        let least = format.least_score;
+        return Err(if data.is_empty() || known.is_empty() {
+            TracksError::Empty
+        } else {
+            TracksError::NoScore { least }
+        });
+    }
+    known.retain(|name| format.part.as_ref().is_none_or(|part| part == name));
+    Ok((rows, known))
 }
 
 /// Where a part is, if it was seen surely enough; trackers leave fields empty or write nan where it was not.

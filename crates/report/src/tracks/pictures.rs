@@ -127,17 +127,16 @@ pub(super) fn order(report: &TracksReport) -> Picture {
 /// Pairs whose curves are drawn.
 const DRAWN: usize = 6;
 
-/// The cosines over the lag, of the pairs with the largest ones.
+/// The cosines over the lag, of the pairs of the fish that leads most.
 pub(super) fn delays(report: &TracksReport, delays: &Delays) -> Picture {
     let step = report.tracks.step;
-    let mut pairs: Vec<_> = delays.pairs.iter().collect();
-    pairs.sort_by(|a, b| b.correlation.total_cmp(&a.correlation));
-    let mut panel = Panel::new("", Axis::linear("lag (s)"), Axis::linear("mean cosine of headings"));
-    for (k, pair) in pairs.iter().take(DRAWN).enumerate() {
+    let lags = Axis::linear("lag of the second fish behind the first (s)");
+    let mut panel = Panel::new("", lags, Axis::linear("mean cosine of headings"));
+    for (k, pair) in delays.leading().into_iter().take(DRAWN).enumerate() {
         let [first, second] = pair.pair.map(|k| cut(&report.tracks.ids[k], 11));
         let lag = |i: usize| (i as f64 - delays.largest as f64) * step;
         let curve = pair.curve.iter().enumerate().map(|(i, c)| (lag(i), c.unwrap_or(f64::NAN)));
-        let series = Series::line(format!("{second} after {first}"), curve);
+        let series = Series::line(format!("{first}, {second}"), curve);
         panel = panel.series(series.colour(PALETTE[k % PALETTE.len()]).size(1.6));
     }
     Picture::new(titled(report, "delays of headings")).grid(1, (760.0, 380.0)).panel(panel)

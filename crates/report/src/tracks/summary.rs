@@ -61,7 +61,7 @@ fn delays(report: &TracksReport, delays: &Delays) -> Value {
         .iter()
         .map(|pair| {
             json!({
-                "pair": pair.pair.map(|k| &ids[k]), "delay": pair.frames as f64 * step, "correlation": pair.correlation,
+                "pair": pair.pair.map(|k| &ids[k]), "delay": pair.frames as f64 * step, "frames": pair.both, "correlation": pair.correlation,
                 "correlation_at_once": pair.at_once, "windows_at_least": pair.beyond.0, "windows": pair.beyond.1,
                 "share_at_least": pair.share_at_least(),
             })
@@ -85,6 +85,7 @@ fn declaration(report: &TracksReport) -> Value {
             PositionsUsed::Smoothed => "smoothed",
         },
         "table": report.tracks.form.words(),
+        "body_parts": report.tracks.parts,
         "smoothing": choices.smoothing.name(),
         "velocity": match choices.smoothing {
             Smoothing::Mean => "central differences of positions averaged over the window; no window crosses a gap",

@@ -24,7 +24,7 @@ pub(super) fn frames(report: &TracksReport) -> String {
     for (i, (frame, bridged)) in analysis.frames.iter().zip(report.tracks.on_bridges()).enumerate() {
         let group = frame.group.as_ref();
         let difference = |scale: Scale| group.map(|g| g.difference(scale));
-        let counts = [frame.seen, bridged, frame.headed].map(|count| count.to_string());
+        let counts = [frame.seen - bridged.min(frame.seen), bridged, frame.headed].map(|count| count.to_string());
         let reason = analysis.left_out_for(report.tracks, i).map_or("", Reason::name);
         let mut cells = vec![frame.time.to_string(), reason.to_string()];
         cells.extend(counts);
@@ -87,14 +87,16 @@ pub(super) fn fish(report: &TracksReport) -> String {
 
 /// A row for each pair.
 pub(super) fn delays(report: &TracksReport, delays: &Delays) -> String {
-    let mut text =
-        String::from("first,second,delay,correlation,correlation_at_once,windows_at_least,windows,share_at_least\n");
+    let mut text = String::from(
+        "first,second,delay,frames,correlation,correlation_at_once,windows_at_least,windows,share_at_least\n",
+    );
     for pair in &delays.pairs {
         let [first, second] = pair.pair.map(|k| csv_field(&report.tracks.ids[k]));
         let _ = writeln!(
             text,
-            "{first},{second},{},{:.6},{},{},{},{}",
+            "{first},{second},{},{},{:.6},{},{},{},{}",
             cell(Some(pair.frames as f64 * report.tracks.step)),
+            pair.both,
             pair.correlation,
             cell(pair.at_once),
             pair.beyond.0,

@@ -1,9 +1,7 @@
 //! The analysis as a text of at most 80 columns.
 
 use super::{TracksReport, tables};
-use models::tracks::{
-    Choices, Comparison, Delays, Form, NearestRule, NullModels, PairDelay, PositionsUsed, Scale, Smoothing,
-};
+use models::tracks::{Choices, Comparison, Delays, Form, NearestRule, NullModels, PositionsUsed, Scale, Smoothing};
 use motion::Share;
 use std::fmt::Write;
 
@@ -69,7 +67,12 @@ fn heading(report: &TracksReport, text: &mut String) {
     // Writing to a string cannot fail, here and below.
     let _ = writeln!(text, "{}", cut(report.source, WIDTH));
     if tracks.form != Form::Rows {
-        let _ = writeln!(text, "table: {}", tracks.form.words());
+        let parts = match tracks.parts.as_slice() {
+            [] => String::new(),
+            [one] => format!(": {one}"),
+            several => format!(": the mean of {}", several.join(", ")),
+        };
+        let _ = writeln!(text, "{}", textwrap::fill(&format!("table: {}{parts}", tracks.form.words()), WIDTH));
     }
     if let Some(start) = &tracks.start {
         let _ = writeln!(text, "t = 0 is {start}");
@@ -285,27 +288,33 @@ fn delays(report: &TracksReport, delays: &Delays, text: &mut String) {
     let what = format!(
         "of headings, up to {} s: the lag at which the mean cosine between the heading of the first fish and that of the second one later \
          is largest; positive where the second follows. p: share of windows of lags beyond, up to half of the recording, that reach it \
-         (neighbouring windows are not independent)",
+         (neighbouring windows are not independent; - where there are fewer than 19, as a smaller largest delay gives more). The pairs of the \
+         fish that leads most come first",
         number(delays.largest as f64 * step)
     );
     paragraph(text, "delays", &what);
-    text.push_str("first        second       delay (s)    cosine   at once         p\n");
-    let mut pairs: Vec<&PairDelay> = delays.pairs.iter().collect();
-    pairs.sort_by(|a, b| b.correlation.total_cmp(&a.correlation));
+    text.push_str("first        second       delay (s)    cosine   at once         p   frames\n");
+    let pairs = delays.leading();
     for pair in pairs.iter().take(LISTED) {
         let [first, second] = pair.pair.map(|k| cut(&tracks.ids[k], 11));
         let shown = |x: Option<f64>| x.map_or_else(|| "-".to_string(), |x| format!("{x:.3}"));
         let _ = writeln!(
             text,
-            "{first:12} {second:11} {:>10} {:>9.3} {:>9} {:>9}",
+            "{first:12} {second:11} {:>10} {:>9.3} {:>9} {:>9} {:>8}",
             number(pair.frames as f64 * step),
             pair.correlation,
             shown(pair.at_once),
-            shown(pair.share_at_least())
+            shown(pair.share_at_least()),
+            pair.both
         );
     }
     if pairs.len() > LISTED {
         let _ = writeln!(text, "{} more, see delays.csv", pairs.len() - LISTED);
+    }
+    if let Some(least) = pairs.iter().map(|pair| pair.both).min()
+        && let Some(few) = few(least, report.analysis.left_out.recorded)
+    {
+        let _ = writeln!(text, "{few} So does the lead of its fish.");
     }
     let mut fish: Vec<(f64, &String)> =
         delays.lead.iter().zip(&tracks.ids).filter_map(|(lead, id)| Some(((*lead)?, id))).collect();

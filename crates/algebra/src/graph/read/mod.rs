@@ -160,6 +160,26 @@ pub struct GraphFile {
 }
 
 impl GraphFile {
+    /// The same with the vertex that is called `leader` as the first, the others in their order; as it is where there is none.
+    pub fn leader_first(mut self) -> Self {
+        let labels = self.labels.as_ref();
+        let Some(leader) = labels.and_then(|labels| labels.iter().position(|label| label == "leader")) else {
+            return self;
+        };
+        let place = |vertex: usize| if vertex == leader { 0 } else { vertex + usize::from(vertex < leader) };
+        let order = self.graph.order();
+        let arcs = (0..order).flat_map(|i| {
+            let row = self.graph.adjacency().row(i).iter();
+            row.map(move |(j, weight)| (place(i), place(*j), weight.clone()))
+        });
+        self.graph = WeightedGraph::from_arcs(order, arcs.collect::<Vec<_>>());
+        self.labels = self.labels.map(|mut labels| {
+            labels[..=leader].rotate_right(1);
+            labels
+        });
+        self
+    }
+
     /// The vertex of a name, or of its number from 1 where the file has numbers; counted from 0.
     pub fn vertex(&self, name: &str) -> Option<usize> {
         match &self.labels {

@@ -124,3 +124,16 @@ fn files_of_nauty_have_one_graph_or_several() {
         Some("line 2")
     );
 }
+
+/// Text of sparse6 without its mark would be read as some other graph; the vertex that is called leader is the first.
+#[test]
+fn marks_are_needed_and_leaders_come_first() {
+    for text in ["sparse6:DQc", "sparse6:Bw", "digraph6:DI?AO?", ">>sparse6<<Fa@x^"] {
+        assert!(text.parse::<AnyGraph>().expect_err("no mark").to_string().contains("begins with"), "{text}");
+    }
+    let read = |text: &str| AnyGraph::read_file(text, false).expect("a graph").remove(0);
+    let arcs = |graph: &AnyGraph| graph.arcs().into_iter().filter(|(i, j)| i < j).collect::<Vec<_>>();
+    assert_eq!(arcs(&read("car1 leader\ncar2 car1\ncar3 car1\n")), [(0, 1), (1, 2), (1, 3)]);
+    assert_eq!(arcs(&read("leader car1\ncar2 car1\n")), [(0, 1), (1, 2)]);
+    assert_eq!(arcs(&read("a b\nc b\n")), [(0, 1), (1, 2)]);
+}

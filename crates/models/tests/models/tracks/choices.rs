@@ -259,7 +259,7 @@ fn times_may_be_dates() {
     assert!(mixed.contains("line 4: t is `2024-05-01T12:00:01`, not a date like that of the first row"), "{mixed}");
     let mixed = refused(["2024-05-01T12:00:00", "2024-05-01T12:00:01Z", "2"], None);
     assert!(mixed.contains("line 4: t is `2024-05-01T12:00:01Z`"), "{mixed}");
-    assert!(refused(["1", "2024-05-01T12:00:01Z", "2"], None).contains("not a finite number"));
+    assert!(refused(["1", "2024-05-01T12:00:01Z", "2"], None).contains("neither a number nor a date"));
     let rate = refused(["2024-05-01T12:00:00Z", "2024-05-01T12:00:01Z", "2024-05-01T12:00:02Z"], Some(25.0));
     assert!(rate.contains("dates need none"), "{rate}");
 }
@@ -281,6 +281,10 @@ fn tables_of_other_forms_are_read() {
     assert!(wrong(&["frame=z"], None).contains("`frame=z` is not NAME=t"));
     assert!(wrong(&["a=t", "b=t"], None).contains("two columns are to be t"));
     assert!(wrong(&[], Some(0.0)).contains("not a positive number"));
+    // Seconds are no numbers of frames.
+    let rated = Format::new::<&str>(&[], Some(2.0)).expect("a format");
+    let refused = Tracks::from_table(&seconds, &rated).expect_err("fractions").to_string();
+    assert!(refused.contains("line 4: t is `0.5`, not a whole number of frames"), "{refused}");
 }
 
 /// Positions as in the file or averaged over the window.
@@ -366,6 +370,12 @@ fn tables_of_trackers_are_read() {
     assert_eq!((at(&sure, 0, 2), at(&sure, 1, 0), at(&sure, 1, 2)), (None, Some((10.0, 10.0)), Some((11.0, 10.0))));
     let tail = Tracks::from_table(lab, &frames.clone().of_parts(Some("tail".to_string()), 0.0)).expect("a recording");
     assert_eq!((at(&tail, 0, 0), at(&tail, 0, 1)), (Some((2.0, 4.0)), None));
+    assert_eq!((tail.parts.as_slice(), sure.parts.len()), (["tail".to_string()].as_slice(), 2));
+    assert!(
+        error(lab, &frames.clone().of_parts(None, 1.5))
+            .contains("no body part that was seen has a score of at least 1.5")
+    );
+    assert!(error(wide, &Format::default().of_parts(None, 0.5)).contains("no body parts and no scores"));
     let fin = frames.clone().of_parts(Some("fin".to_string()), 0.0);
     assert!(error(lab, &fin).contains("no body part `fin`; there are nose, tail"));
     assert!(error(lab, &Format::default()).contains("frames"));

@@ -109,6 +109,8 @@ fn planted_gaps_are_reported_and_left_out() {
     }
     let analysis = analyse(&bridged, &Choices::of_sidebar(bridged.step), &Unwatched).expect("analysed");
     assert_eq!((analysis.gaps.len(), analysis.left_out.used, analysis.whole_frames()), (0, 400 - 52, 400 - 52));
+    // Places on a bridge are not seen.
+    assert_eq!((analysis.fish[2].seen, analysis.fish[2].missing), (390, (10, 1)));
     let double = format!("{text}20,1,0,0\n");
     assert!(
         Tracks::from_csv(&double).expect_err("a duplicate").to_string().contains("fish 1 at t = 20 is there twice")
