@@ -10,9 +10,11 @@ from typing import Any
 EXTRAS = {
     "control": ("control",),
     "graphs": ("networkx", "scipy"),
+    "movement": ("movement",),
     "pandas": ("pandas",),
     "parquet": ("pyarrow",),
     "plot": ("matplotlib",),
+    "recordings": ("h5py", "h5netcdf", "xarray"),
     "strategies": ("hypothesis",),
     "sweep": ("dask", "distributed"),
 }

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _native
+from ._extras import needed
 from ._numbers import ExactMatrix, exact_matrix, float_seen, holds_floats, over_common_denominator
 
 #: What the native half takes: order, tails, heads, weights over a denominator; or "name", "text" or "text from 0"
@@ -67,10 +68,7 @@ def given(graph: Any, zero_based: bool = False) -> Given:
 
 def networkx_graph(order: int, edges: Sequence[tuple[int, int]], directed: bool) -> Any:
     """The graph of networkx on the vertices 1 to ``order``."""
-    try:
-        import networkx
-    except ImportError:
-        raise ImportError('graphs of networkx need it: pip install "flockproof[graphs]"') from None
+    networkx = needed("networkx", "graphs")
     graph = networkx.DiGraph() if directed else networkx.Graph()
     graph.add_nodes_from(range(1, order + 1))
     graph.add_edges_from(edges)
@@ -80,9 +78,9 @@ def networkx_graph(order: int, edges: Sequence[tuple[int, int]], directed: bool)
 def read_member(text: str) -> tuple[int, list[tuple[int, int]], bool]:
     """Order, edges or arcs from 1, and whether they are arcs, of graph6 or ``arcs:N:..``."""
     if text.startswith(("arcs:", "edges:")):
-        kind, order, listed = text.split(":")
+        kind, count, listed = text.split(":")
         pairs = [edge.split("*")[0].split("-") for edge in listed.split(",") if edge]
-        return int(order), [(int(i), int(j)) for i, j in pairs], kind == "arcs"
+        return int(count), [(int(i), int(j)) for i, j in pairs], kind == "arcs"
     sixes = [ord(sign) - 63 for sign in text]
     order, start = sixes[0], 1
     if order == 63:

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ._extras import needed
 from ._flock import _refused
 
 Array = npt.NDArray[np.float64]
@@ -73,19 +74,10 @@ def read(data: Any, part: str | None, score: float) -> Recording | None:
     if ending in (".h5", ".hdf5"):
         return _hdf5(path, part, score)
     if ending == ".nc":
-        return _movement(_needs("xarray", "recordings").open_dataset(path), part, score)
+        return _movement(needed("xarray", "recordings").open_dataset(path), part, score)
     if ending == ".slp":
         return _movement(_with_movement(path, "SLEAP"), part, score)
     return None
-
-
-def _needs(module: str, extra: str) -> Any:
-    import importlib
-
-    try:
-        return importlib.import_module(module)
-    except ImportError:
-        raise ImportError(f'{module} is not installed: pip install "flockproof[{extra}]"') from None
 
 
 class _Unpickler(pickle.Unpickler):
@@ -196,7 +188,7 @@ def _trex(files: Sequence[Path], folder: Path) -> Recording:
 
 
 def _hdf5(path: Path, part: str | None, score: float) -> Recording:
-    h5py = _needs("h5py", "recordings")
+    h5py = needed("h5py", "recordings")
 
     def opened() -> Recording:
         with h5py.File(path, "r") as file:
@@ -234,7 +226,7 @@ def _of_parts(places: Array, parts: Sequence[str], sure: Array | None, part: str
 
 
 def _with_movement(path: Path, software: str) -> Any:
-    load = _needs("movement.io.load_poses", "movement")
+    load = needed("movement.io.load_poses", "movement")
     return load.from_file(path, source_software=software)
 
 
