@@ -420,6 +420,13 @@ impl Tracks {
         let mut first = self.clone();
         first.frames.truncate(frames);
         first.positions.iter_mut().for_each(|row| row.truncate(frames));
+        // Of the bridges those that were reached, the last ones only as far.
+        let end = first.recorded_frames();
+        let reached = self.bridged.iter().filter(|gap| gap.first < end).map(|gap| {
+            let frames = gap.frames.min(end - gap.first);
+            Gap { frames, to: first.time_of(gap.first + frames - 1), ..gap.clone() }
+        });
+        first.bridged = reached.collect();
         first
     }
 
@@ -470,8 +477,7 @@ fn rows(text: &str, format: &Format) -> Result<Table, TracksError> {
     let mut columns = [0; 4];
     for (place, column) in columns.iter_mut().zip(&format.columns) {
         let mut found = header.iter().enumerate().filter(|(_, name)| name == column).map(|(i, _)| i);
-        let found_header = || shown(&header.iter().collect::<Vec<_>>().join(","), 60);
-        *place = found.next().ok_or_else(|| TracksError::NoColumn { column: column.clone(), found: found_header() })?;
+        *place = found.next().ok_or_else(|| no_column(column, &header))?;
         if found.next().is_some() {
             return Err(TracksError::ColumnTwice(column.clone()));
         }
@@ -519,6 +525,12 @@ fn row(
         Some(date) => Ok(Row { line, time: 0.0, date: Some(date), id, place }),
         None => Err(TracksError::Date { line, column, found, example: clock.example() }),
     }
+}
+
+/// That a column is missing, with the start of the header.
+pub(super) fn no_column(column: &str, header: &csv::StringRecord) -> TracksError {
+    let found = shown(&header.iter().collect::<Vec<_>>().join(","), 60);
+    TracksError::NoColumn { column: column.to_string(), found }
 }
 
 /// A time in seconds; with frames per second it is a whole number of frames.

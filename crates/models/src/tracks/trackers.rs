@@ -1,7 +1,7 @@
 //! Tables as trackers write them: all fish in one row (idtracker.ai), body parts (DeepLabCut, SLEAP).
 
 use super::Vector;
-use super::read::{Format, Row, TracksError, number, shown, time};
+use super::read::{Format, Row, TracksError, no_column, number, time};
 use arithmetic::Complex;
 use csv::StringRecord;
 
@@ -145,8 +145,7 @@ fn wide(header: &StringRecord) -> Result<Layout, TracksError> {
     let column = |name: &str| header.iter().position(|field| field == name);
     let times = ["time", "t", "seconds", "frame"];
     let Some(time) = times.into_iter().find_map(column) else {
-        let found = shown(&header.iter().collect::<Vec<_>>().join(","), 60);
-        return Err(TracksError::NoColumn { column: "time".to_string(), found });
+        return Err(no_column("time", header));
     };
     let fish = (1..).map_while(|k: usize| {
         let (x, y) = (column(&format!("x{k}"))?, column(&format!("y{k}"))?);
@@ -159,10 +158,6 @@ fn wide(header: &StringRecord) -> Result<Layout, TracksError> {
 /// `track, frame_idx, instance.score, NAME.x, NAME.y, NAME.score, ..`.
 fn sleap(header: &StringRecord) -> Result<Layout, TracksError> {
     let column = |name: &str| header.iter().position(|field| field == name);
-    let missing = |column: &str| TracksError::NoColumn {
-        column: column.to_string(),
-        found: shown(&header.iter().collect::<Vec<_>>().join(","), 60),
-    };
     let part = |(x, field): (usize, &str)| {
         let name = field.strip_suffix(".x")?.to_string();
         let y = column(&format!("{name}.y"))?;
@@ -170,9 +165,9 @@ fn sleap(header: &StringRecord) -> Result<Layout, TracksError> {
     };
     let parts: Vec<Part> = header.iter().enumerate().filter_map(part).collect();
     if parts.is_empty() {
-        return Err(missing("NAME.x"));
+        return Err(no_column("NAME.x", header));
     }
-    let time = column("frame_idx").ok_or_else(|| missing("frame_idx"))?;
+    let time = column("frame_idx").ok_or_else(|| no_column("frame_idx", header))?;
     Ok(Layout { form: Form::Sleap, time, in_frames: true, name: column("track"), fish: vec![(String::new(), parts)] })
 }
 

@@ -201,6 +201,23 @@ fn bridges_lie_on_lines() {
     // A single frame is bridged, two are not; what is gone at an end has no other side.
     assert_eq!(three().bridge(1, BridgeShape::Line).bridged.len(), 3);
     assert_eq!(three().bridge(0, BridgeShape::Line), three());
+    // Of a part of the recording the bridges that it has, the last one as far as it goes.
+    for frames in 0..=30 {
+        let part = tracks.first(frames);
+        let known: usize = on[..frames].iter().sum();
+        assert_eq!(part.bridged.iter().map(|gap| gap.frames as usize).sum::<usize>(), known, "{frames}");
+        assert_eq!(part.on_bridges(), on[..frames]);
+    }
+    // A stop right after a start that is missing: what was seen is never less than nothing.
+    let ways = (0..40).map(|i| {
+        format!("{i},a,{i},0\n{}", if (2..30).contains(&i) { String::new() } else { format!("{i},b,{i},1\n") })
+    });
+    let gappy = Tracks::from_csv(&format!("t,id,x,y\n{}", ways.collect::<String>())).expect("a recording");
+    let gappy = gappy.bridge(40, BridgeShape::Line);
+    let choices = Choices { window: 1, ..Choices::of_sidebar(1.0) };
+    let stopped = analyse(&gappy, &choices, &Asked(AtomicUsize::new(6))).expect("as far as it went");
+    let seen = stopped.fish[1].seen + stopped.fish[1].missing.0;
+    assert!(stopped.frames.len() < 40 && seen == stopped.left_out.recorded, "{:?}", stopped.fish);
     let ends = "t,id,x,y\n0,a,0,0\n1,a,1,0\n2,a,2,0\n1,b,0,0\n";
     assert!(Tracks::from_csv(ends).expect("a recording").bridge(9, BridgeShape::Line).bridged.is_empty());
 }
