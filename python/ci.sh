@@ -47,4 +47,10 @@ step "types"
 step "notebooks"
 "$bin/python" -m pytest --quiet --nbmake --nbmake-timeout=300 examples
 
+# With the site and the ledger that .ci/run has made before.
+if [ -d "$target/site" ] && [ -f "$target/ledger.json" ]; then
+  step "documentation"
+  (cd "$root" && .ci/documentation "$target/documentation" "$bin/python" "$target/site" "$target/ledger.json")
+fi
+
 step "done"
