@@ -1,4 +1,4 @@
-"""Settings of Sphinx: notes in Markdown, the Python package by its docstrings, nothing from elsewhere when a page is read."""
+"""Settings of Sphinx: notes in Markdown, the Python package by its docstrings, nothing from elsewhere."""
 
 project = "flockproof"
 author = "The flockproof developers"

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Says which links of the documentation lead nowhere: those of its own pages, into the site of claims and into the pages of cargo doc too.
+"""Says which links of the documentation lead nowhere: those of its own pages, into the site of claims and the pages
+of cargo doc.
 
 links.py FOLDER
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Gathers the sources of the documentation in a folder: the pages of the repository, and those made of the commands' help, of the crates
-and of a ledger.
+"""Gathers the sources of the documentation in a folder: the pages of the repository, and those made of the commands'
+help, of the crates and of a ledger.
 
     pages.py FLOCKPROOF LEDGER.json OUT
 """
@@ -87,11 +87,17 @@ def commands(flockproof: str) -> str:
 def crates() -> str:
     """Each crate with the first page of its documentation."""
     metadata = subprocess.run(
-        ["cargo", "metadata", "--format-version", "1", "--no-deps", "--offline"], capture_output=True, text=True, check=True, cwd=ROOT
+        ["cargo", "metadata", "--format-version", "1", "--no-deps", "--offline"],
+        capture_output=True,
+        text=True,
+        check=True,
+        cwd=ROOT,
     )
     text = "# Rust\n\nThe crate `flockproof` has the others under one name. All items: "
     text += beside("rust/flockproof", "rust/flockproof/index.html") + "\n"
-    packages = sorted(json.loads(metadata.stdout)["packages"], key=lambda package: (package["name"] != "flockproof", package["name"]))
+    packages = sorted(
+        json.loads(metadata.stdout)["packages"], key=lambda package: (package["name"] != "flockproof", package["name"])
+    )
     for package in packages:
         library = next((target for target in package["targets"] if "lib" in target["kind"]), None)
         if library is None or package["name"] in ("flockproof-python", "flockproof-benches"):
@@ -112,7 +118,8 @@ def claims(ledger: dict, paper: str) -> str:
         if claim["paper"] != paper:
             continue
         page = f"site/claims/{claim['id']}.html"
-        text += f"## {claim['id']}\n\n**{claim['verdict']}** ({claim['place']}). {beside('Evidence and controls', page)}\n\n"
+        text += f"## {claim['id']}\n\n**{claim['verdict']}** ({claim['place']}). "
+        text += f"{beside('Evidence and controls', page)}\n\n"
         text += fenced(claim["statement"])
     return text
 
@@ -124,9 +131,11 @@ def main(flockproof: str, ledger_file: str, out: str) -> None:
         shutil.copyfile(Path(__file__).with_name(name), folder / name)
     copy_pages(folder)
     ledger = json.loads(Path(ledger_file).read_text(encoding="utf-8"))
-    made = {"commands": commands(flockproof), "rust": crates()} | {f"claims-{paper}": claims(ledger, paper) for paper in PAPERS}
+    made = {"commands": commands(flockproof), "rust": crates()} | {
+        f"claims-{paper}": claims(ledger, paper) for paper in PAPERS
+    }
     made["claims-site"] = (
-        f"# The site of claims\n\n{beside('The list of all claims', 'site/index.html')}, each on a page of its own, with filters, figures and errata.\n"
+        f"# The site of claims\n\n{beside('All claims', 'site/index.html')}, each on a page of its own, with figures and errata.\n"
     )
     for name, text in made.items():
         (folder / f"{name}.md").write_text(text, encoding="utf-8")
