@@ -118,7 +118,7 @@ impl Found {
     fn text(&self) -> String {
         let gains: Vec<String> = self.gains.iter().map(Rational::to_string).collect();
         let mut text = format!(
-            "{} particles, all-to-all, omega0 = {}, K0 = {}, K = {}\nclusters  verdict    largest real part but for symmetries\n",
+            "{} particles, all-to-all, omega0 = {}, K0 = {}, K = {}\nclusters  verdict    spectral abscissa, symmetry modes left out\n",
             self.particles,
             self.omega0,
             self.spacing,

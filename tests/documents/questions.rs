@@ -8,7 +8,7 @@ const RECORDED: [(&str, Verdict); 16] = [
     ("algebraic_connectivity", Verdict::Holds),
     ("gap_and_diameter", Verdict::False),
     ("more_links_are_faster", Verdict::False),
-    ("string_stability", Verdict::Holds),
+    ("peak_per_car", Verdict::Holds),
     ("gains_for_256", Verdict::Holds),
     ("never_meets", Verdict::Holds),
     ("agreement_time", Verdict::Holds),

@@ -86,7 +86,7 @@ fn explore(weights: [Rational; 6]) -> Result<Found, CheckError> {
 }
 
 impl Found {
-    /// The rule that the numbers suggest: linear where the mean offset is zero and no wave can be driven.
+    /// The rule that the numbers suggest: linear where the mean offset is zero and every travelling-wave mode is damped.
     fn expected(&self) -> Option<Growth> {
         let linear = self.moments[0].is_zero() && self.margin > 0.0;
         self.reached.then_some(if linear { Growth::Linear } else { Growth::Exponential })
