@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import pickle
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -58,6 +61,16 @@ def test_idtracker(tmp_path: Path) -> None:
     header = "time," + ",".join(f"x{k},y{k}" for k in range(1, 5))
     np.savetxt(table, columns, delimiter=",", header=header, comments="", fmt="%.17g")
     same(analysed(table), table="all fish in one row, as idtracker.ai writes it")
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_the_command_line_reads_arrays(tmp_path: Path, order: str) -> None:
+    np.save(tmp_path / "school.npy", np.asarray(school(), order=order))
+    command = [sys.executable, "-m", "flockproof", "tracks", str(tmp_path / "school.npy"), "--fps", "25", "--window", "5"]
+    command += ["--null", "0", "--max-gap", "5", "--out", str(tmp_path / "out"), "--json"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    same(json.loads(done.stdout), table="an array of NumPy")
 
 
 def test_plain_arrays(tmp_path: Path) -> None:

@@ -163,6 +163,11 @@ pub struct Input {
 
 /// Reads a whole text file of at most 64 MiB, `-` from standard input.
 pub fn read_input(path: &Path) -> Result<Input, CliError> {
+    text(path, read_bytes(path)?)
+}
+
+/// The bytes of a file, and its name with their digest.
+pub fn read_bytes(path: &Path) -> Result<(Vec<u8>, Value), CliError> {
     static READ: AtomicBool = AtomicBool::new(false);
     let is_stdin = path == Path::new("-");
     if is_stdin && READ.swap(true, Ordering::Relaxed) {
@@ -173,11 +178,16 @@ pub fn read_input(path: &Path) -> Result<Input, CliError> {
     if bytes.len() as u64 > LARGEST {
         return Err(CliError::file(path, "files of more than 64 MiB are not read"));
     }
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+    let origin = json!({"name": name, "sha256": digest(&bytes)});
+    Ok((bytes, origin))
+}
+
+/// The text of a file that was read.
+pub fn text(path: &Path, (bytes, origin): (Vec<u8>, Value)) -> Result<Input, CliError> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Err(CliError::file(path, "it is not a text file in UTF-8 but in UTF-16"));
     }
-    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
-    let origin = json!({"name": name, "sha256": digest(&bytes)});
     let text = String::from_utf8(bytes).map_err(|_| CliError::file(path, "it is not a text file (UTF-8)"))?;
     let text = text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text);
     Ok(Input { text, origin })

@@ -16,7 +16,7 @@ use std::process::ExitCode;
 #[command(after_help = "Times are in seconds, lengths in the unit of x and y, radii of zones in body lengths.\n\n\
 Examples:\n  flockproof tracks assets/example_tracks.csv --out out\n  flockproof tracks --synthetic milling --fish 20 --seed mine --out out")]
 pub struct Arguments {
-    /// Table with the columns t, id, x, y: seconds or dates, a name for each fish, horizontal positions; or one of idtracker.ai, DeepLabCut or SLEAP
+    /// Table with the columns t, id, x, y: seconds or dates, a name for each fish, horizontal positions; or one of idtracker.ai, DeepLabCut or SLEAP; or an array (.npy) of shape (frames, fish, 2)
     #[arg(value_name = "FILE.csv", required_unless_present = "synthetic", conflicts_with = "synthetic")]
     file: Option<PathBuf>,
     /// Folder for summary.json, tables and pictures; it is made if it is missing
@@ -150,7 +150,7 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
         return Ok((synthetic_school(school, &setting), source, origin));
     }
     let path = arguments.file.as_deref().unwrap_or(Path::new(""));
-    let input = output::read_input(path)?;
+    let read = output::read_bytes(path)?;
     let format = Format::new(&arguments.columns, arguments.fps).map_err(|error| {
         CliError::Use(format!("--{}: {error}", if matches!(error, FormatError::Rate(_)) { "fps" } else { "columns" }))
     })?;
@@ -158,10 +158,16 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
         return Err(CliError::Use(format!("--score {} is below 0", arguments.score)));
     }
     let format = format.of_parts(arguments.part.clone(), arguments.score);
-    let tracks = Tracks::from_table(&input.text, &format).map_err(|error| CliError::file(path, error))?;
+    let (tracks, origin) = if Tracks::is_npy(&read.0) {
+        (Tracks::from_npy(&read.0, &format), read.1)
+    } else {
+        let input = output::text(path, read)?;
+        (Tracks::from_table(&input.text, &format), input.origin)
+    };
+    let tracks = tracks.map_err(|error| CliError::file(path, error))?;
     // The name only, so that the same file gives the same output wherever it is.
     let name = path.file_name().unwrap_or(path.as_os_str());
-    Ok((tracks, name.to_string_lossy().into_owned(), input.origin))
+    Ok((tracks, name.to_string_lossy().into_owned(), origin))
 }
 
 fn choices(arguments: &Arguments, tracks: &Tracks) -> Result<Choices, CliError> {

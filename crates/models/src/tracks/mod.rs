@@ -15,6 +15,7 @@ mod histogram;
 mod measures;
 mod motion;
 mod named;
+mod npy;
 mod null;
 mod potential;
 mod read;

@@ -246,6 +246,12 @@ pub enum TracksError {
         /// Those that are there.
         known: String,
     },
+    /// An array of NumPy that is no recording.
+    #[error("the array of NumPy cannot be read: {what}")]
+    Array {
+        /// Why.
+        what: String,
+    },
     /// A row that is not CSV.
     #[error("line {line}: {what}")]
     Csv {
@@ -322,7 +328,7 @@ impl Tracks {
         Ok(Tracks { form, parts, start: first.map(|first| clock.text(first)), ..Tracks::from_rows(&rows)? })
     }
 
-    fn from_rows(rows: &[Row]) -> Result<Tracks, TracksError> {
+    pub(super) fn from_rows(rows: &[Row]) -> Result<Tracks, TracksError> {
         let mut starts: Vec<(f64, u64)> = rows.iter().map(|row| (row.time, row.line)).collect();
         starts.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         starts.dedup_by(|later, first| later.0 == first.0);

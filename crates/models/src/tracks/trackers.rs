@@ -16,6 +16,8 @@ pub enum Form {
     DeepLabCut,
     /// A row for each fish in each frame with `track`, `frame_idx` and `NAME.x, NAME.y, NAME.score` of each body part: SLEAP.
     Sleap,
+    /// An array of NumPy, of shape (frames, fish, 2).
+    Array,
 }
 
 impl Form {
@@ -42,6 +44,7 @@ impl Form {
             Form::Wide => "all fish in one row, as idtracker.ai writes it",
             Form::DeepLabCut => "body parts of DeepLabCut",
             Form::Sleap => "body parts of SLEAP",
+            Form::Array => "an array of NumPy",
         }
     }
 }
@@ -76,7 +79,7 @@ pub(super) fn rows(
     let (layout, data) = match form {
         Form::DeepLabCut => deep_lab_cut(records)?,
         Form::Sleap => (sleap(&records[0])?, &records[1..]),
-        Form::Wide | Form::Rows => (wide(&records[0])?, &records[1..]),
+        Form::Wide | Form::Rows | Form::Array => (wide(&records[0])?, &records[1..]),
     };
     let parts = || layout.fish.iter().flat_map(|(_, parts)| parts);
     let mut known: Vec<String> = parts().map(|part| part.name.clone()).filter(|name| !name.is_empty()).collect();

@@ -3,6 +3,7 @@
 mod choices;
 mod delays;
 mod measures;
+mod npy;
 mod nulls;
 mod reading;
 mod schools;
