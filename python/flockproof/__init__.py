@@ -6,6 +6,7 @@ command line; long work stops on Ctrl-C.
 """
 
 from ._extras import require
+from ._fit import Fit, fit
 from ._flock import Flock, Run, Settlement, Switch
 from ._ledger import Claim, Claims, Controls, Entry, Evidence, Ledger, Text, explain, ledger, verify
 from ._native import __version__
@@ -46,6 +47,7 @@ __all__ = [
     "Evidence",
     "ExactMatrix",
     "Failure",
+    "Fit",
     "Flock",
     "Invariant",
     "Law",
@@ -73,6 +75,7 @@ __all__ = [
     "ergodicity",
     "exact",
     "explain",
+    "fit",
     "fuzz",
     "graphs",
     "invariants",

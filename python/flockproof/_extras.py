@@ -9,6 +9,7 @@ from typing import Any
 #: The extras with the packages that they bring.
 EXTRAS = {
     "control": ("control",),
+    "fit": ("scipy",),
     "graphs": ("networkx", "scipy"),
     "movement": ("movement",),
     "pandas": ("pandas",),

@@ -66,7 +66,17 @@ def test_idtracker(tmp_path: Path) -> None:
 @pytest.mark.parametrize("order", ["C", "F"])
 def test_the_command_line_reads_arrays(tmp_path: Path, order: str) -> None:
     np.save(tmp_path / "school.npy", np.asarray(school(), order=order))
-    command = [sys.executable, "-m", "flockproof", "tracks", str(tmp_path / "school.npy"), "--fps", "25", "--window", "5"]
+    command = [
+        sys.executable,
+        "-m",
+        "flockproof",
+        "tracks",
+        str(tmp_path / "school.npy"),
+        "--fps",
+        "25",
+        "--window",
+        "5",
+    ]
     command += ["--null", "0", "--max-gap", "5", "--out", str(tmp_path / "out"), "--json"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
