@@ -13,6 +13,9 @@ pub(crate) const PLAYER: &str = include_str!("player.js");
 /// Most frames of a motion, and most numbers in all of them.
 const FRAMES: usize = 600;
 const NUMBERS: usize = 400_000;
+/// Most points of a way in a small picture, and most ways.
+const MOST_POINTS: usize = 150;
+const MOST_WAYS: usize = 24;
 
 /// A pair of agents from 0.
 pub(crate) type Link = (usize, usize);
@@ -129,6 +132,49 @@ impl Motion {
             links.extend(below.iter().map(|(i, j)| (i + count, j + count)));
         }
         self
+    }
+
+    /// A small picture of the ways of the first agents, with a dot where each ends; on the line over the time, which runs to the right.
+    pub fn thumbnail(&self) -> Markup {
+        const SIZE: [f64; 2] = [160.0, 100.0];
+        const MARGIN: f64 = 6.0;
+        let on_line = self.labels[1].is_empty();
+        let every = self.points.len().div_ceil(MOST_POINTS).max(1);
+        let frames: Vec<(usize, &Vec<[f64; 2]>)> = self.points.iter().enumerate().step_by(every).collect();
+        let agents = frames.iter().map(|(_, points)| points.len()).min().unwrap_or(0).min(MOST_WAYS);
+        let seen = |(t, points): &(usize, &Vec<[f64; 2]>), agent: usize| -> [f64; 2] {
+            let middle = match self.follow && !on_line {
+                true => [0, 1].map(|axis| points.iter().map(|p| p[axis]).sum::<f64>() / points.len() as f64),
+                false => [0.0; 2],
+            };
+            let [x, y] = points[agent];
+            if on_line { [*t as f64, x + y] } else { [x - middle[0], y - middle[1]] }
+        };
+        let ways: Vec<Vec<[f64; 2]>> =
+            (0..agents).map(|agent| frames.iter().map(|frame| seen(frame, agent)).collect()).collect();
+        let ends = [0, 1].map(|axis| {
+            let values = || ways.iter().flatten().map(|point| point[axis]);
+            (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max))
+        });
+        let mut scale = [0, 1].map(|axis| (SIZE[axis] - 2.0 * MARGIN) / (ends[axis].1 - ends[axis].0).max(1e-9));
+        if self.equal && !on_line {
+            scale = [scale[0].min(scale[1]); 2];
+        }
+        let place = |point: &[f64; 2]| -> [f64; 2] {
+            let at = |axis: usize| (point[axis] - (ends[axis].0 + ends[axis].1) / 2.0) * scale[axis];
+            [SIZE[0] / 2.0 + at(0), SIZE[1] / 2.0 - at(1)]
+        };
+        let path = |way: &Vec<[f64; 2]>| -> String {
+            way.iter().map(place).map(|[x, y]| format!("{x:.1},{y:.1}")).collect::<Vec<_>>().join(" ")
+        };
+        html! {
+            svg.thumbnail viewBox={ "0 0 " (SIZE[0]) " " (SIZE[1]) } aria-hidden="true" {
+                @for way in &ways { polyline points=(path(way)) {} }
+                @for [x, y] in ways.iter().filter_map(|way| way.last()).map(place) {
+                    circle cx=(format!("{x:.1}")) cy=(format!("{y:.1}")) r="2" {}
+                }
+            }
+        }
     }
 
     /// The motion as JSON for the player.

@@ -21,7 +21,7 @@ mod words;
 
 use crate::figures::Figure;
 use crate::file::File;
-use crate::page::player::PLAYER;
+use crate::page::player::{Motion, PLAYER};
 use crate::page::{Frame, Links, Page, SCRIPT, STYLE};
 use crate::papers::papers;
 use crate::provenance::Provenance;
@@ -121,16 +121,19 @@ impl<'a> Site<'a> {
             pages.push(self.inner(&format!("errata/{}.html", paper.key), &title, "errata", &errata::body(self, paper)));
         }
         pages.push(Page::new("explore.js", PLAYER));
-        pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list()));
         pages.push(Page::new("live.js", explore::ASKER));
         for live in explore::LIVE {
             let body = explore::live(live, self.texts)?;
             pages.push(self.inner(&format!("explore/{}.html", live.name), live.title, "live", &body));
         }
+        let mut pictures = Vec::new();
         for show in explore::SHOWS {
-            let body = explore::body(self, show)?;
+            let runs = show.motions()?;
+            pictures.extend(runs.first().map(Motion::thumbnail));
+            let body = explore::body(self, show, &runs);
             pages.push(self.inner(&format!("explore/{}.html", show.name), show.title, "explore", &body));
         }
+        pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list(&pictures)));
         pages.push(self.inner("laws/index.html", "Laws", "explore", &laws::list(self.texts)));
         for law in laws::LAWS {
             if let Some((title, body)) = laws::body(law, self.texts)? {

@@ -107,12 +107,22 @@ pub(super) const SHOWS: &[Show] = &[
     },
 ];
 
-/// The list of motions.
-pub(super) fn list() -> Markup {
+impl Show {
+    /// Its motions, computed.
+    ///
+    /// # Errors
+    /// The sentence of what could not be computed.
+    pub fn motions(&self) -> Result<Vec<Motion>, RunsError> {
+        (self.runs)()
+    }
+}
+
+/// The list of motions, with a small picture of the first one of each show.
+pub(super) fn list(pictures: &[Markup]) -> Markup {
     html! {
         h1 { "Explore" }
         p.lead { "Examples and counterexamples that move. Each was computed by the program; play, step, or drag the slider." }
-        ul { @for show in SHOWS { li { a href={ (show.name) ".html" } { (show.title) } } } }
+        ul.shows { @for (show, picture) in SHOWS.iter().zip(pictures) { li { a href={ (show.name) ".html" } { (picture) (show.title) } } } }
         h2 { "Live" }
         p { "Each shows one answer here; under " code { "flockproof serve" } " they ask the program." }
         ul { @for live in LIVE { li { a href={ (live.name) ".html" } { (live.title) } } } }
@@ -128,15 +138,11 @@ pub(super) fn live(live: &live::Live, texts: Texts) -> Result<Markup, RunsError>
 }
 
 /// The page of one show.
-///
-/// # Errors
-/// The sentence of what could not be computed.
-pub(super) fn body(site: &Site, show: &Show) -> Result<Markup, runs::RunsError> {
-    let runs = (show.runs)()?;
-    Ok(html! {
+pub(super) fn body(site: &Site, show: &Show, runs: &[Motion]) -> Markup {
+    html! {
         h1 { (show.title) }
         p.lead { (site.names.rich(show.about, Links::Folder)) }
-        @for run in &runs {
+        @for run in runs {
             section.live aria-label=(run.title) {
                 @if runs.len() > 1 { h2 { (site.names.rich(&run.title, Links::Folder)) } }
                 (run.section(&format!("{}: {}", show.title, run.title)))
@@ -145,5 +151,5 @@ pub(super) fn body(site: &Site, show: &Show) -> Result<Markup, runs::RunsError> 
         p.small { (site.names.rich(show.drawn, Links::Folder)) }
         p { "Claims: " @for (k, id) in show.claims.iter().enumerate() { @if k > 0 { ", " } (site.names.linked(id, Links::Folder)) } "." }
         script src="../explore.js" defer {}
-    })
+    }
 }
