@@ -34,7 +34,7 @@ from ._progress import Progress, callback
 
 @dataclass(frozen=True)
 class Theorem1:
-    """The two formulas of Theorem 1 of Veerman, Stosic and Olvera, for large M: decimals, rounded down, of what they
+    """The two formulas of Theorem 1 of Veerman, Stošić and Olvera, for large M: decimals, rounded down, of what they
     say.
     """
 
@@ -119,7 +119,7 @@ def resonance(followers: int, f: Number, g: Number, digits: int = 15) -> Resonan
 
     Notes
     -----
-    Veerman, Stosic and Olvera, *Spatial instabilities and size limitations of flocks* (2007), Theorem 1; that the
+    Veerman, Stošić and Olvera, *Spatial instabilities and size limitations of flocks* (2007), Theorem 1; that the
     maximum is the global one is proved in ``notes/resonance.md``.
 
     Examples
@@ -363,7 +363,8 @@ def spectrum(
         edge *tuples* ``(i, j)`` or ``(i, j, weight)``, undirected, between the vertices that are named in it. Weights
         are exact.
     kind
-        ``laplacian``, ``out-degree``, ``in-degree``, ``normalised``, ``walk``, ``reduced`` or ``adjacency``.
+        ``laplacian``, ``out-degree``, ``in-degree``, ``normalised`` (or ``normalized``), ``walk``, ``reduced`` or
+        ``adjacency``.
     digits
         Significant digits; left out: 20 where they are exact, otherwise what floating point with proved bounds gives.
     root
