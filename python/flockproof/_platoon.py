@@ -54,7 +54,8 @@ class Platoon:
     followers
         Number of cars behind the leader, up to 200; peaks are proved for up to 100.
     f, g
-        Gains of the positions (1/s^2) and of the velocities (1/s), below 0: one, or one for each follower.
+        Gains of the positions (1/s^2) and of the velocities (1/s), below 0: one, or one for each follower, as a list
+        or as a text (``"-1,-2,-1"``).
     ahead, behind
         Weights of the car ahead and of the car behind, one, or one for each follower: an asymmetric platoon. They are
         scaled to a sum of one for each car, so that the last car has the weight 1 ahead; one of them alone: the other

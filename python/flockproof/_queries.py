@@ -35,7 +35,7 @@ from ._shown import ROWS, latex, table, told
 
 @dataclass(frozen=True)
 class Theorem1:
-    """The two formulas of Theorem 1 of Veerman, Stosic and Olvera, for large M: decimals, rounded down, of what they
+    """The two formulas of Theorem 1 of Veerman, Stošić and Olvera, for large M: decimals, rounded down, of what they
     say.
     """
 
@@ -136,7 +136,7 @@ def resonance(followers: int, f: Number, g: Number, digits: int = 15) -> Resonan
 
     Notes
     -----
-    Veerman, Stosic and Olvera, *Spatial instabilities and size limitations of flocks* (2007), Theorem 1; that the
+    Veerman, Stošić and Olvera, *Spatial instabilities and size limitations of flocks* (2007), Theorem 1; that the
     maximum is the global one is proved in ``notes/resonance.md``.
 
     Examples
@@ -404,7 +404,8 @@ def spectrum(
         edge *tuples* ``(i, j)`` or ``(i, j, weight)``, undirected, between the vertices that are named in it. Weights
         are exact.
     kind
-        ``laplacian``, ``out-degree``, ``in-degree``, ``normalised``, ``walk``, ``reduced`` or ``adjacency``.
+        ``laplacian``, ``out-degree``, ``in-degree``, ``normalised`` (or ``normalized``), ``walk``, ``reduced`` or
+        ``adjacency``.
     digits
         Significant digits; left out: 20 where they are exact, otherwise what floating point with proved bounds gives.
     root

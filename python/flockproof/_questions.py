@@ -292,7 +292,8 @@ class Table(Sequence[Mapping[str, Any]]):
     """The values of a question for every member of its family, a dictionary for each.
 
     Names of the family are int, Fraction or str; values are Fraction, :class:`Enclosure`, bool, or None where they
-    are not known.
+    are missing or not known. The reasons stand below the table, and in the column ``reason`` of :meth:`to_csv` and
+    :meth:`to_pandas`.
 
     Attributes
     ----------
@@ -347,6 +348,9 @@ class Table(Sequence[Mapping[str, Any]]):
             for end in (f"{name}.lo", f"{name}.hi"):
                 if end in exactly.columns:
                     frame[end] = exactly[end]
+        last = str(exactly.columns[-1])
+        if last.rstrip("_") == "reason" and last not in frame.columns:
+            frame[last] = exactly[last]
         return frame
 
     def to_parquet(self, path: str | os.PathLike[str]) -> None:

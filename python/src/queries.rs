@@ -13,7 +13,7 @@ use flockproof::matrix::{
 use flockproof::platoon::state_space::StateSpace;
 use flockproof::platoon::{
     CommunicationGraph, Gains, Line, MOST_FOLLOWERS_PROVED, MOST_STATES_PROVED, Parameter, Peak, PeakError, Platoon,
-    ResonanceError, peak_of_platoon, peak_of_system, resonance as main_resonance, theorem1,
+    ResonanceError, peak_of_platoon, peak_of_system, read_numbers, resonance as main_resonance, theorem1,
 };
 use flockproof::reach::{System, answer, decide};
 use flockproof::spectrum::{Eigenvalue, Method, graph_spectrum, matrix_spectrum, named_spectrum};
@@ -77,10 +77,7 @@ pub fn peak(
     vertices: (Option<Bound<'_, PyAny>>, Option<Bound<'_, PyAny>>),
     digits: &Bound<'_, PyAny>,
 ) -> PyResult<PeakEnds> {
-    let numbers = |name: &str, list: &[Bound<'_, PyAny>]| -> PyResult<Vec<Rational>> {
-        list.iter().map(|value| exact(name, value)).collect()
-    };
-    let (f, g) = (numbers("f", &gains.0)?, numbers("g", &gains.1)?);
+    let (f, g) = (listed("f", &gains.0)?, listed("g", &gains.1)?);
     let leader = optional_count("leader", vertices.0.as_ref())?;
     let car = optional_count("car", vertices.1.as_ref())?;
     let digits = digits_of(digits)?;
@@ -127,6 +124,16 @@ fn found_peak(
 /// A platoon on a line: names of parameters with their numbers.
 type Parameters<'py> = Vec<(String, Vec<Bound<'py, PyAny>>)>;
 
+/// Numbers of a platoon; one text alone may be a list, as on the command line.
+fn listed(name: &str, numbers: &[Bound<'_, PyAny>]) -> PyResult<Vec<Rational>> {
+    if let [one] = numbers
+        && let Ok(text) = one.extract::<String>()
+    {
+        return read_numbers(&text).map_err(|error| refuse(format!("{name}: {error}")));
+    }
+    numbers.iter().map(|number| exact(name, number)).collect()
+}
+
 /// The platoon of so many followers whose numbers are given.
 fn on_a_line(followers: &Bound<'_, PyAny>, parameters: &Parameters<'_>) -> PyResult<Platoon<Rational>> {
     let followers = usize::try_from(count("followers", followers)?).unwrap_or(usize::MAX);
@@ -136,8 +143,7 @@ fn on_a_line(followers: &Bound<'_, PyAny>, parameters: &Parameters<'_>) -> PyRes
     let mut line = Line::default();
     for (name, numbers) in parameters {
         let parameter = Parameter::from_name(name).ok_or_else(|| refuse(format!("`{name}` is no parameter")))?;
-        let numbers = numbers.iter().map(|number| exact(name, number)).collect::<PyResult<Vec<_>>>()?;
-        line = line.with(parameter, numbers);
+        line = line.with(parameter, listed(name, numbers)?);
     }
     line.platoon(followers).map_err(|error| refuse(error.to_string()))
 }

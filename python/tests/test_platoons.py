@@ -126,3 +126,12 @@ def test_a_missing_extra_is_named():
     told = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
     assert 'control is needed for this: pip install "flockproof[control]"' in told
     assert 'pandas is needed for this: pip install "flockproof[pandas]"' in told
+
+
+def test_a_text_is_a_list():
+    listed = flockproof.Platoon(3, f=-1, g=[-2, -2, -1], ahead=["0.6", "1/2", 1])
+    for ahead in ("0.6,1/2,1", "[0.6, 1/2, 1]", "each:3/5,1/2,1"):
+        same = flockproof.Platoon(3, f="-1", g="-2,-2,-1", ahead=ahead)
+        assert str(same.peak().amplitude) == str(listed.peak().amplitude)
+    with pytest.raises(ValueError, match="ahead: `x`"):
+        flockproof.Platoon(3, f=-1, g=-2, ahead="0.6,x,1")

@@ -134,6 +134,17 @@ def test_tables_as_data(tmp_path: Path) -> None:
     assert list(again["connectivity"]) == list(frame["connectivity"]) and list(again.columns) == list(frame.columns)
 
 
+def test_reasons_of_a_table() -> None:
+    pytest.importorskip("pandas")
+    platoon = {"followers": 3, "f": ["-1", "1"], "g": "-1"}
+    values = {"height": "peak", "safe": "stable", "low": "stable and peak < 10"}
+    table = flockproof.sweep({"question": {"id": "mine"}, "for": platoon, "values": values})
+    assert table[0]["height"] > 1 and (table[0]["safe"], table[0]["low"]) == (True, True)
+    assert (table[1]["height"], table[1]["safe"], table[1]["low"]) == (None, False, False)
+    frame = table.to_pandas()
+    assert frame["reason"][0] == "" and "negative" in frame["reason"][1]
+
+
 def test_fuzz(tmp_path: Path) -> None:
     name = next(iter(flockproof.invariants()))
     store = tmp_path / "store"

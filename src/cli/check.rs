@@ -7,6 +7,8 @@ use flockproof::report::{Provenance, shown};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use textwrap::WordSeparator;
+use textwrap::core::Word;
 
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -90,6 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         } else {
             let text = answer.text(replay.as_deref());
             let whole_words = textwrap::Options::new(output::width().clamp(40, 100))
+                .word_separator(WordSeparator::Custom(breaking_lists))
                 .word_splitter(textwrap::WordSplitter::NoHyphenation)
                 .break_words(false);
             let indented = whole_words.clone().subsequent_indent("    ");
@@ -119,6 +122,24 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         }
     }
     Ok(if interrupted { interrupt::status(false) } else { ExitCode::from(worst.status()) })
+}
+
+/// Longest word that is left whole.
+const LONGEST_WORD: usize = 60;
+
+/// The words of a line: between spaces, and of long lists such as `each:3/5,1/2,..` the parts behind the commas.
+fn breaking_lists(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
+    let words = WordSeparator::AsciiSpace.find_words(line);
+    Box::new(words.flat_map(|word| {
+        if word.word.len() <= LONGEST_WORD {
+            return vec![word];
+        }
+        let mut parts: Vec<Word> = word.word.split_inclusive(',').map(Word::from).collect();
+        if let Some(last) = parts.last_mut() {
+            last.whitespace = word.whitespace;
+        }
+        parts
+    }))
 }
 
 /// A sum of squares that says what was asked, where the checker sees that it does; otherwise what it says of polynomials.

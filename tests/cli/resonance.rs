@@ -215,6 +215,7 @@ fn asymmetric_platoons_are_said_in_one_line() {
         &["--ahead", "0.6"][..],
         &["--behind=0.4,0.4,0.4,0"],
         &["--ahead=3,6,0.6,1", "--behind=2,4,0.4,1"],
+        &["--ahead=[3, 6, 0.6, 1]", "--behind=each:2,4,0.4,1"],
         &["--f-ahead", "0.6", "--g-behind", "0.4"],
     ] {
         assert_eq!(peak(same), weights, "{same:?}");
@@ -225,6 +226,9 @@ fn asymmetric_platoons_are_said_in_one_line() {
     let links = ["--followers", "4", "--f-ahead=-0.6", "--f-behind=-0.4", "--g-ahead=-1.2", "--g-behind=-0.8"];
     let own = ["--followers", "4", "--ahead=0.6", "--f=-1,-1,-1,-0.6", "--g=-2,-2,-2,-1.2"];
     assert_eq!(json(&links)["peak"], json(&own)["peak"]);
+    let lists = ["resonance", "--followers", "4", "--f=-1", "--g=-2", "--ahead=0.6,0.8,0.5,1"];
+    let said = stdout(&flockproof(&lists));
+    assert!(said.contains("weights: 4 ahead (least 1/2, largest 1), scaled to a sum of one for each car\n"), "{said}");
     let table = stdout(&flockproof(&["resonance", "--followers", "4", "--g=-2", "--ahead", "0.6", "--sweep", "f=-1"]));
     let amplitude = weights["amplitude"]["lo"].as_str().expect("a decimal");
     assert!(table.contains(&amplitude[..12]), "{table} {amplitude}");
@@ -280,7 +284,8 @@ fn responses_are_tabulated_and_drawn() {
             "--plot",
             path.to_str().expect("UTF-8"),
         ];
-        stdout(&flockproof(&plot));
+        let text = stdout(&flockproof(&plot)).split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.ends_with(&format!("written: {}: magnitude and phase of car 3", path.display())), "{text}");
         assert!(std::fs::read(&path).expect(name).starts_with(start));
     }
     let text = std::fs::read_to_string(folder.join("a.svg")).expect("text");
@@ -291,7 +296,8 @@ fn responses_are_tabulated_and_drawn() {
         assert_refused(&[&["resonance", "--followers", "3", "--f=-1", "--g=-1"], arguments].concat(), named);
     };
     ask(&["--plot", "x.pdf"], "x.pdf: the name of a picture should end in .svg or .png");
-    ask(&["--cars", "4"], "--cars: there are the followers 1 to 3");
+    ask(&["--cars", "2"], "--cars names the cars of --response and --plot, and neither is given");
+    ask(&["--cars", "4", "--response", "1"], "--cars: there are the followers 1 to 3");
     ask(&["--response", "1..2"], "the number of frequencies is missing");
     ask(&["--response", "0..2:3"], "FROM should be above 0");
     ask(&["--response", "-1"], "frequencies are not negative");

@@ -1,6 +1,7 @@
 //! `sweep`, and `fuzz` of a question: tables, shards, counterexamples, wrong input.
 
 use super::{assert_refused, file, flockproof, folder, stdout};
+use std::process::Output;
 
 const SQUARES: &[u8] =
     b"[question]\nid = \"test.squares\"\n[for]\nn = \"1..9\"\n[values]\nsquare = \"n^2\"\nroot = \"sqrt(n)\"\n";
@@ -24,7 +25,8 @@ fn tables_do_not_depend_on_shards() {
         assert!(output.status.success() && stdout(&output).contains(&format!("shard {shard} is finished")));
     }
     let merged = flockproof(&["sweep", "--merge", &store("parts")]);
-    assert_eq!(stdout(&merged), stdout(&whole));
+    let table = |output: &Output| stdout(output).split("written: ").next().map(str::to_string);
+    assert_eq!(table(&merged), table(&whole));
     for name in ["table.csv", "table.jsonl", "merged.jsonl", "about.txt"] {
         let read = |store: &str| std::fs::read(folder.join(store).join(name)).expect("written");
         assert_eq!(read("whole"), read("parts"), "{name}");
@@ -92,6 +94,54 @@ fn bad_sweeps_are_refused() {
     assert_refused(&["fuzz", &question, "matrix.inverse"], "alone");
     assert_refused(&["fuzz", &question, "--case", "3"], "--case");
     assert_refused(&["fuzz", &path("nowhere.toml")], "nowhere.toml");
+}
+
+/// A member without a value is a row with a reason, in each form of the table, and not the end of it; so is a property that cannot be decided.
+#[test]
+fn what_is_missing_has_its_reason() {
+    let folder = folder("sweep_missing");
+    let path = |name: &str| folder.join(name).to_str().expect("UTF-8").to_string();
+    let head = "[question]\nid = \"test.missing\"\n[for]\nfollowers = 60\nf = \"-1\"\ng = \"-1\"\n\
+                f_ahead = [\"1/2\", \"3/5\"]\ng_ahead = \"1/2\"\n";
+    let values =
+        "[values]\nheight = \"peak\"\nsafe = \"stable\"\nlow = \"stable and peak < 10^9\"\nroom = \"1/(f + 1)\"\n";
+    let holds = "[holds]\nproperty = \"peak < 10^9\"\ncontrols = [\"peak < 1\"]\n";
+    let reason = "the platoon is not stable, so that it has no peak";
+    for (name, section) in [("values", values), ("holds", holds)] {
+        let question = file(&folder, &format!("{name}.toml"), format!("{head}{section}").as_bytes());
+        let output = flockproof(&["sweep", &question, "--store", &path(name)]);
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        let text = stdout(&output).split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(reason) && text.contains("written: "), "{text}");
+        assert!(stdout(&output).lines().all(|line| line.chars().count() <= 80 || !line.contains(' ')), "{text}");
+        let csv = std::fs::read_to_string(folder.join(name).join("table.csv")).expect("written");
+        let rows: Vec<&str> = csv.lines().collect();
+        assert!(rows.len() == 3 && rows[0].ends_with(",reason"), "{csv}");
+        assert!(rows[2].contains(reason) && (name == "values" || !rows[1].contains(reason)), "{csv}");
+        let json = stdout(&flockproof(&["sweep", "--merge", &path(name), "--json"]));
+        let rows: Vec<serde_json::Value> = json.lines().map(|row| serde_json::from_str(row).expect("JSON")).collect();
+        let unknown = |k: usize, column: &str| rows[k][column]["unknown"].as_str().map(str::to_string);
+        let column = if name == "values" { "height" } else { "holds" };
+        assert!(
+            unknown(0, column).is_none() && unknown(1, column).is_some_and(|why| why.starts_with(reason)),
+            "{json}"
+        );
+        if name == "values" {
+            let truths = [0, 1].map(|k| (rows[k]["safe"].clone(), rows[k]["low"].clone()));
+            assert_eq!(truths, [(true.into(), true.into()), (false.into(), false.into())]);
+            assert!(unknown(0, "room").is_some_and(|why| why == "division by zero"), "{json}");
+        }
+    }
+    // Without comparisons there is no margin, which is said, too; a table without empty cells needs no reasons.
+    let stable = format!("{head}[holds]\nproperty = \"stable\"\ncontrols = [\"1 < 0\"]\n");
+    let stable = file(&folder, "stable.toml", stable.as_bytes());
+    assert!(flockproof(&["sweep", &stable, "--store", &path("stable")]).status.success());
+    let csv = std::fs::read_to_string(folder.join("stable/table.csv")).expect("written");
+    assert!(csv.contains("false,,margin: no margin: what decides compares no numbers"), "{csv}");
+    let squares = file(&folder, "squares.toml", SQUARES);
+    assert!(flockproof(&["sweep", &squares, "--store", &path("squares")]).status.success());
+    let csv = std::fs::read_to_string(folder.join("squares/table.csv")).expect("written");
+    assert!(!csv.contains("reason"), "{csv}");
 }
 
 #[test]

@@ -22,6 +22,9 @@ pub struct Sweep {
     maps: bool,
 }
 
+/// Why a property that is decided has no finite margin.
+const COMPARES_NOTHING: &str = "no margin: what decides compares no numbers";
+
 /// Boxes of one map.
 const MOST_REGIONS: u64 = 2000;
 
@@ -74,21 +77,28 @@ impl Sweep {
 
     fn values(&self, case: u64, progress: &dyn Progress) -> Result<Option<Member>, QuestionError> {
         let Some(bindings) = self.question.case(case, progress)? else { return Ok(None) };
-        if !self.question.is_kept(&bindings, progress)? {
-            return Ok(None);
-        }
         let names = bindings.iter().map(|(name, value)| (name.to_string(), value.text().into())).collect();
+        match self.question.is_kept(&bindings, progress) {
+            Ok(true) => {}
+            Ok(false) => return Ok(None),
+            // Whether it is a member is not known: a row that says so.
+            Err(QuestionError::At { problem, .. }) => {
+                let unknown = json!({"unknown": problem.to_string()});
+                return Ok(Some((names, vec![unknown; self.columns().len()])));
+            }
+            Err(cancelled) => return Err(cancelled),
+        }
         let values = if self.question.value_names().next().is_some() {
-            self.question.values(&bindings, progress)?.iter().map(|(_, value)| tabulated(value)).collect()
+            self.question.values(&bindings, self.cases, progress)?.iter().map(|(_, value)| tabulated(value)).collect()
         } else {
-            let decided = self.question.decide(&bindings, progress)?;
-            let truth = match decided.truth {
-                Truth::True => json!(true),
-                Truth::False => json!(false),
-                Truth::Unknown(doubt) => json!({"unknown": doubt.why}),
+            let (truth, margin) = self.question.tabulated(&bindings, self.cases, progress)?;
+            let (truth, why) = match truth {
+                Truth::True => (json!(true), COMPARES_NOTHING.to_string()),
+                Truth::False => (json!(false), COMPARES_NOTHING.to_string()),
+                Truth::Unknown(doubt) => (json!({"unknown": doubt.why}), doubt.why),
             };
-            let margin = Margin::decimals(&decided.margin);
-            vec![truth, margin.map_or(Value::Null, |(lo, hi)| json!({"lo": lo, "hi": hi}))]
+            let ends = Margin::decimals(&margin).map(|(lo, hi)| json!({"lo": lo, "hi": hi}));
+            vec![truth, ends.unwrap_or_else(|| json!({"unknown": why}))]
         };
         Ok(Some((names, values)))
     }
@@ -211,7 +221,8 @@ impl Table {
         self.rows.iter().map(row).collect()
     }
 
-    /// CSV: a column for each name and each value, and two, the ends, for a value that is enclosed somewhere. What is not known is empty.
+    /// CSV: a column for each name and each value, and two, the ends, for a value that is enclosed somewhere. What is not known is empty; where there is such a
+    /// cell, a last column `reason` says why it is.
     ///
     /// # Errors
     /// [`csv::Error`] where a row has not as many cells as there are names and columns, which those of a sweep have.
@@ -225,13 +236,36 @@ impl Table {
             false => vec![name.clone()],
         };
         let columns = self.columns.iter().zip(&enclosed).flat_map(column);
-        writer.write_record(self.names.iter().cloned().chain(columns))?;
-        for TableRow { names, values, .. } in &self.rows {
+        let reasons: Vec<String> = self.rows.iter().map(|row| self.reason(row)).collect();
+        let has_reasons = reasons.iter().any(|reason| !reason.is_empty());
+        let last = has_reasons.then(|| self.reason_name());
+        writer.write_record(self.names.iter().cloned().chain(columns).chain(last))?;
+        for (TableRow { names, values, .. }, reason) in self.rows.iter().zip(reasons) {
             let cells = values.iter().zip(&enclosed).flat_map(|(value, enclosed)| cells(value, *enclosed));
-            writer.write_record(names.iter().cloned().chain(cells))?;
+            writer.write_record(names.iter().cloned().chain(cells).chain(has_reasons.then_some(reason)))?;
         }
         let bytes = writer.into_inner().map_err(|error| error.into_error())?;
         Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+
+    /// Why cells of a row are empty, the columns with the same reason together; empty where none is.
+    fn reason(&self, row: &TableRow) -> String {
+        let mut all: Vec<(&str, Vec<&str>)> = Vec::new();
+        for (name, value) in self.columns.iter().zip(&row.values) {
+            let Some(why) = value["unknown"].as_str() else { continue };
+            match all.iter_mut().find(|(known, _)| *known == why) {
+                Some((_, names)) => names.push(name),
+                None => all.push((why, vec![name])),
+            }
+        }
+        all.iter().map(|(why, names)| format!("{}: {why}", names.join(", "))).collect::<Vec<_>>().join("; ")
+    }
+
+    /// The name of the column of reasons, which no other has.
+    fn reason_name(&self) -> String {
+        let is_taken = |name: &String| self.names.contains(name) || self.columns.contains(name);
+        let names = std::iter::successors(Some("reason".to_string()), |name| Some(format!("{name}_")));
+        names.into_iter().find(|name| !is_taken(name)).unwrap_or_default()
     }
 
     /// An aligned text of at most so many rows, at most so wide: columns that do not fit stand below, beside the names again. What is not known is `?`, with

@@ -8,13 +8,15 @@ use crate::error::{Problem, QuestionError};
 use crate::evaluate::Evaluator;
 use crate::failure::Failure;
 use crate::made;
-use crate::names::Subject;
+use crate::names::{Subject, quantity_of};
 use crate::number::Number;
 use crate::outcome::{Decided, Judged, Outcome};
 use crate::point::FIRST_BITS;
-use crate::question::{Expression, Question};
+use crate::question::{Asked, Expression, Question};
 use crate::shrink::Shrunk;
 use crate::states;
+use crate::subject::platoon::signs;
+use crate::syntax::Kind;
 use crate::timeline::Measured;
 use crate::truth::{Margin, Truth};
 use arithmetic::Progress;
@@ -35,32 +37,80 @@ impl Question {
     /// # Errors
     /// [`QuestionError`] where the question is wrong there.
     pub fn decide(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<Decided, QuestionError> {
-        self.decide_expression(self.asked()?, bindings, MOST_BOXES, progress)
+        self.decide_expression(self.asked()?, bindings, self.most_boxes(1), progress)
     }
 
-    /// The quantities of `[values]` for one case, exact or enclosed.
+    /// Most boxes for each of so many members.
+    fn most_boxes(&self, members: u64) -> u64 {
+        let all = if self.subjects().contains(&Subject::Motion) { MOST_MOTIONS } else { MOST_BOXES };
+        let budget = self.budget();
+        (all.min(budget) / members.max(1)).max(LEAST_BOXES.min(budget))
+    }
+
+    /// The property for one of so many members, which share the boxes, and its margin; both are unknown, with the reason, where a value is missing.
     ///
     /// # Errors
-    /// [`QuestionError`] where the question is wrong there.
+    /// [`QuestionError::Cancelled`], or a question without a property.
+    pub fn tabulated(
+        &self,
+        bindings: &Bindings,
+        members: u64,
+        progress: &dyn Progress,
+    ) -> Result<(Truth, Margin), QuestionError> {
+        match self.decide_expression(self.asked()?, bindings, self.most_boxes(members), progress) {
+            Ok(decided) => Ok((decided.truth, decided.margin)),
+            Err(QuestionError::At { problem, .. }) => Ok((Truth::unknown(problem.told_there(), None), Margin::ANY)),
+            Err(cancelled) => Err(cancelled),
+        }
+    }
+
+    /// The quantities of `[values]` for one of so many members, which share the boxes: exact, enclosed, true or false. A value that is missing is unknown, with
+    /// the reason.
+    ///
+    /// # Errors
+    /// [`QuestionError::Cancelled`].
     pub fn values(
         &self,
         bindings: &Bindings,
+        members: u64,
         progress: &dyn Progress,
     ) -> Result<Vec<(String, Tabulated)>, QuestionError> {
         let case = Case::new(self, bindings.clone(), progress);
-        let value = |(name, expression): &(String, Expression)| {
+        let measured = |Asked { expression, is_truth, .. }: &Asked| -> Result<Tabulated, QuestionError> {
+            if *is_truth {
+                let found = self.decide_expression(expression, bindings, self.most_boxes(members), progress)?;
+                return Ok(match found.truth {
+                    Truth::Unknown(doubt) => Tabulated::Unknown(doubt.why),
+                    truth => Tabulated::Truth(truth == Truth::True),
+                });
+            }
             let evaluator = Evaluator { case: &case, precision: 2 * FIRST_BITS, moment: None, piece: None };
-            let value = match evaluator.measured(&expression.node) {
+            Ok(match evaluator.measured(&expression.node) {
                 Ok(Measured::Number(number)) => Tabulated::Number(number),
                 Ok(Measured::Truth(truth)) => Tabulated::Truth(truth),
                 Err(Failure::Open(doubt)) => Tabulated::Unknown(doubt.why),
-                // A table goes on with the members that have a peak.
-                Err(Failure::Refused(_, problem @ Problem::NotStable)) => Tabulated::Unknown(problem.to_string()),
                 Err(failure) => return Err(self.refused(failure, expression.base)),
-            };
-            Ok((name.clone(), value))
+            })
         };
-        self.value_expressions().iter().map(value).collect()
+        let value = |asked: &Asked| match measured(asked) {
+            Err(QuestionError::At { problem, .. }) => {
+                Ok((asked.name.clone(), Tabulated::Unknown(problem.told_there())))
+            }
+            found => Ok((asked.name.clone(), found?)),
+        };
+        self.asked_values().iter().map(value).collect()
+    }
+
+    /// Whether the property asks for a quantity of a platoon.
+    fn asks_a_platoon(&self) -> bool {
+        let mut asks = false;
+        if let Some(property) = &self.property {
+            property.node.visit(&mut |node| {
+                asks |= matches!(&node.kind, Kind::Name { name, .. }
+                    if quantity_of(name, self.subjects()).is_some_and(|own| own.subject == Subject::Platoon));
+            });
+        }
+        asks
     }
 
     /// How many controls there are.
@@ -186,7 +236,12 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
     }
     answer.without_floats(&question.float_names());
     (answer.counterexamples, answer.tight) = (counterexamples, tight);
-    let remarks = unmet.into_iter().chain(made.iter().flat_map(|made| made.remarks.clone()));
+    let looked = match &answer.counterexample {
+        Some(found) => Some(found.clone()),
+        None => question.case(0, progress)?,
+    };
+    let signs = looked.filter(|_| question.asks_a_platoon()).and_then(|member| signs(&member));
+    let remarks = unmet.into_iter().chain(made.iter().flat_map(|made| made.remarks.clone())).chain(signs);
     answer.why = std::iter::once(answer.why).chain(remarks).collect::<Vec<String>>().join(" ");
     answer.made = made.map(|made| made.controls.iter().map(|control| control.node.to_string()).collect());
     answer.decisive = decisive.filter(|_| answer.counterexample.is_some());
@@ -214,9 +269,7 @@ pub(crate) fn over_family(
     const FIRST_CHUNK: u64 = 16;
     const LARGEST_CHUNK: u64 = 2048;
     let total = question.cases(progress)?;
-    let all = if question.subjects().contains(&Subject::Motion) { MOST_MOTIONS } else { MOST_BOXES };
-    let budget = question.budget();
-    let most = (all.min(budget) / total.max(1)).max(LEAST_BOXES.min(budget));
+    let most = question.most_boxes(total);
     let mut outcome = Outcome {
         truth: Truth::True,
         margin: None,

@@ -7,6 +7,7 @@ use crate::syntax::{Kind, Located, Node, parse_domain};
 use algebra::graph::{AnyGraph, GraphTextError, NamedGraph};
 use algebra::matrix::{StochasticMatrix, read::read_sequence};
 use arithmetic::{Rational, parse_rational, rational};
+use models::platoon::read_numbers;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 
@@ -57,9 +58,8 @@ pub(crate) fn read_domain(text: &str, files: &dyn Fn(&str) -> Result<String, Str
     if let Some(rest) = trimmed.strip_prefix("matrices:") {
         return read_matrices(rest).map(|list| Domain::Given(Value::Matrices(Arc::new(list)))).map_err(other);
     }
-    if let Some(rest) = trimmed.strip_prefix("each:") {
-        let number = |word: &str| parse_rational(word.trim()).map_err(|error| other(error.to_string()));
-        let list = rest.split(',').map(number).collect::<Result<Vec<_>, _>>()?;
+    if trimmed.starts_with("each:") {
+        let list = read_numbers(trimmed).map_err(|error| other(error.to_string()))?;
         return Ok(Domain::Given(Value::Each(Arc::new(list))));
     }
     // A graph by its name, or by its edges; of the names without a colon only those that are known.
@@ -69,6 +69,13 @@ pub(crate) fn read_domain(text: &str, files: &dyn Fn(&str) -> Result<String, Str
         return Ok(Domain::Given(Value::Graph(Arc::new(graph))));
     }
     parse_domain(text).map(Domain::Written)
+}
+
+/// Numbers of a platoon, one for each follower, without the word `each:`: two or more with commas, or three or more in brackets, since two in brackets are an interval.
+pub(crate) fn read_each(text: &str) -> Option<Domain> {
+    let list = read_numbers(text).ok()?;
+    let least = if text.trim_start().starts_with('[') { 3 } else { 2 };
+    (list.len() >= least).then(|| Domain::Given(Value::Each(Arc::new(list))))
 }
 
 /// A graph, several of them, or a sequence of matrices where it is none.

@@ -178,6 +178,14 @@ impl Problem {
         }
     }
 
+    /// The problem without the case in which it arises, which stands beside it.
+    pub(crate) fn told_there(&self) -> String {
+        match self {
+            Problem::Where { problem, .. } => problem.told_there(),
+            own => own.to_string(),
+        }
+    }
+
     pub(crate) fn expected(expected: impl Into<String>, found: impl Into<String>) -> Self {
         expressions::Problem::expected(expected, found).into()
     }

@@ -454,6 +454,31 @@ pub const FAMILIES: &[Family] = &[
     ),
 ];
 
+/// The names in `[for]` that make a platoon.
+const PLATOON: [(&str, &str); 9] = [
+    ("followers", "number of cars on a line behind the leader"),
+    (
+        "graph, or any name",
+        "in place of `followers`: a graph of who tracks whom, an edge i j for i tracks j; vertex 1 leads",
+    ),
+    (
+        "f",
+        "gain of the positions, 1/s\u{b2}, below 0: one for all, an interval, or one for each follower: \"each:-1,-2,-1\"",
+    ),
+    ("g", "gain of the velocities, 1/s, likewise"),
+    (
+        "ahead",
+        "weight of the car ahead, for positions and velocities: one for all, an interval, or one for each follower: \"0.6,0.5,1\"; those of a car are scaled to a sum of one",
+    ),
+    ("behind", "weight of the car behind, likewise; with one of the two alone the other is the rest to one"),
+    ("f_ahead, f_behind", "weights for positions only; without `f` the gains of the two links, below 0"),
+    ("g_ahead, g_behind", "weights for velocities only; without `g` the gains of the two links, below 0"),
+    (
+        "communication",
+        "in [question], not in [for]: front-and-back, or front, where each car tracks the one ahead alone",
+    ),
+];
+
 /// The table as text of so many columns: for `check --names`.
 pub fn as_text(columns: usize) -> String {
     let mut text = String::new();
@@ -509,6 +534,10 @@ fn sections() -> Vec<(String, Vec<(String, &'static str)>)> {
     };
     let mut sections = vec![
         ("Families".to_string(), FAMILIES.iter().map(|family| (family.form.to_string(), family.meaning)).collect()),
+        (
+            "A platoon in [for]".to_string(),
+            PLATOON.iter().map(|(name, meaning)| (name.to_string(), *meaning)).collect(),
+        ),
         (
             "Functions".to_string(),
             FUNCTIONS.iter().map(|function| (function.name.to_string(), function.meaning)).collect(),

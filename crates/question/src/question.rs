@@ -28,6 +28,15 @@ pub(crate) struct Expression {
     pub inequalities: Vec<Node>,
 }
 
+/// A row of `[values]`.
+#[derive(Debug)]
+pub(crate) struct Asked {
+    pub name: String,
+    pub expression: Expression,
+    /// Whether it is true or false rather than a number.
+    pub is_truth: bool,
+}
+
 /// Most members that are gone through without being asked.
 const BUDGET: u64 = 1_000_000;
 
@@ -46,7 +55,7 @@ pub struct Question {
     pub(crate) restriction: Option<Expression>,
     pub(crate) property: Option<Expression>,
     pub(crate) controls: Vec<Expression>,
-    values: Vec<(String, Expression)>,
+    values: Vec<Asked>,
     /// The byte where `[values]` begins.
     values_at: usize,
     subjects: Vec<Subject>,
@@ -213,10 +222,10 @@ impl Question {
 
     /// The names of the section `[values]` with their expressions, in order.
     pub fn value_names(&self) -> impl Iterator<Item = &str> {
-        self.values.iter().map(|(name, _)| name.as_str())
+        self.values.iter().map(|own| own.name.as_str())
     }
 
-    pub(crate) fn value_expressions(&self) -> &[(String, Expression)] {
+    pub(crate) fn asked_values(&self) -> &[Asked] {
         &self.values
     }
 
@@ -274,7 +283,7 @@ impl Question {
         if !self.values.is_empty() {
             let _ = writeln!(text, "[values]");
         }
-        for (name, expression) in &self.values {
+        for Asked { name, expression, .. } in &self.values {
             let _ = writeln!(text, "{name} = {}", expression.node);
         }
         text

@@ -137,6 +137,15 @@ impl<'a> Entry<'a> {
         }
     }
 
+    /// The same, and a list of them as one text, `each:` before it.
+    pub fn text_or_list(&self) -> Result<Located, QuestionError> {
+        if !self.is_list() {
+            return self.text();
+        }
+        let texts = self.items().iter().map(|item| item.text().map(|own| own.text)).collect::<Result<Vec<_>, _>>()?;
+        Ok(Located { text: format!("each:{}", texts.join(",")), base: self.at() })
+    }
+
     /// The items of a list; a single value is a list of one.
     pub fn items(&self) -> Vec<Entry<'a>> {
         match self.value.get_ref() {

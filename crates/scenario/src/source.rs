@@ -3,7 +3,7 @@
 use super::document::{line_of, parse_toml};
 use super::error::{ConfigError, Problem};
 use super::path::{Path, Step};
-use arithmetic::{Rational, parse_rational, shown};
+use arithmetic::{NumberError, Rational, parse_rational, shown};
 use num_traits::ToPrimitive;
 use std::ops::Range;
 use toml::Spanned;
@@ -373,6 +373,13 @@ impl<'a> Entry<'a> {
     pub fn finite(&self) -> Result<Rational, ConfigError> {
         self.number()?;
         self.exact()
+    }
+
+    /// The numbers that were read from the value, if none is too large for a float.
+    pub fn all_finite(&self, read: Result<Vec<Rational>, NumberError>) -> Result<Vec<Rational>, ConfigError> {
+        let numbers = read.map_err(|error| self.problem(error))?;
+        let finite = |q: &Rational| q.to_f64().is_some_and(f64::is_finite);
+        if numbers.iter().all(finite) { Ok(numbers) } else { Err(self.problem(Problem::TooLarge)) }
     }
 
     /// A list of such numbers.

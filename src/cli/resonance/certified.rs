@@ -111,7 +111,12 @@ pub fn run(arguments: &Arguments, gains: &Gains<Rational>) -> Result<ExitCode, C
     certify::write_asked(arguments.certificate.as_deref(), || Ok(Certificate::Peak(Peak::new(gains, m)?)))?;
     let responses = found.responses();
     let followers = output::counted(m, "follower");
-    responses.draw(arguments, &format!("{followers}, front and back tracked, f = {}, g = {}", gains.f, gains.g), "")?;
+    let title = format!("{followers}, front and back tracked, f = {}, g = {}", gains.f, gains.g);
+    let certificate = arguments
+        .certificate
+        .as_deref()
+        .map(|path| format!("written: {}: the peak as a certificate for flockproof-checker\n", path.display()));
+    let written = responses.draw(arguments, &title, "")? + &certificate.unwrap_or_default();
     let table = responses.table(arguments)?;
     if arguments.json {
         let mut document = found.document();
@@ -120,7 +125,7 @@ pub fn run(arguments: &Arguments, gains: &Gains<Rational>) -> Result<ExitCode, C
         }
         output::print_json(&document)?
     } else {
-        output::print_folded(&(found.text() + &table.map_or(String::new(), |(_, table)| table)))?
+        output::print_folded(&(found.text() + &table.map_or(String::new(), |(_, table)| table) + &written))?
     }
     Ok(ExitCode::SUCCESS)
 }

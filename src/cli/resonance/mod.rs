@@ -11,7 +11,7 @@ pub use certified::Certified;
 
 use super::{CliError, output};
 use flockproof::arithmetic::{Rational, parse_rational};
-use flockproof::platoon::{Gains, Line, LineError, Parameter};
+use flockproof::platoon::{Gains, Line, LineError, Parameter, read_numbers};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -103,8 +103,7 @@ pub struct Arguments {
 
 /// The gains of one option: one, or one for each follower.
 fn numbers(name: &str, text: &str) -> Result<Vec<Rational>, CliError> {
-    let one = |part: &str| parse_rational(part).map_err(|error| CliError::Use(format!("--{name}: {error}")));
-    text.split(',').map(one).collect()
+    read_numbers(text).map_err(|error| CliError::Use(format!("--{name}: {error}")))
 }
 
 /// A parameter as the option that gives it.
@@ -138,7 +137,13 @@ impl Arguments {
         let mut line = Line::default();
         for (_, parameter) in Parameter::NAMES {
             if let Some(text) = self.of(parameter) {
-                line = line.with(parameter, numbers(&option_of(parameter)[2..], text)?);
+                let read = numbers(&option_of(parameter)[2..], text).map_err(|error| match error {
+                    CliError::Use(why) => {
+                        CliError::Use(format!("{why}; it is one number, or one for each follower: 0.6,0.5,1"))
+                    }
+                    other => other,
+                });
+                line = line.with(parameter, read?);
             }
         }
         Ok(line)
@@ -168,6 +173,11 @@ fn is_certified(arguments: &Arguments) -> bool {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    if arguments.cars.is_some() && arguments.response.is_none() && arguments.plot.is_none() {
+        let why =
+            "--cars names the cars of --response and --plot, and neither is given; the car of the peak is that of --to";
+        return Err(CliError::Use(why.to_string()));
+    }
     if let Some(folder) = &arguments.state {
         return state::run(arguments, folder);
     }

@@ -312,14 +312,18 @@ fn searched() -> String {
 }
 
 /// `x' = A x + B u, y = C x`: the state is `y_1, u_1, y_2, u_2, ..`, the inputs position and velocity of the leader, the output the
-/// position of the car; as matrices, and what their rows and columns are called.
-fn state_files(looked: &Looked, platoon: &Platoon<Rational>) -> Result<Vec<File>, CliError> {
+/// position of the car; as matrices, and what their rows and columns are called. With the shapes of the matrices in words.
+fn state_files(looked: &Looked, platoon: &Platoon<Rational>) -> Result<(Vec<File>, String), CliError> {
     let refuse = |error: &dyn std::fmt::Display| CliError::Use(error.to_string());
     let system = StateSpace::of_platoon(platoon, looked.car).map_err(|error| refuse(&error))?;
     let float = |row: Vec<Rational>| row.iter().map(|q| q.to_f64().unwrap_or(f64::NAN)).collect();
     let matrices = ["A", "B", "C", "D"].into_iter().zip(system.matrices());
     let matrices = matrices.map(|(name, rows)| NamedMatrix { name, rows: rows.into_iter().map(float).collect() });
-    let mut files = matrix_files(&matrices.collect::<Vec<_>>());
+    let matrices: Vec<NamedMatrix> = matrices.collect();
+    let shape =
+        |own: &NamedMatrix| format!("{} ({} x {})", own.name, own.rows.len(), own.rows.first().map_or(0, Vec::len));
+    let shapes = matrices.iter().map(shape).collect::<Vec<_>>().join(", ");
+    let mut files = matrix_files(&matrices);
     let names = json!({
         "states": looked.names.iter().flat_map(|car| [format!("y_{car}"), format!("u_{car}")]).collect::<Vec<_>>(),
         "inputs": [format!("y_{}", looked.leader), format!("u_{}", looked.leader)],
@@ -327,7 +331,7 @@ fn state_files(looked: &Looked, platoon: &Platoon<Rational>) -> Result<Vec<File>
         "about": INPUTS,
     });
     files.push(File { name: "names.json".to_string(), contents: format!("{names:#}\n").into_bytes() });
-    Ok(files)
+    Ok((files, shapes))
 }
 
 /// What the columns of `B` are, which a reader of the matrices has to know.
@@ -345,11 +349,14 @@ fn given(line: &Line) -> Map<String, Value> {
 fn weights(line: &Line) -> String {
     let words = |(name, parameter): &(&str, Parameter)| {
         let list = line.get(*parameter).filter(|_| parameter.is_of_a_side())?;
-        let numbers = match list {
-            [one] => one.to_string(),
-            several => format!("{} numbers from {} to {}", several.len(), several[0], several[several.len() - 1]),
-        };
-        Some(format!("{} {numbers}", name.replace('_', " ")))
+        let name = name.replace('_', " ");
+        Some(match list {
+            [one] => format!("{name} {one}"),
+            several => {
+                let (least, largest) = (several.iter().min()?, several.iter().max()?);
+                format!("{} {name} (least {least}, largest {largest})", several.len())
+            }
+        })
     };
     let all: Vec<String> = Parameter::NAMES.iter().filter_map(words).collect();
     if all.is_empty() {
@@ -384,13 +391,17 @@ pub fn run(arguments: &Arguments, line: &Line) -> Result<ExitCode, CliError> {
         "cars": arguments.cars, "response": arguments.response, "digits": arguments.digits,
     });
     let provenance = Provenance::new("flockproof.response/1", None, configuration);
+    let mut exported = String::new();
     if let Some(folder) = &arguments.export {
-        let mut files = state_files(&looked, &platoon)?;
+        let (mut files, shapes) = state_files(&looked, &platoon)?;
         files.push(File {
             name: "about.txt".to_string(),
             contents: format!("{}\n{INPUTS}\n", provenance.about(&[])).into_bytes(),
         });
         files.iter().try_for_each(|file| output::write_file(&folder.join(&file.name), &file.contents))?;
+        let folder = folder.display();
+        exported =
+            format!("written: {folder}: {shapes}, each as .csv, .npy and .mtx, all.mat, names.json, about.txt\n");
     }
     let followers = output::counted(looked.followers(), "follower");
     let title = format!("{followers} on {}, leader {}", arguments.graph, looked.leader);
@@ -400,7 +411,7 @@ pub fn run(arguments: &Arguments, line: &Line) -> Result<ExitCode, CliError> {
         Some(_) => format!("{name} of each car. "),
     };
     let caption = format!("{}{}{}", list("f", &f), list("g", &g), weights(line).trim_end());
-    responses.draw(arguments, &title, &caption)?;
+    let drawn = responses.draw(arguments, &title, &caption)?;
     let table = responses.table(arguments)?;
     if arguments.json {
         let mut document = json!({
@@ -421,6 +432,6 @@ pub fn run(arguments: &Arguments, line: &Line) -> Result<ExitCode, CliError> {
     text.insert_str(text.find('\n').map_or(text.len(), |end| end + 1), &weights(line));
     text += &margins.map_or(String::new(), |margins| margins.text());
     text += &table.map_or(String::new(), |(_, table)| table);
-    output::print_folded(&text)?;
+    output::print_folded(&(text + &drawn + &exported))?;
     Ok(ExitCode::SUCCESS)
 }

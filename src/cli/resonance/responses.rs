@@ -152,9 +152,9 @@ impl Responses<'_> {
         Ok(samples)
     }
 
-    /// Writes the diagram that is asked for.
-    pub fn draw(&self, arguments: &Arguments, title: &str, caption: &str) -> Result<(), CliError> {
-        let Some(path) = arguments.plot.as_deref() else { return Ok(()) };
+    /// Writes the diagram that is asked for, and tells what was written.
+    pub fn draw(&self, arguments: &Arguments, title: &str, caption: &str) -> Result<String, CliError> {
+        let Some(path) = arguments.plot.as_deref() else { return Ok(String::new()) };
         let names: Vec<String> = self.names.iter().map(|name| format!("car {name}")).collect();
         let mark = if self.proved { "peak, certified" } else { "peak, searched" };
         let samples = self.samples(arguments)?;
@@ -168,7 +168,8 @@ impl Responses<'_> {
             Some("png") => picture.png().map_err(|error| CliError::file(path, error))?,
             _ => return Err(CliError::file(path, "the name of a picture should end in .svg or .png")),
         };
-        output::write_file(path, &contents)
+        output::write_file(path, &contents)?;
+        Ok(format!("written: {}: magnitude and phase of {}\n", path.display(), names.join(", ")))
     }
 }
 

@@ -130,7 +130,7 @@ pub fn run(arguments: &Arguments, folder: &Path) -> Result<ExitCode, CliError> {
     bar.finish_and_clear();
     let found = found.map_err(|why| refuse(&why))?;
     let responses = responses(&system, &found);
-    responses.draw(arguments, &format!("{} states of {}", system.states(), folder.display()), "")?;
+    let written = responses.draw(arguments, &format!("{} states of {}", system.states(), folder.display()), "")?;
     let table = responses.table(arguments)?;
     let configuration =
         json!({"command": "resonance", "state": origins, "response": arguments.response, "digits": arguments.digits});
@@ -149,6 +149,6 @@ pub fn run(arguments: &Arguments, folder: &Path) -> Result<ExitCode, CliError> {
     let input = if b[0].len() == 2 { "position and velocity" } else { "position" };
     let head = format!("{} states, the leader's {input} as input", system.states());
     let text = found.text(&head, arguments.digits, None) + &table.map_or(String::new(), |(_, table)| table);
-    output::print_folded(&text)?;
+    output::print_folded(&(text + &written))?;
     Ok(ExitCode::SUCCESS)
 }

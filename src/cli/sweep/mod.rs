@@ -4,7 +4,7 @@ mod picture;
 
 use super::interrupt::{self, Watch};
 use super::{CliError, check, output, progress};
-use flockproof::campaign::store::{Shard, merge, run_shard};
+use flockproof::campaign::store::{Shard, StoreError, merge, run_shard};
 use flockproof::campaign::sweep::{Sweep, Table};
 use flockproof::question::QuestionError;
 use flockproof::report::{File, Provenance};
@@ -65,8 +65,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         None => sweep,
     };
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
-    let run =
-        run_shard(&sweep, store, shard, arguments.resume, &watch).map_err(|error| CliError::Use(error.to_string()))?;
+    let run = run_shard(&sweep, store, shard, arguments.resume, &watch).map_err(|error| match error {
+        StoreError::Refused { why, .. } => CliError::file(path, why),
+        other => CliError::Use(other.to_string()),
+    })?;
     interrupt::finishing();
     watch.finish();
     if !run.is_complete() {
@@ -104,7 +106,10 @@ fn merged(folder: &Path, arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.json {
         output::print_raw(&lines)
     } else {
-        output::print_folded(&table.text(MOST_ROWS, output::width()))
+        let files = ["table.csv", "table.jsonl", "about.txt"].map(|name| folder.join(name));
+        let written = files.iter().chain(&arguments.plot).map(|file| file.display().to_string());
+        let written = written.collect::<Vec<_>>().join(", ");
+        output::print_folded(&format!("{}written: {written}\n", table.text(MOST_ROWS, output::width())))
     }?;
     Ok(ExitCode::SUCCESS)
 }

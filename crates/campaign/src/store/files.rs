@@ -27,7 +27,7 @@ pub enum StoreError {
     #[error("`{0}` is no shard: it should be i/n with 1 <= i <= n")]
     Shard(String),
     /// There already, and not to be gone on with.
-    #[error("{}: it is there already; --resume goes on with it", .0.display())]
+    #[error("{}: it is there already; --resume goes on with it, another folder begins anew", .0.display())]
     Exists(PathBuf),
     /// Another process has it.
     #[error("{}: another process is writing it", .0.display())]
@@ -53,7 +53,7 @@ pub enum StoreError {
         expected: String,
     },
     /// Results of another campaign.
-    #[error("{}: it belongs to another question ({found}, not {expected})", path.display())]
+    #[error("{}: it belongs to another question ({found}, not {expected}), and this one needs a folder of its own", path.display())]
     Campaign {
         /// The file.
         path: PathBuf,

@@ -65,8 +65,13 @@ pub fn run_shard(
     let mut part = path.clone().into_os_string();
     part.push(".part");
     let part = PathBuf::from(part);
-    if !resume && let Some(there) = [&path, &part].into_iter().find(|path| path.exists()) {
-        return Err(StoreError::Exists(there.clone()));
+    // A file without results is in nobody's way.
+    let is_begun = || part.exists() && read(&part).map_or(true, |found| !found.rows.is_empty());
+    if !resume && path.exists() {
+        return Err(StoreError::Exists(path));
+    }
+    if !resume && is_begun() {
+        return Err(StoreError::Exists(part));
     }
     let cases = shard.count(header.cases);
     if path.exists() {
@@ -123,10 +128,13 @@ fn open(part: &Path, header: &Header) -> Result<(File, BTreeMap<u64, Value>), St
         Err(TryLockError::Error(error)) => return Err(at(error)),
     }
     let found = read(part)?;
-    belongs(part, found.header.as_ref(), header)?;
-    // The half of a line that a killed process left.
-    file.set_len(found.whole).map_err(&at)?;
-    if found.header.is_none() {
+    let is_empty = found.rows.is_empty();
+    if !is_empty {
+        belongs(part, found.header.as_ref(), header)?;
+    }
+    // The half of a line that a killed process left, or the header of a run that finished nothing.
+    file.set_len(if is_empty { 0 } else { found.whole }).map_err(&at)?;
+    if is_empty {
         file.write_all((header.line() + "\n").as_bytes()).map_err(&at)?;
     }
     Ok((file, found.rows))

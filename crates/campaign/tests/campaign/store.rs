@@ -127,6 +127,45 @@ fn what_is_there_is_not_overwritten() {
     assert!(again.is_complete() && campaign.computed.load(Ordering::Relaxed) == 5);
 }
 
+/// Refuses its first case.
+struct Wrong;
+
+impl Campaign for Wrong {
+    fn canonical(&self) -> String {
+        "wrong".to_string()
+    }
+
+    fn cases(&self) -> u64 {
+        3
+    }
+
+    fn run(&self, _: u64, _: &dyn Progress) -> Result<Value, JobError> {
+        Err(JobError::Refused("nothing makes sense".to_string()))
+    }
+}
+
+/// What failed or was stopped before anything was finished stands in nobody's way; what was finished does, with a sentence that says what to do.
+#[test]
+fn a_run_without_results_can_be_run_again() {
+    let store = folder("again");
+    for _ in 0..2 {
+        let failed = run_shard(&Wrong, &store, Shard::WHOLE, false, &Unwatched);
+        assert!(matches!(failed, Err(StoreError::Refused { .. })), "{failed:?}");
+    }
+    // Nor of another campaign, whether it goes on or begins.
+    for resume in [true, false] {
+        let store = folder("again_other");
+        assert!(run_shard(&Wrong, &store, Shard::WHOLE, false, &Unwatched).is_err());
+        assert!(run_shard(&squares(4), &store, Shard::WHOLE, resume, &Unwatched).unwrap().is_complete());
+    }
+    let store = folder("again_part");
+    let stopped = run_shard(&squares(9), &store, Shard::WHOLE, false, &After(AtomicU64::new(4))).unwrap();
+    assert!(!stopped.is_complete() && !stopped.rows.is_empty());
+    let told = run_shard(&squares(9), &store, Shard::WHOLE, false, &Unwatched).unwrap_err().to_string();
+    assert!(told.ends_with("it is there already; --resume goes on with it, another folder begins anew"), "{told}");
+    assert!(run_shard(&squares(9), &store, Shard::WHOLE, true, &Unwatched).unwrap().is_complete());
+}
+
 /// Stops after some cases.
 struct After(AtomicU64);
 

@@ -8,8 +8,20 @@
 use super::cars::Platoon;
 use super::communication_graph::{CommunicationError, CommunicationGraph, check_count};
 use super::law::{Gains, SIGNS};
-use arithmetic::{Rational, Sign, Signed, rational, shown};
+use arithmetic::{NumberError, Rational, Sign, Signed, parse_rational, rational, shown};
 use std::fmt;
+
+/// Numbers of a platoon as they are written everywhere, one for all followers or one for each: `-1,-2,-1`, `[-1, -2, -1]` and `each:-1,-2,-1` are
+/// the same list.
+///
+/// # Errors
+/// [`NumberError`] with the part at fault.
+pub fn read_numbers(text: &str) -> Result<Vec<Rational>, NumberError> {
+    let text = text.trim();
+    let text = text.strip_prefix("each:").map_or(text, str::trim);
+    let inner = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).unwrap_or(text);
+    inner.split(',').map(|part| parse_rational(part.trim())).collect()
+}
 
 /// What is given of a platoon on a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -30,7 +30,7 @@ pub mod vector_form;
 pub use cars::Platoon;
 pub use communication_graph::{CommunicationError, CommunicationGraph};
 pub use law::{Communication, Gains, SIGNS, accelerations};
-pub use line::{Line, LineError, Parameter};
+pub use line::{Line, LineError, Parameter, read_numbers};
 pub use modes::slowest_rate;
 pub use neighbourhood::Neighbourhood;
 pub use peak::{

@@ -22,7 +22,7 @@ const PROBED_LATER: u64 = 16;
 const AFTER_MISSING: u64 = 1024;
 
 /// Most boxes where something is asked for that no box has.
-const POINTS_ONLY: u64 = 256;
+const POINTS_ONLY: u64 = 32;
 
 /// A box to be looked at, with how much narrower the margin of a box became, as a share, when it was last divided along each side.
 #[derive(Clone)]

@@ -4,6 +4,7 @@ use super::Question;
 use crate::bindings::{Bindings, Value};
 use crate::domain::{Domain, Members};
 use crate::error::{Problem, QuestionError};
+use crate::failure::Failure;
 use crate::family::Maker;
 use crate::syntax::Kind;
 use arithmetic::Progress;
@@ -114,7 +115,11 @@ impl Question {
             return Ok(known.clone());
         }
         let made = Maker { question: self, bindings, progress }.members(&bound.domain);
-        let made = Arc::new(made.map_err(|failure| self.refused(failure, bound.base))?);
+        let named = |failure| match failure {
+            Failure::Refused(at, problem) if cell.is_none() => self.at(bound.base + at, problem.there(bindings)),
+            failure => self.refused(failure, bound.base),
+        };
+        let made = Arc::new(made.map_err(named)?);
         Ok(cell.map_or(made.clone(), |cell| cell.get_or_init(|| made).clone()))
     }
 

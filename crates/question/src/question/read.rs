@@ -1,9 +1,9 @@
 //! A question read from its file, and checked name by name on the way.
 
 use super::check::Check;
-use super::{BUDGET, Expression, Question};
+use super::{Asked, BUDGET, Expression, Question};
 use crate::definitions::Definition;
-use crate::domain::{Bound, Classes, Domain, read_domain};
+use crate::domain::{Bound, Classes, Domain, read_domain, read_each};
 use crate::error::{Place, Problem, QuestionError};
 use crate::given::Given;
 use crate::inequalities::inequalities;
@@ -15,7 +15,7 @@ use crate::states::LawFile;
 use crate::syntax::{KEYWORDS, Node, parse_property};
 use algebra::graph::LaplacianKind;
 use arithmetic::shown;
-use models::platoon::Communication;
+use models::platoon::{Communication, Parameter};
 use std::sync::{Arc, OnceLock};
 
 /// Largest budget.
@@ -185,9 +185,12 @@ impl Question {
                 continue;
             }
             self.check_new_name(&entry)?;
+            let is_parameter = Parameter::from_name(&entry.key).is_some();
             let text_of = |entry: &Entry| {
-                let located = entry.text()?;
-                let domain = read_domain(&located.text, files);
+                // A list inside a list is one for the followers.
+                let located = if is_parameter { entry.text_or_list()? } else { entry.text()? };
+                let each = if is_parameter { read_each(&located.text) } else { None };
+                let domain = each.map_or_else(|| read_domain(&located.text, files), Ok);
                 let domain = domain.map_err(|(at, problem)| self.at(located.base + at, problem))?;
                 Ok::<_, QuestionError>((domain, located.base))
             };
@@ -343,8 +346,11 @@ impl Question {
             return Err(section.problem(Problem::Other(why)));
         }
         for entry in section.entries() {
-            let expression = self.expression(&entry, false)?;
-            self.values.push((entry.key, expression));
+            // A number, or else something true or false.
+            let number = self.expression(&entry, false).map(|expression| (expression, false));
+            let truth = |error| self.expression(&entry, true).map(|expression| (expression, true)).map_err(|_| error);
+            let (expression, is_truth) = number.or_else(truth)?;
+            self.values.push(Asked { name: entry.key, expression, is_truth });
         }
         Ok(())
     }

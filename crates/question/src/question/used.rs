@@ -13,7 +13,7 @@ impl Question {
     /// Refuses names that nothing uses, and those of quantities that they would hide.
     pub(super) fn check_bounds(&self) -> Result<(), QuestionError> {
         let expressions = [&self.restriction, &self.property].into_iter().flatten().chain(&self.controls);
-        let expressions = expressions.chain(self.value_expressions().iter().map(|(_, expression)| expression));
+        let expressions = expressions.chain(self.asked_values().iter().map(|own| &own.expression));
         let nodes: Vec<&Node> = expressions.map(|expression| &expression.node).collect();
         for (place, bound) in self.bounds.iter().enumerate() {
             let name = bound.name.as_ref();

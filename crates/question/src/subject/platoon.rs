@@ -33,9 +33,19 @@ pub(crate) struct PlatoonSubject<'p> {
     graph: Option<CommunicationGraph>,
     /// Cars that differ, or track velocities in another way than positions; then `f` and `g` say nothing.
     own: Option<Platoon<Rational>>,
+    /// Of gains or weights that are intervals in a way that no response is enclosed over: only what is said of them as a whole.
+    wide: Option<Wide>,
     f: (Rational, Rational),
     g: (Rational, Rational),
     progress: &'p dyn Progress,
+}
+
+/// A platoon over intervals of weights, or over intervals of gains where cars differ.
+struct Wide {
+    /// What is an interval, in words.
+    what: &'static str,
+    /// Whether all modes obey `z² = lambda (f + g z)` with `lambda > 0`, wherever in the intervals.
+    real_modes: bool,
 }
 
 /// Bits of an abscissa on a graph: each of them costs a test of all roots.
@@ -88,7 +98,7 @@ impl<'p> PlatoonSubject<'p> {
                 found.ok_or_else(|| Failure::Refused(0, range()))
             };
             let followers = (count(&least)?, count(&most)?);
-            return Ok(PlatoonSubject { followers, communication, graph: None, own: None, f, g, progress });
+            return Ok(PlatoonSubject { followers, communication, graph: None, own: None, wide: None, f, g, progress });
         }
         let graph = graph_of(bindings)?.ok_or_else(|| refused("a platoon needs `followers` or a graph"))?;
         let followers = graph.followers() as u64;
@@ -97,6 +107,7 @@ impl<'p> PlatoonSubject<'p> {
             communication,
             graph: Some(graph),
             own: None,
+            wide: None,
             f,
             g,
             progress,
@@ -111,6 +122,7 @@ impl<'p> PlatoonSubject<'p> {
     ) -> Result<Self, Failure> {
         let mut line = Line::default();
         let (mut f, mut g) = (None, None);
+        let mut weights: Vec<(Parameter, [Rational; 2])> = Vec::new();
         for (name, parameter) in Parameter::NAMES {
             let ends = match bindings.get(name) {
                 None => continue,
@@ -119,9 +131,9 @@ impl<'p> PlatoonSubject<'p> {
                     continue;
                 }
                 Some(Value::Number(q)) => (q.clone(), q.clone()),
-                Some(Value::Box(lo, hi)) if !parameter.is_of_a_side() => (lo.clone(), hi.clone()),
+                Some(Value::Box(lo, hi)) => (lo.clone(), hi.clone()),
                 Some(_) => {
-                    let why = "a number, or `each:` with a number for each follower; of intervals of weights nothing is enclosed";
+                    let why = "a number, an interval, or a number for each follower: each:3/5,1/2,1";
                     return Err(refused(format!("`{name}` must be {why}")));
                 }
             };
@@ -129,6 +141,7 @@ impl<'p> PlatoonSubject<'p> {
             match parameter {
                 Parameter::F => f = Some(ends),
                 Parameter::G => g = Some(ends),
+                _ if ends.0 != ends.1 => weights.push((parameter, [ends.0, ends.1])),
                 _ => {}
             }
         }
@@ -155,34 +168,51 @@ impl<'p> PlatoonSubject<'p> {
             }
             _ => Err(refused("`followers` with weights or gains of each car is a single integer")),
         };
-        let subject = |platoon: &Platoon<Rational>, f, g| {
-            let followers = platoon.followers() as u64;
-            let followers = (followers, followers);
-            PlatoonSubject { followers, communication, graph: None, own: None, f, g, progress }
+        // The graph does not depend on the gains, which may be intervals, or of any sign.
+        let one = || vec![rational(-1, 1)];
+        let whole = f.is_some() && g.is_some();
+        let is_interval = |ends: &Option<(Rational, Rational)>| ends.as_ref().is_some_and(|(lo, hi)| lo != hi);
+        let wide_gains = is_interval(&f) || is_interval(&g);
+        let unit = if whole { line.clone().with(Parameter::F, one()).with(Parameter::G, one()) } else { line.clone() };
+        let negative = || (rational(-1, 1), rational(-1, 1));
+        let ends = (f.unwrap_or_else(negative), g.unwrap_or_else(negative));
+        let subject = |followers: usize| {
+            let (followers, (f, g)) = ((followers as u64, followers as u64), ends.clone());
+            PlatoonSubject { followers, communication, graph: None, own: None, wide: None, f, g, progress }
         };
-        if let (Some(f), Some(g)) = (f.clone(), g.clone()) {
-            // The graph does not depend on the gains, which may be intervals, or of any sign.
-            let one = || vec![rational(-1, 1)];
-            let platoon = built(&line.clone().with(Parameter::F, one()).with(Parameter::G, one()))?;
+        if !weights.is_empty() {
+            let corners = corners(&unit, &weights).iter().map(&built).collect::<Result<Vec<_>, _>>()?;
+            let followers = corners.first().map_or(0, Platoon::followers);
+            let wide = Wide { what: "intervals of weights", real_modes: whole && corners.iter().all(has_real_modes) };
+            return Ok(PlatoonSubject { wide: Some(wide), ..subject(followers) });
+        }
+        if whole {
+            let platoon = built(&unit)?;
             if let Some(graph) = platoon.one_graph() {
-                return Ok(PlatoonSubject { graph: Some(graph.clone()), ..subject(&platoon, f, g) });
+                return Ok(PlatoonSubject { graph: Some(graph.clone()), ..subject(platoon.followers()) });
             }
         }
-        if [&f, &g].into_iter().flatten().any(|(lo, hi)| lo != hi) {
-            let why = "intervals of gains are enclosed where positions and velocities have the same weights and cars the same gains";
-            return Err(refused(why));
+        if wide_gains {
+            let what =
+                "intervals of gains, where cars have gains of their own or velocities other weights than positions,";
+            let wide = Wide { what, real_modes: false };
+            return Ok(PlatoonSubject { wide: Some(wide), ..subject(built(&line)?.followers()) });
         }
         let platoon = built(&line)?;
-        let negative = || (rational(-1, 1), rational(-1, 1));
-        let subject = subject(&platoon, negative(), negative());
-        Ok(PlatoonSubject { own: Some(platoon), ..subject })
+        let (f, g, followers) = (negative(), negative(), platoon.followers());
+        Ok(PlatoonSubject { f, g, own: Some(platoon), ..subject(followers) })
     }
 
-    /// Whether a quantity is enclosed for no box of gains, however small.
+    /// Whether a quantity is enclosed for no box of gains or weights, however small.
     pub fn is_of_points_only(&self, name: &str) -> bool {
-        self.is_box()
-            && (name == "peak_frequency"
-                || name == "abscissa" && self.graph.is_none() && self.both_negative() == Some(false))
+        match &self.wide {
+            Some(wide) => name != "stable" || !wide.real_modes,
+            None => {
+                self.is_box()
+                    && (name == "peak_frequency"
+                        || name == "abscissa" && self.graph.is_none() && self.both_negative() == Some(false))
+            }
+        }
     }
 
     /// Whether gains are intervals.
@@ -202,6 +232,16 @@ impl<'p> PlatoonSubject<'p> {
 
     /// A quantity by its name.
     pub fn measure(&self, name: &str, arguments: &[Number], precision: u32) -> Result<Measured, Failure> {
+        if let Some(wide) = &self.wide {
+            if name == "stable" && wide.real_modes {
+                return self.stable();
+            }
+            let what = wide.what;
+            return Err(Failure::open(
+                format!("over {what} `{name}` is known at single numbers only, as in a list in [for]"),
+                None,
+            ));
+        }
         match name {
             "stable" => self.stable(),
             "peak" => self.peak(precision).map(|(_, peak)| Measured::Number(Number::interval(peak))),
@@ -463,6 +503,33 @@ impl<'p> PlatoonSubject<'p> {
             Communication::Front => rate(1)?,
         })
     }
+}
+
+/// That a gain is not negative, and what gains mean, for who takes them for positive.
+pub(crate) fn signs(bindings: &Bindings) -> Option<String> {
+    let largest = |name: &str| match bindings.get(name)? {
+        Value::Number(q) => Some(q.clone()),
+        value => value.ends().map(|(_, hi)| hi),
+    };
+    let wrong = ["f", "g"].into_iter().filter_map(|name| Some((name, largest(name)?)));
+    let wrong = wrong.filter(|(_, q)| q.sign() != Some(Sign::Negative));
+    let told: Vec<String> = wrong.map(|(name, q)| format!("`{name}` is {}", shown(&q.to_string()))).collect();
+    (!told.is_empty()).then(|| format!("{}, not negative: {SIGNS}.", told.join(" and ")))
+}
+
+/// The line at each choice of ends of the intervals of weights.
+fn corners(line: &Line, weights: &[(Parameter, [Rational; 2])]) -> Vec<Line> {
+    weights.iter().fold(vec![line.clone()], |lines, (parameter, ends)| {
+        lines.iter().flat_map(|line| ends.iter().map(|q| line.clone().with(*parameter, vec![q.clone()]))).collect()
+    })
+}
+
+/// Whether the reduced Laplacian has positive eigenvalues only: cars on a line that track positions and velocities alike. It is tridiagonal and no two opposite
+/// entries beside the diagonal have different signs, so that its eigenvalues are real, and it is `1 - T` with weights `T` of a spectral radius below 1 where the
+/// leader reaches all cars. A share `a/(a + b)` grows in the weight `a` and falls in `b`: where it is positive at all corners of a box of weights, it is in the box.
+fn has_real_modes(platoon: &Platoon<Rational>) -> bool {
+    let on_a_line = platoon.links().into_iter().all(|(k, agent)| agent.abs_diff(k) == 1);
+    on_a_line && platoon.one_graph().is_some() && platoon.reached_by_leader().into_iter().all(|reached| reached)
 }
 
 /// The largest real part of the two roots of `z² = lambda (f + g z)`: `(Re(lambda g) + Re sqrt(lambda² g² + 4 lambda f))/2`, where

@@ -257,11 +257,83 @@ fn asymmetric_platoons_are_platoons_on_graphs() {
         assert!(error.contains(words), "{error}");
     };
     refused(&long, "the platoon is not stable, so that it has no peak");
-    // Of an interval of weights nothing is decided, and the reason stands in the answer.
-    let open = answer(&asked(&format!("followers = 3\n{gains}ahead = \"[1/2, 3/5]\""), "peak < 10", "peak < 1"));
-    assert_ne!(open.verdict, Verdict::Holds);
-    assert!(open.why.contains("of intervals of weights nothing is enclosed"), "{}", open.why);
+    // One list in each of its forms, in a list of families, too; two numbers in brackets are an interval.
+    for list in ["\"3/5,3/5,1/7\"", "\"[3/5, 3/5, 1/7]\"", "\"each:3/5,3/5,1/7\"", "[[0.6, \"3/5\", \"1/7\"]]"] {
+        let same = margin(&format!("followers = 3\nf = \"-1,-1,-1\"\ng = \"-2\"\nahead = {list}"));
+        assert!((line.lo - same.lo).abs() < 1e-12, "{list}: {line:?} {same:?}");
+    }
     refused(&format!("followers = 3\n{gains}ahead = \"each:1,1\""), "`ahead` has 2 numbers for 3 followers");
     refused("followers = 3\nf = \"each:-1,1,-1\"\ng = \"-1\"", "`f` must be negative, but it is 1: the law is");
     refused(&format!("graph = \"path:4\"\n{gains}ahead = \"1/2\""), "`ahead` is for cars on a line");
+}
+
+/// Over intervals of weights stability is decided for all at once where the modes are real; of what is known at single numbers only the reason comes soon.
+#[test]
+fn intervals_of_weights() {
+    let gains = "followers = 6\nf = \"[-2, -1]\"\ng = \"[-3, -1/2]\"\n";
+    for weights in ["ahead = \"[1/10, 9/10]\"", "ahead = \"[1/10, 1]\"\nbehind = \"[0, 7]\""] {
+        let found = answer(&asked(&format!("{gains}{weights}"), "stable and abscissa < 0", "not stable"));
+        assert_eq!((found.verdict, found.cases), (Verdict::Holds, 1), "{}", found.why);
+    }
+    // The characteristic polynomials of single platoons say the same.
+    for weights in ["1/10", "1/2", "9/10", "each:1/10,9/10,1/2,1,1/100,1"] {
+        for (f, g) in [("-2", "-1/2"), ("-1", "-3")] {
+            let single = format!("followers = 6\nf = \"{f}\"\ng = \"{g}\"\nahead = \"{weights}\"");
+            assert_eq!(verdict(&single, "stable"), Verdict::Holds, "{single}");
+        }
+    }
+    // False somewhere: a gain that is not negative, velocities heard in another way.
+    let long = "followers = 60\nf = \"-1\"\ng = \"-1\"\nf_ahead = \"[1/2, 3/5]\"\ng_ahead = \"1/2\"";
+    for family in ["followers = 3\nf = \"[-1, 1/10]\"\ng = \"-1\"\nahead = \"[1/3, 2/3]\"", long] {
+        assert_eq!(verdict(family, "stable"), Verdict::False, "{family}");
+    }
+    let weights = "followers = 3\nf = \"-1\"\ng = \"-2\"\nahead = \"[1/2, 3/5]\"";
+    let each = "followers = 3\nf = \"each:-1,-2,-1\"\ng = \"[-3, -2]\"";
+    for (family, property) in
+        [(weights, "peak < 10"), (weights, "abscissa < -1/100"), (each, "peak < 10"), (each, "stable")]
+    {
+        let open = answer(&asked(family, property, "1 < 0"));
+        assert_eq!(open.verdict, Verdict::Undecided, "{family}: {property}");
+        assert!(
+            open.cases <= 33 && open.why.contains("is known at single numbers only"),
+            "{} {}",
+            open.cases,
+            open.why
+        );
+        // Points are looked at nevertheless.
+        assert_eq!(verdict(family, "peak < 1"), Verdict::False, "{family}");
+    }
+}
+
+/// Ends of intervals that are no weights are named.
+#[test]
+fn intervals_of_numbers_that_are_no_weights() {
+    for (ahead, words) in [
+        ("[-1/10, 3/5]", "`ahead` is -1/10, but a weight is not negative"),
+        ("[1/2, 3/2]", "`ahead` is 3/2, but a weight is between 0 and 1"),
+        ("[0, 3/5]", "car 3 has the weight zero ahead, and nobody behind"),
+    ] {
+        let family = format!("followers = 3\nf = \"-1\"\ng = \"-2\"\nahead = \"{ahead}\"");
+        let question = read(&asked(&family, "peak < 10^30", "peak < 1")).expect("a question");
+        let error = decide(&question, &Unwatched).expect_err(ahead).to_string();
+        assert!(error.contains(words), "{error}");
+    }
+}
+
+/// Who takes gains for positive is told, whatever is asked of the platoon; who does not, is not.
+#[test]
+fn the_signs_of_gains_are_told() {
+    let why = |f: &str, property: &str| {
+        answer(&asked(&format!("followers = 3\nf = \"{f}\"\ng = \"-1\""), property, "1 < 0")).why
+    };
+    for (f, found) in [("1", "`f` is 1, not negative"), ("0", "`f` is 0, not negative"), ("[1, 2]", "not negative")] {
+        for property in ["stable", "abscissa < 0", "gain(1, 1) < 1/100"] {
+            let why = why(f, property);
+            assert!(why.contains(found) && why.contains("f = g = -1 pulls it back"), "{f}, {property}: {why}");
+        }
+    }
+    assert!(why("[-1, 2]", "stable").contains("pulls"));
+    assert!(!why("-1", "stable").contains("pulls"));
+    // Another `f` than that of a platoon.
+    assert!(!answer(&asked("f = \"1\"", "f > 0", "f < 0")).why.contains("pulls"));
 }

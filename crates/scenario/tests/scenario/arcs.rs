@@ -117,6 +117,10 @@ fn platoons_have_weights_in_one_line_or_on_edges() {
         &line,
         &ends(text("f_ahead = [\"-3/5\", \"-3/5\", -1]\nf_behind = \"-2/5\"\ng = -2\ng_ahead = 0.6", ""))
     ));
+    // A text may be a list, in the forms of the command line and of questions.
+    for lists in ["f = \"-1,-1,-1\"\nahead = \"0.6,3/5,1\"", "f = \"-1\"\nahead = \"each:3/5,3/5,1\""] {
+        assert!(near(&line, &ends(text(&format!("{lists}\ng = -2"), ""))), "{lists}");
+    }
     let plain = ends(text("f = -1\ng = -2", ""));
     assert!(near(&plain, &ends(text("f = -1\ng = -2\nahead = 1\nbehind = 1", ""))) && !near(&plain, &line));
     assert!(!near(&line, &ends(text("f = -1\ng = -2\nf_ahead = \"3/5\"", ""))));
@@ -124,6 +128,8 @@ fn platoons_have_weights_in_one_line_or_on_edges() {
         ("f = 1\ng = -1", "", "`law.f`: f must be negative, but it is 1: the law is y'' = f e + g e'"),
         ("f = [-1, -1]\ng = -1", "", "`law.f`: f has 2 numbers for 3 followers"),
         ("g = -1", "", "f is needed"),
+        ("f = -1\ng = -1\nahead = \"0.5,x,1\"", "", "`law.ahead`: `x` is not an integer"),
+        ("f = -1\ng = -1\nahead = \"0.5,1\"", "", "`law.ahead`: ahead has 2 numbers for 3 followers"),
         ("f = -1\ng = -1\nahead = -1\nbehind = 1", "", "`law.ahead`: ahead is -1, but a weight is not negative"),
         ("f = -1\ng = -1\nahead = 0.5", edges, "`law.ahead`: ahead is for cars on a line"),
         ("f = -1\ng = -1\nahead = 0.5\ncommunication = \"front\"", "", "`law.ahead`: ahead is for cars on a line"),
