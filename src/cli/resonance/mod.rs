@@ -138,7 +138,8 @@ impl Arguments {
         for (_, parameter) in Parameter::NAMES {
             if let Some(text) = self.of(parameter) {
                 let read = numbers(&option_of(parameter)[2..], text).map_err(|error| match error {
-                    CliError::Use(why) => {
+                    // Written as elsewhere: `[..]` of scenarios, `each:..` of questions.
+                    CliError::Use(why) if text.contains(['[', ':']) => {
                         CliError::Use(format!("{why}; it is one number, or one for each follower: 0.6,0.5,1"))
                     }
                     other => other,
