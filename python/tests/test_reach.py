@@ -62,6 +62,15 @@ def test_state_space_objects_are_modes() -> None:
         flockproof.reach({**TWO, "mode": {"only": 3}})
 
 
+def test_systems_of_python_control_are_modes() -> None:
+    control = pytest.importorskip("control")
+    matrices = ([[0.0, 1.0], [-2.0, -1.0]], [[0.0], [1.0]], [[1.0, 0.0]], [[0.0]])
+    found = flockproof.reach({**TWO, "mode": {"only": control.ss(*matrices)}})
+    assert found.from_floats and found[0].worst == flockproof.reach(TWO)[0].worst
+    with pytest.raises(ValueError, match="discrete time"):
+        flockproof.reach({**TWO, "mode": {"only": control.ss(*matrices, 0.1)}})
+
+
 def test_the_file_is_the_dictionary(tmp_path: Path) -> None:
     file = tmp_path / "two.toml"
     modes = [{"name": "only", **TWO["mode"]["only"]}]  # type: ignore[index]

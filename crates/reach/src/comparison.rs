@@ -15,6 +15,9 @@ use num_traits::{Signed, ToPrimitive, Zero};
 /// Digits of the bounds: the disturbances leave more of a gap than they do.
 const DIGITS: u32 = 5;
 
+/// The number of an input that is none of the system's.
+const DISTURBANCE: usize = usize::MAX;
+
 /// No motion is followed further back; less far where each mode that it leads through has a duration of its own.
 const LONGEST: i64 = 5000;
 const LONGEST_OF_SEVERAL: i64 = 16;
@@ -121,6 +124,22 @@ impl Comparison {
         Ok(closes.then_some(Comparison { prepared: moved, times }))
     }
 
+    /// The matrix of the mean of the modes.
+    pub fn mean(&self) -> &[Vec<Rational>] {
+        &self.prepared.motions[0].a
+    }
+
+    /// The limits of the disturbances of the first states, 0 where there is none.
+    pub fn limits(&self, states: usize) -> Vec<Rational> {
+        let mut limits = vec![Rational::ZERO; states];
+        for push in self.prepared.motions[0].pushes.iter().filter(|push| push.input == DISTURBANCE) {
+            for (limit, entry) in limits.iter_mut().zip(&push.column) {
+                *limit += &push.radius * entry;
+            }
+        }
+        limits
+    }
+
     /// Bounds of the greatest values of rows at all times that are looked at.
     ///
     /// # Errors
@@ -198,7 +217,7 @@ fn disturbed_by(mean: &Motion, states: &[usize], limits: &[Rational]) -> Motion 
     let mut motion = mean.clone();
     for (&state, limit) in states.iter().zip(limits) {
         let column = (0..motion.a.len()).map(|i| rational(i64::from(i == state), 1)).collect();
-        motion.pushes.push(Push { input: usize::MAX, centre: Rational::ZERO, radius: limit.clone(), column });
+        motion.pushes.push(Push { input: DISTURBANCE, centre: Rational::ZERO, radius: limit.clone(), column });
     }
     motion
 }

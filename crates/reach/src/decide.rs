@@ -111,8 +111,10 @@ impl Decided {
 /// Digits more, where a bound lies within an enclosure.
 const MORE: u32 = 20;
 
-/// Bits of the enclosure of a witness's value.
-const BITS: u32 = 256;
+/// Bits of the enclosure of a witness's value: those of its digits, and some for the way there.
+fn bits(digits: u32) -> u32 {
+    96 + 4 * digits
+}
 
 /// Decides all checks; worst cases to so many digits where the order of modes is fixed.
 ///
@@ -151,7 +153,7 @@ pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<V
         let witnesses: Vec<Option<Witness>> = {
             use rayon::prelude::*;
             let one = |(row, (worst, _)): (&Vec<Rational>, &(Worst, &str))| {
-                worst.lo.as_ref().map(|_| witness(system, &prepared, row, worst))
+                worst.lo.as_ref().map(|_| witness(system, &prepared, row, worst, digits))
             };
             rows.par_iter().zip(&found).map(one).collect()
         };
@@ -186,7 +188,7 @@ fn by_modes(
 ) -> Result<Option<Vec<Decided>>, ReachError> {
     let (m, order) = (platoon.graph.followers(), system.states.len());
     let lags = |check: &Check| check.conditions.iter().all(|c| c.row[m..].iter().all(Zero::is_zero));
-    let Some(weights) = platoon.weights().filter(|_| system.checks.iter().all(lags)) else { return Ok(None) };
+    let Some(way) = platoon.way().filter(|_| system.checks.iter().all(lags)) else { return Ok(None) };
     let mut parts: Vec<Vec<Part>> = vec![Vec::new(); system.checks.len()];
     let mut times: Vec<&Option<Rational>> = Vec::new();
     for check in &system.checks {
@@ -197,7 +199,7 @@ fn by_modes(
     for at in times {
         let (asked, rows) = rows(system, order, at);
         let last = at.as_ref().or(system.until.as_ref());
-        let found = match platoon::greatest(system, (platoon, &weights), &rows, last, progress) {
+        let found = match platoon::greatest(system, (platoon, &way), &rows, last, progress) {
             Err(ModalError::Cancelled(cancelled)) => return Err(cancelled.into()),
             // Small ones are left to the general method.
             Err(_) if system.is_written_out() => return Ok(None),
@@ -214,7 +216,7 @@ fn by_modes(
     Ok(Some(together(system, parts)))
 }
 
-const SUMMED: &str = "summed over the modes of the platoon; near the other end comes a leader whose acceleration follows the sign of the response";
+const SUMMED: &str = "integrated over the response of the platoon to its leader, by modes or car by car; near the other end comes a leader whose acceleration follows the sign of the response";
 
 /// A condition with its check, and the row whose greatest value it asks for.
 type Asked<'a> = (usize, &'a Condition, usize);
@@ -362,9 +364,9 @@ fn guessed(
     Ok(Worst { lo: value.map(|(lo, _)| lo), hi, at: Some(Range::point(until)), legs })
 }
 
-fn witness(system: &System, prepared: &Prepared, row: &[Rational], worst: &Worst) -> Witness {
+fn witness(system: &System, prepared: &Prepared, row: &[Rational], worst: &Worst, digits: u32) -> Witness {
     let mut witness = attaining(system, prepared, row, &worst.legs);
-    let value = witness.value_of(system, &row[..system.states.len()], BITS);
+    let value = witness.value_of(system, &row[..system.states.len()], bits(digits));
     if let Some((lo, hi)) = value.ends() {
         witness.value = Range { lo, hi };
     }

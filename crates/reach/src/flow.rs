@@ -252,6 +252,11 @@ impl<T: Scalar> Flow<T> {
         (self.remainder.clone() * &output.size * &output.steps[step].growth * &p.size).top()
     }
 
+    /// Bounds what an output pairs with over a step: within the step the costate grows by less than `e`.
+    pub fn size(&self, output: &Output<T>, step: usize, p: &Start<T>) -> f64 {
+        output.size.largest() * output.steps[step].growth.largest() * p.size.largest() * 2.72
+    }
+
     fn touches(&self, output: &Output<T>, p: &[T]) -> bool {
         output.row.iter().enumerate().any(|(j, y)| !is_zero(y) && (!is_zero(&p[j]) || self.moves(j, p)))
     }

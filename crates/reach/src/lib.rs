@@ -1,6 +1,7 @@
 //! Worst cases of switched linear systems `x' = A x + B u + c` with bounded inputs.
 
 pub mod answer;
+mod cascade;
 mod certificate;
 mod comparison;
 mod condition;
@@ -17,13 +18,14 @@ mod read;
 mod scalar;
 mod search;
 mod signs;
+mod support;
 mod system;
 mod tube;
 mod walk;
 mod witness;
 mod worst;
 
-pub use certificate::certificate;
+pub use certificate::{Unbounded, bounded, certificate};
 pub use decide::{Decided, Part, ReachError, Verdict, decide};
 pub use platoon::Platoon;
 pub use system::{Check, Condition, Input, Mode, Range, Side, Stay, Switching, System};

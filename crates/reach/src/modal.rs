@@ -7,14 +7,12 @@
 
 use crate::scalar::Scalar;
 use crate::signs::Expansion;
+use crate::support::{Found, Support};
 use crate::system::Range;
-use arithmetic::{
-    ArithmeticError, Cancelled, Enclosure, Field, FloatInterval, Number, Progress, Rational, Real, Ring, Sign, rational,
-};
+use arithmetic::{ArithmeticError, Cancelled, Field, FloatInterval, Number, Progress, Rational, Real, Ring, rational};
 use dense::faer::Mat;
 use models::platoon::modes::{Mode, mode_angle, mode_eigenvalue};
 use models::platoon::{Communication, CommunicationGraph, Gains};
-use num_traits::ToPrimitive;
 use rayon::prelude::*;
 use std::collections::VecDeque;
 
@@ -43,22 +41,11 @@ pub(crate) enum ModalError {
     TooLong,
 }
 
-/// A worst case.
-pub(crate) struct Found {
-    pub value: FloatInterval,
-    /// Up to which time the response was followed.
-    pub time: Rational,
-    /// From which time on the response is positive, or not, backwards from the end.
-    pub signs: Vec<(Rational, bool)>,
-    /// How much an input with these signs may miss where the sign is not known.
-    pub unsigned: f64,
-}
-
-fn point(x: f64) -> FloatInterval {
+pub(crate) fn point(x: f64) -> FloatInterval {
     FloatInterval::point(x)
 }
 
-fn quotient(a: FloatInterval, b: &FloatInterval) -> Result<FloatInterval, ArithmeticError> {
+pub(crate) fn quotient(a: FloatInterval, b: &FloatInterval) -> Result<FloatInterval, ArithmeticError> {
     a.over(b)
 }
 
@@ -68,7 +55,7 @@ fn norm(vector: &[FloatInterval]) -> Result<FloatInterval, ArithmeticError> {
 
 /// How fast a mode dies out, for `lambda` in an interval above zero.
 #[derive(Debug, Clone, Copy)]
-enum Decay {
+pub(crate) enum Decay {
     /// `b^2 lambda <= 3 a`: `|phi| <= 2 / sqrt(a lambda) e^(-rate t)` and `|phi'| <= 3 e^(-rate t)`, `rate = b lambda / 2`.
     Swinging { most: FloatInterval, rate: FloatInterval },
     /// `b^2 lambda >= 2 a`: `|phi| <= t e^(-rate t)` and `|phi'| <= (1 + b lambda t / 2) e^(-rate t)`, `rate = a / b`.
@@ -76,7 +63,7 @@ enum Decay {
 }
 
 impl Decay {
-    fn new(a: &FloatInterval, b: &FloatInterval, lambda: &FloatInterval) -> Result<Self, ArithmeticError> {
+    pub fn new(a: &FloatInterval, b: &FloatInterval, lambda: &FloatInterval) -> Result<Self, ArithmeticError> {
         let half = *b * lambda * point(0.5);
         if (b.square() * lambda).hi() <= (*a * point(3.0)).lo() {
             let most = quotient(point(2.0), &(*a * lambda).sqrt()?)?;
@@ -89,7 +76,7 @@ impl Decay {
     }
 
     /// Bounds of the integrals of `|phi|` and `|phi'|` for ever.
-    fn integrals(&self) -> Result<(FloatInterval, FloatInterval), ArithmeticError> {
+    pub fn integrals(&self) -> Result<(FloatInterval, FloatInterval), ArithmeticError> {
         match self {
             Decay::Swinging { most, rate } => Ok((quotient(*most, rate)?.top(), quotient(point(3.0), rate)?.top())),
             Decay::Damped { half, rate } => {
@@ -295,24 +282,12 @@ impl Modal {
         until: Option<&Rational>,
         progress: &dyn Progress,
     ) -> Result<Found, ModalError> {
-        let ends = [&range.lo, &range.hi].map(FloatInterval::from_rational);
-        let most = point(ends[0].magnitude().max(ends[1].magnitude()));
         let (weights, missed) = self.weights(row)?;
         let term = |(weight, value)| Term::new(&self.a, &self.b, value, weight);
         let modes = weights.into_iter().zip(&self.values).map(term).collect::<Result<_, _>>()?;
-        let mut sum = Sum {
-            total: FloatInterval::ZERO,
-            left_out: FloatInterval::ZERO,
-            ends,
-            most,
-            time: Rational::ZERO,
-            signs: Vec::new(),
-            unsigned: FloatInterval::ZERO,
-        };
+        let mut sum = Sum { support: Support::new(range), left_out: FloatInterval::ZERO };
         sum.run(modes, until, progress)?;
-        let rest = (sum.left_out + missed) * most;
-        let value = sum.total + FloatInterval::symmetric(&rest.top());
-        Ok(Found { value, time: sum.time, signs: sum.signs, unsigned: sum.unsigned.hi() })
+        Ok(sum.support.found(&(sum.left_out + missed)))
     }
 }
 
@@ -408,17 +383,11 @@ impl Table {
     }
 }
 
-/// The integral of the support function of the response.
+/// The sum over the modes.
 struct Sum {
-    total: FloatInterval,
+    support: Support,
     /// Bounds the integral of the absolute value of all that was left out.
     left_out: FloatInterval,
-    ends: [FloatInterval; 2],
-    most: FloatInterval,
-    /// See [`Found`].
-    time: Rational,
-    signs: Vec<(Rational, bool)>,
-    unsigned: FloatInterval,
 }
 
 impl Sum {
@@ -504,42 +473,8 @@ impl Sum {
                 let energy = point((rate.square() + term.stiffness * phi.square()).hi()).sqrt()?;
                 expansion.error = (expansion.error + table.rest * energy).top();
             }
-            self.add(&expansion, &from, &end, (step, &unit));
-            self.time = &from + &end * &unit;
+            self.support.add(&expansion, &from, &end, (step, &unit));
         }
         Ok(false)
-    }
-
-    /// Adds the integral of `max (lo h, hi h)` over a part of a step.
-    fn add(&mut self, h: &Expansion<FloatInterval>, from: &Rational, end: &Rational, (step, unit): (f64, &Rational)) {
-        let step = point(step);
-        let ends = self.ends;
-        let signed = |sign: Sign| if sign == Sign::Positive { ends[1] } else { ends[0] };
-        if let Some(sign) = h.plain_sign(end.to_f64().map_or(1.0, f64::next_up)) {
-            self.total = self.total + h.integral(&Rational::ZERO, end) * signed(sign) * step;
-            self.note(from.clone(), sign == Sign::Positive);
-            return;
-        }
-        for part in h.parts(end) {
-            let added = match part.sign {
-                Some(sign) => {
-                    self.note(from + &part.from * unit, sign == Sign::Positive);
-                    h.integral(&part.from, &part.to) * signed(sign)
-                }
-                None => {
-                    let width = FloatInterval::from_rational(&(&part.to - &part.from));
-                    let most = (h.size(&part.from, &part.to) * width * self.most).top();
-                    self.unsigned = (self.unsigned + most * step).top();
-                    FloatInterval::ZERO.joined(&most)
-                }
-            };
-            self.total = self.total + added * step;
-        }
-    }
-
-    fn note(&mut self, from: Rational, positive: bool) {
-        if self.signs.last().is_none_or(|(_, last)| *last != positive) {
-            self.signs.push((from, positive));
-        }
     }
 }

@@ -1,10 +1,12 @@
 //! Platoons behind a leader of bounded acceleration: the section `[platoon]`, and the linear system that it stands for.
 
+use crate::cascade;
 use crate::modal::{Modal, ModalError, balance};
+use crate::support::Found;
 use crate::system::{Input, Mode, Range, System};
 use crate::witness::Witness;
 use arithmetic::{Enclosure, Progress, Rational, rational};
-use models::platoon::{CommunicationGraph, Gains};
+use models::platoon::{Communication, CommunicationGraph, Gains};
 use num_traits::Signed;
 
 /// A platoon of Veerman and others: the acceleration of follower `k` is `f e_k + g e'_k`, with its deviation `e_k` from the mean of the agents that it tracks.
@@ -16,6 +18,14 @@ pub struct Platoon {
     pub gains: Gains<Rational>,
     /// Where the leader's acceleration lies.
     pub acceleration: Range,
+}
+
+/// How worst cases are found without the matrices.
+pub(crate) enum Way {
+    /// As sums over the modes, where followers track each other in both directions; with the weights that make the matrix symmetric.
+    Modes(Vec<Rational>),
+    /// Car by car, where each tracks the one in front.
+    Cascade,
 }
 
 /// Most followers whose motion is written out as one matrix.
@@ -45,11 +55,18 @@ impl Platoon {
         row
     }
 
-    /// Whether worst cases are sums over modes: links in both directions, gains below zero, an acceleration that may be 0.
-    pub(crate) fn weights(&self) -> Option<Vec<Rational>> {
+    /// How worst cases of lags are found for many followers: with gains below zero and an acceleration that may be 0, so that they grow with time.
+    pub(crate) fn way(&self) -> Option<Way> {
         let still = !self.acceleration.lo.is_positive() && !self.acceleration.hi.is_negative();
         let damped = self.gains.f.is_negative() && self.gains.g.is_negative();
-        (still && damped).then(|| balance(&self.graph)).flatten()
+        if !(still && damped) {
+            return None;
+        }
+        let in_front = CommunicationGraph::of(Communication::Front, self.graph.followers());
+        if self.graph.followers() > 1 && in_front.is_ok_and(|graph| graph == self.graph) {
+            return Some(Way::Cascade);
+        }
+        balance(&self.graph).map(Way::Modes)
     }
 
     /// States, inputs, start and the mode of the system; the matrices are left out where there are too many followers, so that only sums over modes are possible.
@@ -84,27 +101,34 @@ pub(crate) struct Swung {
     pub witness: Option<Witness>,
 }
 
-/// The greatest values of rows at a time, or for ever, as sums over modes.
+/// The greatest values of rows at a time, or for ever.
 ///
 /// # Errors
 /// [`ModalError`].
 pub(crate) fn greatest(
     system: &System,
-    (platoon, weights): (&Platoon, &[Rational]),
+    (platoon, way): (&Platoon, &Way),
     rows: &[Vec<Rational>],
     until: Option<&Rational>,
     progress: &dyn Progress,
 ) -> Result<Vec<Swung>, ModalError> {
-    let modal = Modal::new(&platoon.graph, weights, &platoon.gains, progress)?;
     let m = platoon.graph.followers();
-    let one = |row: &Vec<Rational>| -> Result<Swung, ModalError> {
-        let found = modal.greatest(&row[..m], &platoon.acceleration, until, progress)?;
+    let rows: Vec<Vec<Rational>> = rows.iter().map(|row| row[..m].to_vec()).collect();
+    let found = match way {
+        Way::Cascade => cascade::greatest(&platoon.gains, &rows, &platoon.acceleration, until, progress)?,
+        Way::Modes(weights) => {
+            let modal = Modal::new(&platoon.graph, weights, &platoon.gains, progress)?;
+            let one = |row: &Vec<Rational>| modal.greatest(row, &platoon.acceleration, until, progress);
+            rows.iter().map(one).collect::<Result<_, _>>()?
+        }
+    };
+    let swung = |found: Found| {
         let (lo, hi) = found.value.ends().ok_or(ModalError::Unbounded)?;
         let shown = found.signs.len() <= MOST_CHANGES;
         let witness = shown.then(|| swung(system, &found.signs, found.time.clone(), &lo, &hi, found.unsigned));
         Ok(Swung { lo, hi, witness })
     };
-    rows.iter().map(one).collect()
+    found.into_iter().map(swung).collect()
 }
 
 /// The acceleration that follows the sign of the response, backwards from the end.

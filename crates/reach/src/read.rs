@@ -5,7 +5,7 @@ use crate::platoon::{Platoon, WRITTEN_OUT};
 use crate::system::{Check, Input, Mode, Range, Stay, Switching, System};
 use algebra::graph::NamedGraph;
 use arithmetic::{Rational, shown};
-use models::platoon::{Communication, CommunicationGraph, Gains};
+use models::platoon::{Communication, CommunicationGraph, Gains, Line, Parameter};
 use num_traits::{Signed, Zero};
 use scenario::source::{Entry, Section, Source};
 use scenario::{ConfigError, Problem};
@@ -64,9 +64,9 @@ fn of_platoon(source: &Source, section: &Section) -> Read<System> {
     checks.iter_mut().flat_map(|check| &mut check.conditions).for_each(|c| c.row = platoon.row(&c.row));
     let m = platoon.graph.followers();
     let only_lags = checks.iter().flat_map(|check| &check.conditions).all(|c| c.row[m..].iter().all(Zero::is_zero));
-    if m > WRITTEN_OUT && !(only_lags && platoon.weights().is_some()) {
+    if m > WRITTEN_OUT && !(only_lags && platoon.way().is_some()) {
         return Err(section.problem(Problem::Range(format!(
-            "of at most {WRITTEN_OUT} followers, not {m}, unless they track each other in both directions, the gains are below 0, the acceleration may be 0, and \
+            "of at most {WRITTEN_OUT} followers, not {m}, unless each tracks the one in front, or all track each other in both directions, the gains are below 0, the acceleration may be 0, and \
              checks are about lags and gaps"
         ))));
     }
@@ -82,11 +82,15 @@ const LINKS: usize = 100_000;
 const FOLLOWERS: usize = 2000;
 
 fn platoon(section: &Section) -> Read<Platoon> {
-    section.allow(&["followers", "graph", "tracks", "f", "g", "acceleration"], "")?;
+    section.allow(&["followers", "graph", "tracks", "ahead", "behind", "f", "g", "acceleration"], "")?;
     let gain = |key: &'static str| section.need(key, "the gain, a number")?.exact();
     let gains = Gains { f: gain("f")?, g: gain("g")? };
     let acceleration = range(&section.need("acceleration", "a list of two numbers")?)?;
-    let graph = tracked(section)?;
+    let graph = if section.get("ahead").or(section.get("behind")).is_some() {
+        on_a_line(section, &gains)?
+    } else {
+        tracked(section)?
+    };
     if graph.followers() > FOLLOWERS {
         return Err(
             section.problem(Problem::Range(format!("of at most {FOLLOWERS} followers, not {}", graph.followers())))
@@ -102,6 +106,26 @@ fn platoon(section: &Section) -> Read<Platoon> {
         ))));
     }
     Ok(Platoon { graph, gains, acceleration })
+}
+
+/// The cars ahead and behind with weights, a number for all followers or one for each.
+fn on_a_line(section: &Section, gains: &Gains<Rational>) -> Read<CommunicationGraph> {
+    if let Some(other) = section.get("graph").or(section.get("tracks")) {
+        return Err(other.problem(Problem::Both("ahead and behind", "a graph")));
+    }
+    let followers = section.need("followers", "the number of followers")?.count(1, FOLLOWERS)?;
+    let mut line = Line::default().with(Parameter::F, vec![gains.f.clone()]).with(Parameter::G, vec![gains.g.clone()]);
+    for parameter in [Parameter::Ahead, Parameter::Behind] {
+        if let Some(entry) = section.get(parameter.name()) {
+            let numbers = match entry.items("a number or a list of numbers") {
+                Ok(items) => items.iter().map(Entry::exact).collect::<Read<_>>()?,
+                Err(_) => vec![entry.exact()?],
+            };
+            line = line.with(parameter, numbers);
+        }
+    }
+    let refused = |error: &dyn std::fmt::Display| section.problem(Problem::Range(format!("a platoon, but {error}")));
+    line.platoon(followers).map(|platoon| platoon.positions().clone()).map_err(|error| refused(&error))
 }
 
 /// Who tracks whom: two graphs with a number of followers, a graph with a name, whose first vertex leads, or lists of agents.

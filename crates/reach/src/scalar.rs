@@ -35,6 +35,11 @@ pub(crate) trait Scalar: Enclosure + Field + Signed {
 
     /// The upper end.
     fn top(&self) -> Self;
+
+    /// The sum of products.
+    fn dot(a: &[Self], b: &[Self], zero: &Self) -> Self {
+        a.iter().zip(b).fold(zero.clone(), |sum, (x, y)| sum + x.clone() * y)
+    }
 }
 
 impl Scalar for FloatInterval {
@@ -48,6 +53,26 @@ impl Scalar for FloatInterval {
 
     fn top(&self) -> Self {
         FloatInterval::point(self.hi())
+    }
+
+    /// Rounded outwards once: `n` products and sums in floats are off by less than `(n + 1) 2^-53` of the sum of their sizes, and by the smallest normal float where
+    /// they underflow.
+    fn dot(a: &[Self], b: &[Self], _: &Self) -> Self {
+        let (mut lo, mut hi, mut sizes, mut count) = (0.0, 0.0, 0.0, 0.0);
+        for (x, y) in a.iter().zip(b) {
+            let ends = [x.lo() * y.lo(), x.lo() * y.hi(), x.hi() * y.lo(), x.hi() * y.hi()];
+            let (least, most) =
+                (ends[0].min(ends[1]).min(ends[2].min(ends[3])), ends[0].max(ends[1]).max(ends[2].max(ends[3])));
+            if x.magnitude() != 0.0 && y.magnitude() != 0.0 {
+                (lo, hi, count) = (lo + least, hi + most, count + 1.0);
+                sizes += (-least).max(most);
+            }
+        }
+        if count == 0.0 {
+            return FloatInterval::ZERO;
+        }
+        let off = sizes * (count + 2.0) * f64::EPSILON + count * f64::MIN_POSITIVE;
+        FloatInterval::between((lo - off).next_down(), (hi + off).next_up())
     }
 }
 
@@ -69,7 +94,7 @@ impl Scalar for Interval {
 pub(crate) type Matrix<T> = Vec<Vec<T>>;
 
 pub(crate) fn dot<T: Scalar>(a: &[T], b: &[T], zero: &T) -> T {
-    a.iter().zip(b).fold(zero.clone(), |sum, (x, y)| sum + x.clone() * y)
+    T::dot(a, b, zero)
 }
 
 pub(crate) fn apply<T: Scalar>(a: &Matrix<T>, x: &[T]) -> Vec<T> {

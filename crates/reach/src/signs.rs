@@ -68,15 +68,15 @@ impl<T: Scalar> Expansion<T> {
         self.over(a, b).magnitude()
     }
 
-    /// The sign on all of `[0, end]`, by the sizes of the coefficients.
-    pub fn plain_sign(&self, end: f64) -> Option<Sign> {
+    /// The sign on all of `[0, end]` of what is off by at most `slack` more, by the sizes of the coefficients.
+    pub fn plain_sign(&self, end: f64, slack: f64) -> Option<Sign> {
         let mut power = 1.0;
         let rest: f64 = self.coefficients[1..].iter().fold(0.0, |sum, c| {
             power *= end;
             sum + c.largest() * power
         });
         // Sums of products of so few positive floats are off by far less.
-        let rest = (rest + self.error.largest()) * (1.0 + 1e-12) + f64::MIN_POSITIVE;
+        let rest = (rest + self.error.largest() + slack) * (1.0 + 1e-12) + f64::MIN_POSITIVE;
         let first = &self.coefficients[0];
         match () {
             () if first.lower() > rest => Some(Sign::Positive),

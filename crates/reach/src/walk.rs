@@ -278,17 +278,6 @@ impl<'a, T: Scalar> Walk<'a, T> {
         starts: &Columns<Start<T>>,
     ) {
         let place = step % BLOCK;
-        let mut h = flow.expansion(output, place, &starts.value);
-        let moved = match (&starts.third, &self.third, &starts.second, &starts.firsts[..]) {
-            (Some(third), Some((_, away)), Some(second), [first]) => Some((first, second, third, away.clone())),
-            _ => None,
-        };
-        if let Some((first, second, third, away)) = &moved {
-            let half = away.square() * away.ratio(1, 2);
-            h.add(&flow.expansion(output, place, first), away);
-            h.add(&flow.expansion(output, place, second), &half);
-            h.add(&flow.expansion(output, place, third), &(half.clone() * away * away.ratio(1, 3)));
-        }
         let Some((input, centre, radius)) = &output.push else {
             return match end {
                 None => self.add(&flow.step_scalar, |p| flow.integral(output, place, p), starts),
@@ -299,20 +288,34 @@ impl<'a, T: Scalar> Walk<'a, T> {
                 ),
             };
         };
-        let float_end = end.map_or(1.0, |end| flow.step_scalar.rational(end).upper());
+        let mut h = flow.expansion(output, place, &starts.value);
+        let moved = match (&starts.third, &self.third, &starts.second, &starts.firsts[..]) {
+            (Some(third), Some((_, away)), Some(second), [first]) => Some((first, second, third, away.clone())),
+            _ => None,
+        };
         let weight = |sign: Sign| {
             let edge = if sign == Sign::Negative { centre.clone() - radius } else { centre.clone() + radius };
             edge * &flow.step_scalar
         };
-        match (h.plain_sign(float_end), end) {
+        let whole = |sign: Sign| Part { from: rational(0, 1), to: rational(1, 1), sign: Some(sign), slope: None };
+        if let Some((first, second, third, away)) = &moved {
+            // Most steps have a sign that no duration of the interval changes.
+            let size = |p: &Start<T>| flow.size(output, place, p);
+            let far = away.largest();
+            let slack = (size(first) + (size(second) + size(third) * far / 3.0) * far / 2.0) * far;
+            if let (Some(sign), None) = (h.plain_sign(1.0, slack), end) {
+                self.note(flow, step, *input, &whole(sign), &h);
+                return self.add(&weight(sign), |p| flow.integral(output, place, p), starts);
+            }
+            let half = away.square() * away.ratio(1, 2);
+            h.add(&flow.expansion(output, place, first), away);
+            h.add(&flow.expansion(output, place, second), &half);
+            h.add(&flow.expansion(output, place, third), &(half.clone() * away * away.ratio(1, 3)));
+        }
+        let float_end = end.map_or(1.0, |end| flow.step_scalar.rational(end).upper());
+        match (h.plain_sign(float_end, 0.0), end) {
             (Some(sign), None) => {
-                self.note(
-                    flow,
-                    step,
-                    *input,
-                    &Part { from: rational(0, 1), to: rational(1, 1), sign: Some(sign), slope: None },
-                    &h,
-                );
+                self.note(flow, step, *input, &whole(sign), &h);
                 self.add(&weight(sign), |p| flow.integral(output, place, p), starts);
             }
             _ => {

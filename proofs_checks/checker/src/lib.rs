@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
+mod bound;
 mod budget;
 mod flock;
 mod inertia;
@@ -16,6 +17,7 @@ mod product;
 mod read;
 mod sos;
 mod statement;
+mod system;
 
 use read::Reader;
 
@@ -47,7 +49,7 @@ pub const EXAMPLE: (&str, &str) = (
 
 type Check = fn(&mut Reader) -> Result<String, Refusal>;
 
-const KINDS: [(&str, Check); 7] = [
+const KINDS: [(&str, Check); 8] = [
     ("product", product::check),
     ("limit", limit::check),
     ("switches", flock::check),
@@ -55,6 +57,7 @@ const KINDS: [(&str, Check); 7] = [
     ("peak", peak::check),
     ("sos", sos::check),
     ("motion", motion::check),
+    ("bound", bound::check),
 ];
 
 /// Checks one certificate.

@@ -8,43 +8,27 @@ use crate::Refusal;
 use crate::budget::bits;
 use crate::matrix::Matrix;
 use crate::read::Reader;
-use num_bigint::{BigInt, Sign};
+use crate::system::System;
+use num_bigint::BigInt;
 
-const LARGEST: usize = 200;
 const MOST_STEPS: usize = 5000;
 const MOST_TERMS: usize = 5000;
 
-struct Mode {
-    a: Matrix,
-    b: Option<Matrix>,
-    c: Matrix,
-}
-
 /// A stretch: the matrix `M` over one denominator, how long it lasts as a fraction, and in how many steps.
-struct Stretch {
-    m: Matrix,
-    time: (BigInt, BigInt),
-    steps: usize,
+pub struct Stretch {
+    pub m: Matrix,
+    pub time: (BigInt, BigInt),
+    pub steps: usize,
 }
 
 pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
-    let n = reader.count("states", 1, LARGEST)?;
-    let inputs = reader.count("inputs", 0, LARGEST)?;
-    let modes = reader.count("modes", 1, LARGEST)?;
-    let start = bounds(reader, ["start_least", "start_most"], n)?;
-    let limits = if inputs > 0 { Some(bounds(reader, ["input_least", "input_most"], inputs)?) } else { None };
-    let kept = if inputs > 0 { reader.matrix("constant", 1, inputs)?.entries } else { Vec::new() };
-    let mut known = Vec::new();
-    for _ in 0..modes {
-        let a = reader.matrix("A", n, n)?;
-        let b = if inputs > 0 { Some(reader.matrix("B", n, inputs)?) } else { None };
-        known.push(Mode { a, b, c: reader.matrix("c", 1, n)? });
-    }
+    let system = System::read(reader)?;
+    let (n, modes) = (system.states, system.modes.len());
     let row = reader.matrix("row", 1, n)?;
     let bound = reader.fraction("bound")?;
     let x = reader.matrix("start", 1, n)?;
-    within(reader, &x, &start, "the start is not within its bounds")?;
-    let stretches = stretches(reader, &known, limits.as_ref(), &kept)?;
+    within(reader, &x, &system.start, "the start is not within its bounds")?;
+    let stretches = stretches(reader, &system)?;
     let steps: usize = stretches.iter().map(|stretch| stretch.steps).sum();
     reader.require(steps <= MOST_STEPS, "the motion takes too many steps")?;
     let scale = 192 + steps as u64;
@@ -73,11 +57,6 @@ fn copy(matrix: &Matrix) -> Matrix {
     Matrix { entries: matrix.entries.clone(), denominator: matrix.denominator.clone(), ..*matrix }
 }
 
-/// The least and the most of each number.
-fn bounds(reader: &mut Reader, names: [&str; 2], count: usize) -> Result<[Matrix; 2], Refusal> {
-    Ok([reader.matrix(names[0], 1, count)?, reader.matrix(names[1], 1, count)?])
-}
-
 fn within(reader: &mut Reader, x: &Matrix, [least, most]: &[Matrix; 2], reason: &str) -> Result<(), Refusal> {
     reader.pay(4 * x.cols, x.bits(), least.bits().max(most.bits()))?;
     let ordered =
@@ -85,25 +64,20 @@ fn within(reader: &mut Reader, x: &Matrix, [least, most]: &[Matrix; 2], reason: 
     reader.require(ordered(least, x) && ordered(x, most), reason)
 }
 
-fn stretches(
-    reader: &mut Reader,
-    modes: &[Mode],
-    limits: Option<&[Matrix; 2]>,
-    kept: &[BigInt],
-) -> Result<Vec<Stretch>, Refusal> {
+fn stretches(reader: &mut Reader, system: &System) -> Result<Vec<Stretch>, Refusal> {
     let count = reader.count("stretches", 1, MOST_STEPS)?;
     let (mut stretches, mut first): (Vec<Stretch>, Option<Matrix>) = (Vec::new(), None);
     for _ in 0..count {
-        let mode = &modes[reader.count("mode", 1, modes.len())? - 1];
+        let mode = &system.modes[reader.count("mode", 1, system.modes.len())? - 1];
         let time = reader.fraction("time")?;
         reader.require(time.is_positive(), "a time is not positive")?;
         let mut force = copy(&mode.c);
-        if let (Some(limits), Some(b)) = (limits, &mode.b) {
-            let u = reader.matrix("u", 1, kept.len())?;
+        if let (Some(limits), Some(b)) = (&system.limits, &mode.b) {
+            let u = reader.matrix("u", 1, system.kept.len())?;
             within(reader, &u, limits, "an input is not within its bounds")?;
             let before = first.get_or_insert_with(|| copy(&u));
             let same = |j: usize| u.at(0, j) * &before.denominator == before.at(0, j) * &u.denominator;
-            let constant = kept.iter().enumerate().all(|(j, kept)| kept.sign() == Sign::NoSign || same(j));
+            let constant = (0..system.kept.len()).all(|j| !system.is_kept(j) || same(j));
             reader.require(constant, "a constant input changes")?;
             let transposed = Matrix::from_fn(b.cols, b.rows, b.denominator.clone(), |i, j| b.at(j, i).clone());
             let pushed = reader.times(&u, &transposed)?;
@@ -128,8 +102,8 @@ fn stretches(
     Ok(stretches)
 }
 
-/// One step of the exponential series.
-fn step(reader: &mut Reader, stretch: &Stretch, y: &mut [BigInt], error: &mut BigInt) -> Result<(), Refusal> {
+/// One step of the exponential series, where `|M| time <= steps/2`.
+pub fn step(reader: &mut Reader, stretch: &Stretch, y: &mut [BigInt], error: &mut BigInt) -> Result<(), Refusal> {
     let (m, order) = (&stretch.m, y.len());
     let divisor = &m.denominator * &stretch.time.1 * stretch.steps;
     let mut term = y.to_vec();
