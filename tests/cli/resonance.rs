@@ -236,6 +236,7 @@ fn asymmetric_platoons_are_said_in_one_line() {
         (&["--f=-1", "--g=-1", "--ahead", "0.6", "--f-ahead", "1"][..], "--ahead and --f-ahead cannot both be given"),
         (&["--f=-1", "--g=-1", "--ahead", "0.6,0.5"], "--ahead has 2 numbers for 4 followers: one, or one for each"),
         (&["--f=-1", "--g=-1", "--ahead", "x"], "--ahead: `x` is not an integer"),
+        (&["--f=-1", "--g=-1", "--ahead", "0.6 0.5 1 1"], "a list is 0.6,0.5,1"),
         (&["--f=-1", "--g=-1", "--g-behind", "1.5"], "--g-behind is 3/2, but a weight is between 0 and 1"),
         (&["--f=-1", "--g=-1", "--ahead", "-1", "--behind", "1"], "--ahead is -1, but a weight is not negative"),
         (&["--f-ahead=-1", "--g=-1"], "--f-behind is needed"),

@@ -1,7 +1,7 @@
 //! From a question to its verdict: every member is decided, a continuum is divided, controls must be refuted.
 
 use crate::answer::{Answer, Verdict};
-use crate::bindings::Bindings;
+use crate::bindings::{Bindings, Value};
 use crate::case::Case;
 use crate::division::Division;
 use crate::error::{Problem, QuestionError};
@@ -240,8 +240,15 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
         Some(found) => Some(found.clone()),
         None => question.case(0, progress)?,
     };
-    let signs = looked.filter(|_| question.asks_a_platoon()).and_then(|member| signs(&member));
-    let remarks = unmet.into_iter().chain(made.iter().flat_map(|made| made.remarks.clone())).chain(signs);
+    let looked = looked.filter(|_| question.asks_a_platoon());
+    let of_a_platoon = looked.iter().flat_map(|member| {
+        let like_cars = match member.get("followers") {
+            Some(Value::Number(followers)) => question.like_cars(followers),
+            _ => None,
+        };
+        signs(member).into_iter().chain(like_cars)
+    });
+    let remarks = unmet.into_iter().chain(made.iter().flat_map(|made| made.remarks.clone())).chain(of_a_platoon);
     answer.why = std::iter::once(answer.why).chain(remarks).collect::<Vec<String>>().join(" ");
     answer.made = made.map(|made| made.controls.iter().map(|control| control.node.to_string()).collect());
     answer.decisive = decisive.filter(|_| answer.counterexample.is_some());

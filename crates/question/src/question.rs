@@ -15,6 +15,7 @@ use crate::scenario_file::ScenarioFile;
 use crate::states::LawFile;
 use crate::syntax::Node;
 use algebra::graph::LaplacianKind;
+use arithmetic::{Rational, rational};
 use models::platoon::{Communication, Parameter};
 use std::fmt::Write;
 use std::sync::{Arc, OnceLock};
@@ -237,6 +238,20 @@ impl Question {
     /// The names of the section `[for]`, in order.
     pub fn bound_names(&self) -> impl Iterator<Item = &str> {
         self.bounds.iter().map(|bound| bound.name.as_ref())
+    }
+
+    /// That a list of TOML is a family, for who means one number for each car: where it has as many numbers as there are followers.
+    pub(crate) fn like_cars(&self, followers: &Rational) -> Option<String> {
+        let count = |list: &Vec<(usize, Domain)>| *followers == rational(list.len() as i64, 1);
+        let is_one = |bound: &&Bound| {
+            let numbers = matches!(bound.domain.sort(), Some(Sort::Integer | Sort::Number));
+            let list = matches!(&bound.domain, Domain::List(list) if list.len() > 1 && count(list));
+            numbers && list && Parameter::from_name(&bound.name).is_some()
+        };
+        let name = &self.bounds.iter().find(is_one)?.name;
+        Some(format!(
+            "The list of `{name}` makes {followers} platoons, each with one of its numbers; one number for each of the {followers} followers is `{name} = \"each:..\"`."
+        ))
     }
 
     /// Whether the members are drawn at random, so that they never prove anything for all.

@@ -106,6 +106,12 @@ fn numbers(name: &str, text: &str) -> Result<Vec<Rational>, CliError> {
     read_numbers(text).map_err(|error| CliError::Use(format!("--{name}: {error}")))
 }
 
+/// Whether a text would be a list of numbers with commas in place of what is between them.
+fn lacks_commas(text: &str) -> bool {
+    let parts: Vec<&str> = text.split([' ', '\t', ';']).filter(|part| !part.is_empty()).collect();
+    parts.len() > 1 && read_numbers(&parts.join(",")).is_ok()
+}
+
 /// A parameter as the option that gives it.
 fn option_of(parameter: Parameter) -> String {
     format!("--{}", parameter.name().replace('_', "-"))
@@ -138,10 +144,7 @@ impl Arguments {
         for (_, parameter) in Parameter::NAMES {
             if let Some(text) = self.of(parameter) {
                 let read = numbers(&option_of(parameter)[2..], text).map_err(|error| match error {
-                    // Written as elsewhere: `[..]` of scenarios, `each:..` of questions.
-                    CliError::Use(why) if text.contains(['[', ':']) => {
-                        CliError::Use(format!("{why}; it is one number, or one for each follower: 0.6,0.5,1"))
-                    }
+                    CliError::Use(why) if lacks_commas(text) => CliError::Use(format!("{why}; a list is 0.6,0.5,1")),
                     other => other,
                 });
                 line = line.with(parameter, read?);

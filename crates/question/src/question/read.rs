@@ -191,7 +191,10 @@ impl Question {
                 let located = if is_parameter { entry.text_or_list()? } else { entry.text()? };
                 let each = if is_parameter { read_each(&located.text) } else { None };
                 let domain = each.map_or_else(|| read_domain(&located.text, files), Ok);
-                let domain = domain.map_err(|(at, problem)| self.at(located.base + at, problem))?;
+                let domain = domain.map_err(|(at, problem)| match without_commas(&located.text) {
+                    Some(wrong) if is_parameter => self.at(located.base, wrong),
+                    _ => self.at(located.base + at, problem),
+                })?;
                 Ok::<_, QuestionError>((domain, located.base))
             };
             let (domain, base) = if entry.is_list() {
@@ -368,4 +371,14 @@ impl Question {
         check.expect(&node, is_truth).map_err(at)?;
         Ok(Expression { node, base: located.base, inequalities: Vec::new() })
     }
+}
+
+/// What is wrong with numbers that have something else than commas between them.
+fn without_commas(text: &str) -> Option<Problem> {
+    let parts: Vec<&str> = text.split([' ', '\t', ';']).filter(|part| !part.is_empty()).collect();
+    read_each(&parts.join(","))?;
+    Some(Problem::expected(
+        "a number for each follower with commas between, `0.6,0.5,1`,",
+        format!("`{}`", shown(text)),
+    ))
 }

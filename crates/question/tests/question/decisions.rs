@@ -305,6 +305,23 @@ fn intervals_of_weights() {
     }
 }
 
+/// A list of TOML is a family; that is told where it looks like one number for each car. Other signs than commas are no list.
+#[test]
+fn lists_that_look_like_cars() {
+    let of =
+        |ahead: &str| asked(&format!("followers = 3\nf = \"-1\"\ng = \"-2\"\nahead = {ahead}"), "peak < 100", "1 < 0");
+    let told = answer(&of("[0.6, 0.5, 1]"));
+    assert_eq!(told.cases, 3);
+    assert!(told.why.contains("The list of `ahead` makes 3 platoons") && told.why.contains("`ahead = \"each:..\"`"));
+    for other in ["[0.6, 0.5]", "[[0.6, 0.5, 1]]", "\"0.6,0.5,1\"", "[\"0.6,0.5,1\", \"0.5,0.6,1\", \"1,1,1\"]"] {
+        assert!(!answer(&of(other)).why.contains("platoons"), "{other}");
+    }
+    for wrong in ["\"0.6 0.5 1\"", "\"0.6;0.5;1\""] {
+        let error = read(&of(wrong)).expect_err(wrong).to_string();
+        assert!(error.contains("with commas between, `0.6,0.5,1`, is expected here, but it is"), "{error}");
+    }
+}
+
 /// Ends of intervals that are no weights are named.
 #[test]
 fn intervals_of_numbers_that_are_no_weights() {
