@@ -45,6 +45,14 @@ step "types"
 "$bin/python" -m mypy.stubtest flockproof --ignore-missing-stub
 
 step "notebooks"
+# A recording of eight zebrafish lies in this package; nothing else of it is used.
+"$bin/pip" install --quiet --disable-pip-version-check --no-deps trajectorytools==0.4.2
 "$bin/python" -m pytest --quiet --nbmake --nbmake-timeout=300 examples
+
+# With the site and the ledger that .ci/run has made before.
+if [ -d "$target/site" ] && [ -f "$target/ledger.json" ]; then
+  step "documentation"
+  (cd "$root" && .ci/documentation "$target/documentation" "$bin/python" "$target/site" "$target/ledger.json")
+fi
 
 step "done"

@@ -29,7 +29,8 @@ pub use reach;
 pub use report;
 pub use scenario;
 
-/// The example of the page on claims of one's own, compiled and run.
+/// The examples of the pages on claims of one's own and on the way from a sentence to a verdict, compiled and run.
 #[cfg(doctest)]
 #[doc = include_str!("../notes/own_claims.md")]
-struct OwnClaims;
+#[doc = include_str!("../notes/tutorial.md")]
+struct Pages;

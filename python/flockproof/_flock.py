@@ -109,10 +109,10 @@ class Run:
     denominator_bits : int
         Length of the common denominator of the state, which is not reduced.
     footprint : array of bool or None
-        Where P(until) ... P(from_) is positive.
+        Where P(until) ... P(``from_``) is positive.
     stabilisers : tuple of (time, members)
     decay : tuple of (t, tau_1, tau_2 squared)
-        With ``products=True``, at from_, from_ + 1, from_ + 3, ..
+        With ``products=True``, at ``from_``, ``from_ + 1``, ``from_ + 3``, ..
     """
 
     switches: tuple[Switch, ...]

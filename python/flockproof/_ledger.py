@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from . import _native
 from ._extras import needed
 from ._progress import Progress, callback
+from ._shown import table
 
 if TYPE_CHECKING:
     import pandas
@@ -135,17 +136,12 @@ class Claims(Sequence[Claim]):
 
     def _repr_html_(self) -> str:
         cells = [(c.id, c.place, c.verdict, ", ".join(c.grades), c.statement) for c in self._all]
-        return _table(("claim", "place", "recorded verdict", "evidence", "statement"), cells)
+        return table(("claim", "place", "recorded verdict", "evidence", "statement"), cells)
 
 
 def _heading(of: Claim | Entry) -> str:
     name = f"<b>{escape(of.id)}</b> ({escape(of.place)}): <i>{escape(of.verdict)}</i>"
     return f"{name}<br>{escape(of.statement)}"
-
-
-def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    body = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows)
-    return f"<table><tr>{''.join(f'<th>{escape(name)}</th>' for name in head)}</tr>{body}</table>"
 
 
 def ledger() -> Claims:
@@ -251,7 +247,7 @@ class Entry:
         head = _heading(self)
         told = "".join(f"<br>{escape(text)}" for text in (self.counterexample, self.corrected, self.why) if text)
         controls = f"<p>controls {self.controls.refuted}/{self.controls.total}</p>"
-        return head + told + _table(("grade", "clauses", "part", "what was done"), rows) + controls
+        return head + told + table(("grade", "clauses", "part", "what was done"), rows) + controls
 
 
 def _entry(found: dict[str, Any], derivation: str) -> Entry:
@@ -351,7 +347,7 @@ class Ledger(Sequence[Entry]):
             for e in self._all
         ]
         told = "".join(f"<p>differs: {escape(difference)}</p>" for difference in self.differences)
-        return _table(("claim", "place", "verdict", "evidence", "controls", "statement"), cells) + told
+        return table(("claim", "place", "verdict", "evidence", "controls", "statement"), cells) + told
 
 
 def _names(names: str | Iterable[str], what: str) -> list[str]:

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
+from ._shown import latex
 
 #: What is accepted as a number: exact ones, and floats, which stand for the exact value of the double.
 Number: TypeAlias = Any
@@ -354,6 +355,10 @@ class Enclosure:
             same += 1
         return f"<span title='[{lo}, {hi}]'><b>{lo[:same]}</b><sub>{lo[same:]}</sub><sup>{hi[same:]}</sup></span>"
 
+    def _repr_latex_(self) -> str:
+        lo, hi = map(latex, self._texts())
+        return f"${lo}$" if lo == hi else rf"$[{lo},\ {hi}]$"
+
     def __reduce__(self) -> tuple[Any, ...]:
         return (_enclosure, (*self._texts(), self._from_floats, self._doubt))
 
@@ -483,6 +488,13 @@ class ExactMatrix(Sequence[tuple[Fraction, ...]]):
 
     def __len__(self) -> int:
         return self.shape[0]
+
+    def _repr_latex_(self) -> str | None:
+        # A larger one fills more than a page: then its text is shown.
+        if max(self.shape) > 12:
+            return None
+        rows = r" \\ ".join(" & ".join(latex(x) for x in row) for row in self)
+        return rf"$\begin{{pmatrix}} {rows} \end{{pmatrix}}$"
 
     def _entry(self, k: int) -> Known:
         return Known(self.numerators[k], self.denominator, bool(self.from_floats))

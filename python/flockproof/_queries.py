@@ -30,6 +30,7 @@ from ._numbers import (
     read_decimal,
 )
 from ._progress import Progress, callback
+from ._shown import ROWS, latex, table, told
 
 
 @dataclass(frozen=True)
@@ -93,6 +94,22 @@ class Resonance:
             *(f"  {sentence}" for sentence in self.from_floats),
         ]
         return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        head = f"{self.followers} followers, f = {self.f}, g = {self.g}"
+        theorem = self.theorem1
+        rows = [
+            ("frequency (rad/s)", str(self.frequency), f"{float(theorem.frequency):.6g}"),
+            ("amplitude", str(self.amplitude), f"{float(theorem.amplitude):.6g}"),
+        ]
+        return told(head, self.from_floats) + table(("main resonance", "enclosed", "Theorem 1"), rows)
+
+    def _repr_latex_(self) -> str:
+        return rf"$\omega \in {_inner(self.frequency)},\quad |G(i\omega)| \in {_inner(self.amplitude)}$"
+
+
+def _inner(value: Enclosure) -> str:
+    return value._repr_latex_().strip("$")
 
 
 def resonance(followers: int, f: Number, g: Number, digits: int = 15) -> Resonance:
@@ -171,10 +188,17 @@ class Peak:
         lines = [f"Peak of {self.amplitude} at {self.frequency}", *(f"  {sentence}" for sentence in self.from_floats)]
         return "\n".join(lines)
 
+    def _repr_html_(self) -> str:
+        where = "approached at infinity" if self.frequency is None else str(self.frequency)
+        rows = [("amplitude", str(self.amplitude)), ("frequency (rad/s)", where)]
+        return told("", self.from_floats) + table(("peak", "enclosed"), rows)
 
-def _peak(
-    found: tuple[tuple[str, str] | None, tuple[str, str]], digits: int, floats: tuple[str, ...]
-) -> Peak:
+    def _repr_latex_(self) -> str:
+        at = "" if self.frequency is None else rf"\omega \in {_inner(self.frequency)},\quad "
+        return rf"${at}|G(i\omega)| \in {_inner(self.amplitude)}$"
+
+
+def _peak(found: tuple[tuple[str, str] | None, tuple[str, str]], digits: int, floats: tuple[str, ...]) -> Peak:
     omega, amplitude = found
     frequency = None if omega is None else Enclosure._of(omega, bool(floats))
     return Peak(frequency, Enclosure._of(amplitude, bool(floats)), int(digits), floats)
@@ -332,6 +356,23 @@ class Spectrum(list[Eigenvalue]):
         shown = [f"  {part.multiplicity:>6}  {_shown(part)}" for part in self[:20]]
         more = [f"  .. {len(self) - 20} more"] if len(self) > 20 else []
         return "\n".join([head, *shown, *more, *(f"  {sentence}" for sentence in self.from_floats)])
+
+    def _repr_html_(self) -> str:
+        head = f"{self.graph}, {self.kind}: {self.order} eigenvalues, {self.method}"
+        more = [f"{len(self) - ROWS} more"] if len(self) > ROWS else []
+        rows = [(str(part.multiplicity), _shown(part)) for part in self[:ROWS]]
+        return told(head, (*self.from_floats, *more)) + table(("multiplicity", "eigenvalue"), rows)
+
+    def _repr_latex_(self) -> str | None:
+        if len(self) > ROWS:
+            return None
+
+        def one(part: Eigenvalue) -> str:
+            value = latex(part.exact) if part.exact is not None else _inner(part.value)
+            return value if part.imaginary is None else rf"{value} + i\,{_inner(part.imaginary)}"
+
+        rows = r" \\ ".join(f"{part.multiplicity} & {one(part)}" for part in self)
+        return rf"$\begin{{array}}{{rl}} \text{{multiplicity}} & \lambda \\ \hline {rows} \end{{array}}$"
 
     def __array__(self, dtype: npt.DTypeLike | None = None, copy: bool | None = None) -> npt.NDArray[Any]:
         real = all(part.imaginary is None for part in self)
@@ -521,6 +562,26 @@ class Ergodicity:
             *([f"  and {len(self.changed) - 20} more rows"] if len(self.changed) > 20 else []),
         ]
         return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        rows, columns = self.product.shape
+        head = f"{len(self.prefixes)} factors, product {rows} x {columns}"
+        shown = [
+            (
+                str(prefix.t),
+                f"{_float(prefix.tau_1):.10g}",
+                f"{float(prefix.tau_2):.10g}",
+                str(int(prefix.footprint.sum())),
+            )
+            for prefix in self.prefixes[:ROWS]
+        ]
+        more = [f"{len(self.prefixes) - ROWS} more factors"] if len(self.prefixes) > ROWS else []
+        seen = [f"V_{k} = {set(s.members)} from T_{k} = {s.time}" for k, s in enumerate(self.stabilisers, 1)]
+        names = ("factors", "tau_1", "tau_2", "entries above 0")
+        return told(head, (*self.from_floats, *self.changed[:20], *more, *seen)) + table(names, shown)
+
+    def _repr_latex_(self) -> str | None:
+        return self.product._repr_latex_()
 
 
 def ergodicity(

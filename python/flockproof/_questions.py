@@ -20,10 +20,10 @@ from . import _native
 from ._extras import needed
 from ._flock import _refused
 from ._graphs import networkx_graph, read_member
-from ._ledger import _table
 from ._numbers import Enclosure, Known, exact, is_float, read_decimal
 from ._progress import Progress, callback
 from ._runs import toml
+from ._shown import ROWS, table, told
 from .law import Law
 
 if TYPE_CHECKING:
@@ -364,8 +364,8 @@ class Table(Sequence[Mapping[str, Any]]):
 
     def _repr_html_(self) -> str:
         names = [*self.names, *self.columns]
-        more = f"<p>and {len(self) - 40} more rows</p>" if len(self) > 40 else ""
-        return _table(names, ([str(row[name]) for name in names] for row in self._rows[:40])) + more
+        more = f"<p>and {len(self) - ROWS} more rows</p>" if len(self) > ROWS else ""
+        return table(names, ([str(row[name]) for name in names] for row in self._rows[:ROWS])) + more
 
 
 def _row(found: dict[str, Any], names: Sequence[str]) -> dict[str, Any]:
@@ -457,6 +457,21 @@ class Campaign:
             lines.append(f"  {own.id}: {own.cases} cases, {own.failed} failed, {own.undecided} undecided{margin}")
         lines += [f"  {f.invariant} fails in case {f.case}: {f.instance or f.why}" for f in self.failures]
         return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        head, _, _ = repr(self).partition("\n")
+        rows = [
+            (
+                own.id,
+                str(own.cases),
+                str(own.failed),
+                str(own.undecided),
+                "" if own.margin is None else f"{own.margin:.4e}",
+            )
+            for own in self.invariants
+        ]
+        failures = [f"{f.invariant} fails in case {f.case}: {f.instance or f.why}" for f in self.failures]
+        return told(head) + table(("invariant", "cases", "failed", "undecided", "margin"), rows) + told("", failures)
 
 
 def invariants() -> dict[str, str]:

@@ -19,6 +19,7 @@ from ._extras import needed
 from ._flock import _refused
 from ._numbers import float_seen, number_text
 from ._progress import Progress, callback
+from ._shown import table, told
 from .law import Law
 
 if TYPE_CHECKING:
@@ -146,6 +147,15 @@ class Simulation:
             *(f"  {remark}" for remark in self.remarks),
         ]
         return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        last = self.t[-1] if len(self.t) else 0
+        head = f"{self.model}: {len(self.t)} times up to {last:g}, {len(self.events)} events"
+        rows = [(name, str(array.shape), "") for name, array in self.states.items()]
+        for name, array in self.observables.items():
+            ends = f"{array[0]:.6g} to {array[-1]:.6g}" if array.ndim == 1 and len(array) else ""
+            rows.append((name, str(array.shape), ends))
+        return told(head, self.remarks) + table(("what", "shape", "from start to end"), rows)
 
 
 def simulate(
@@ -334,6 +344,13 @@ class Tracks:
 
     def __repr__(self) -> str:
         return self.text
+
+    def _repr_html_(self) -> str:
+        s, left = self.summary, self.summary["left_out"]
+        head = f"{s['source']}: {s['fish']} fish, {s['frames']} frames of {s['step']:g} s, {left['used']} of them used"
+        means = [(name, f"{value:.6g}") for name, value in s["means"].items() if isinstance(value, (int, float))]
+        few = ["few frames"] if s["few_frames"]["means"] else []
+        return told(head, few) + table(("mean over these frames", "value"), means)
 
 
 def tracks(

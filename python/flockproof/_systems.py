@@ -18,6 +18,7 @@ from ._numbers import Enclosure, Number
 from ._progress import Progress, callback
 from ._questions import _named
 from ._runs import toml
+from ._shown import table
 
 System = Mapping[str, Any] | str | os.PathLike[str]
 
@@ -75,6 +76,20 @@ class Reach(Sequence[Check]):
 
     def __repr__(self) -> str:
         return self.text.rstrip("\n")
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (check.holds, check.verdict, _known(check), "" if check.at is None else str(check.at)) for check in self
+        ]
+        return table(("check", "verdict", "worst case", "attained at"), rows)
+
+
+def _known(check: Check) -> str:
+    """What is known of the worst case."""
+    if check.worst is not None:
+        return str(check.worst)
+    ends = [sign + str(end) for sign, end in (("at least ", check.lo), ("at most ", check.hi)) if end is not None]
+    return ", ".join(ends)
 
 
 def reach(system: System, digits: int = 10, progress: Progress = None) -> Reach:

@@ -1,23 +1,47 @@
 """Pictures of results, with matplotlib (``pip install "flockproof[plot]"``).
 
-Each function draws into ``axes``, or into a new figure, and returns the axes. Without matplotlib it raises
-ImportError, which says how to install it; what is none of this package's results is a TypeError.
+Each function draws into ``axes``, or into a new figure whose colours are told apart by colour-blind readers too, and
+returns the axes. Without matplotlib it raises ImportError, which says how to install it; what is none of this package's
+results is a TypeError.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from ._extras import needed
 from ._flock import Run, Settlement
+from ._numbers import Enclosure
 from ._platoon import Platoon
 from ._queries import Resonance, Spectrum
-from ._runs import Simulation
+from ._questions import Table
+from ._runs import Simulation, Tracks
 
-__all__ = ["bode", "network", "observables", "paths", "resonances", "spectrum"]
+__all__ = [
+    "bode",
+    "circle",
+    "network",
+    "observables",
+    "paths",
+    "portrait",
+    "resonances",
+    "settlement",
+    "spectrum",
+    "sweep",
+    "tracks",
+]
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
+
+
+#: Okabe and Ito's colours.
+_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 
 
 def _needed(value: object, kinds: type | tuple[type, ...], name: str, maker: str) -> None:
@@ -28,7 +52,9 @@ def _needed(value: object, kinds: type | tuple[type, ...], name: str, maker: str
 def _axes(axes: Any) -> Any:
     if axes is not None:
         return axes
-    return needed("matplotlib.pyplot", "plot").subplots(layout="constrained")[1]
+    axes = needed("matplotlib.pyplot", "plot").subplots(layout="constrained")[1]
+    axes.set_prop_cycle(color=_COLOURS)
+    return axes
 
 
 def paths(simulation: Simulation, axes: Any = None) -> Any:
@@ -151,6 +177,7 @@ def bode(platoon: Platoon, cars: Iterable[int] | None = None, frequencies: Any =
     if axes is None:
         pyplot = needed("matplotlib.pyplot", "plot")
         axes = pyplot.subplots(2, 1, sharex=True, layout="constrained")[1]
+        axes[0].set_prop_cycle(color=_COLOURS)
     if len(axes) != 2:
         raise ValueError(f"axes should be two, for magnitude and phase, not {len(axes)}")
     chosen = [platoon.followers] if cars is None else [int(car) for car in cars]
@@ -250,4 +277,212 @@ def network(found: Run | Settlement, axes: Any = None) -> Any:
         axes.annotate(str(bird), (x, y), textcoords="offset points", xytext=(6, 6))
     axes.set(aspect="equal")
     axes.axis("off")
+    return axes
+
+
+def settlement(found: Settlement, axes: Any = None) -> Any:
+    """Which pairs of birds are linked, over time: a bar for each link, until the last switch and a little longer.
+
+    Parameters
+    ----------
+    found
+        Of ``Flock.settle``, with at least one link at some time.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        No two birds are ever linked, or a switch comes at a time beyond floating point.
+    """
+    _needed(found, Settlement, "found", "Flock.settle")
+    times = [switch.t for switch in found.switches]
+    if any(abs(t) > 2**1000 for t in times):
+        raise ValueError("a switch comes at a time that is too large for a picture")
+    last = max(times, default=0)
+    end = last + max(1, last // 10)
+    # Backwards from the last network.
+    until: dict[tuple[int, int], int] = dict.fromkeys(found.edges, end)
+    bars: list[tuple[tuple[int, int], int, int]] = []
+    for switch in reversed(found.switches):
+        bars += [(pair, switch.t, until.pop(pair)) for pair in switch.gained if pair in until]
+        until.update(dict.fromkeys(switch.lost, switch.t))
+    bars += [(pair, 0, to) for pair, to in until.items()]
+    if not bars:
+        raise ValueError("no two birds are ever linked")
+    axes = _axes(axes)
+    place = {pair: k for k, pair in enumerate(sorted({pair for pair, _, _ in bars}))}
+    for pair, since, to in bars:
+        axes.plot(
+            [since, to], [place[pair]] * 2, lw=4, solid_capstyle="butt", color=_COLOURS[place[pair] % len(_COLOURS)]
+        )
+    if last > 1000:
+        axes.set_xscale("symlog", linthresh=1)
+    axes.set_yticks(range(len(place)), [f"{i}-{j}" for i, j in place])
+    axes.set(xlabel="t", ylabel="linked birds", title=f"{len(found.switches)} switches, {found.ending}")
+    return axes
+
+
+def sweep(table: Table, x: str, y: str, axes: Any = None) -> Any:
+    """A quantity of a sweep over a name or another one, such as the order over the noise; enclosures by their ends.
+
+    Parameters
+    ----------
+    table
+        Of :func:`flockproof.sweep`.
+    x, y
+        Columns with numbers. Members without a value are left out.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        A column that is not there, or without a number.
+    """
+    _needed(table, Table, "table", "flockproof.sweep")
+    known = [*table.names, *table.columns]
+    for name in (x, y):
+        if name not in known:
+            raise ValueError(f"`{name}` is none of {', '.join(known)}")
+    ends = [(_ends(row[x]), _ends(row[y])) for row in table]
+    points = sorted((a, b) for a, b in ends if a is not None and b is not None)
+    if not points:
+        raise ValueError(f"no member has numbers for both {x} and {y}")
+    axes = _axes(axes)
+    across, up = np.array([a for a, _ in points]), np.array([b for _, b in points])
+    middle = up.mean(axis=1)
+    axes.errorbar(
+        across.mean(axis=1), middle, yerr=np.clip([middle - up[:, 0], up[:, 1] - middle], 0, None), fmt="o-", ms=3, lw=1
+    )
+    axes.set(xlabel=x, ylabel=y)
+    return axes
+
+
+def _ends(value: Any) -> tuple[float, float] | None:
+    if isinstance(value, Enclosure):
+        return float(value.lo), float(value.hi)
+    if isinstance(value, (int, Fraction)) and not isinstance(value, bool):
+        return float(value), float(value)
+    return None
+
+
+def portrait(simulation: Simulation, coordinate: int = 0, axes: Any = None) -> Any:
+    """The phase portrait of a run: of each agent its velocity over its position, in one coordinate; a dot at the end.
+
+    Parameters
+    ----------
+    simulation
+        Of :func:`flockproof.simulate`, of a model with velocities; in the units of its scenario.
+    coordinate
+        From 0.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        A model without velocities, or a coordinate that it has not.
+    """
+    _needed(simulation, Simulation, "simulation", "flockproof.simulate")
+    positions, velocities = (simulation.states.get(name) for name in ("positions", "velocities"))
+    if positions is None or velocities is None:
+        raise ValueError(
+            f"the model {simulation.model} has no positions with velocities; it has {', '.join(simulation.states)}"
+        )
+    if not 0 <= coordinate < positions.shape[2]:
+        raise ValueError(f"coordinate = {coordinate} is not between 0 and {positions.shape[2] - 1}")
+    axes = _axes(axes)
+    axes.plot(positions[:, :, coordinate], velocities[:, :, coordinate], lw=1)
+    axes.plot(positions[-1, :, coordinate], velocities[-1, :, coordinate], "o", color="0.2", ms=3)
+    name = "xyz"[coordinate] if positions.shape[2] > 1 and coordinate < 3 else "x"
+    axes.set(xlabel=name, ylabel=f"velocity of {name}", title=simulation.model)
+    return axes
+
+
+def circle(simulation: Simulation, row: int = -1, axes: Any = None) -> Any:
+    """Phases on the unit circle at one time, and the order parameter p_1 as an arrow from the centre.
+
+    Parameters
+    ----------
+    simulation
+        Of :func:`flockproof.simulate`, of a model with phases (radians).
+    row
+        Which of ``simulation.t``; left out, the last.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        A model without phases, or a row that is not there.
+    """
+    _needed(simulation, Simulation, "simulation", "flockproof.simulate")
+    phases = simulation.states.get("phases")
+    if phases is None:
+        raise ValueError(f"the model {simulation.model} has no phases; it has {', '.join(simulation.states)}")
+    if not -len(phases) <= row < len(phases):
+        raise ValueError(f"row = {row} is none of {len(phases)} times")
+    axes = _axes(axes)
+    points = np.exp(1j * phases[row])
+    turn = np.exp(1j * np.linspace(0, 2 * np.pi, 361))
+    axes.plot(turn.real, turn.imag, color="0.7", lw=1)
+    axes.plot(points.real, points.imag, "o", ms=6)
+    order = points.mean()
+    axes.annotate("", xy=(order.real, order.imag), xytext=(0, 0), arrowprops={"arrowstyle": "->", "color": _COLOURS[1]})
+    axes.set(aspect="equal", title=f"t = {simulation.t[row]:g}, |p_1| = {abs(order):.3f}")
+    axes.axis("off")
+    return axes
+
+
+def tracks(found: Tracks, names: Iterable[str] = ("p_1", "rotation"), axes: Any = None) -> Any:
+    """What was measured in a recording over time; frames that were left out break the lines.
+
+    Parameters
+    ----------
+    found
+        Of :func:`flockproof.tracks`.
+    names
+        Columns of ``frames.csv``, such as ``p_1`` (polarisation), ``rotation`` (milling, -1 to 1) and
+        ``nearest_distance_mean`` (in the unit of the file).
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        A name that is no column of numbers.
+    """
+    _needed(found, Tracks, "found", "flockproof.tracks")
+    frames = found.table("frames")
+    known = [name for name in frames.dtype.names or () if frames.dtype[name].kind in "fi"]
+    chosen = list(names)
+    for name in chosen:
+        if name not in known:
+            raise ValueError(f"`{name}` is none of {', '.join(known)}")
+    axes = _axes(axes)
+    for name in chosen:
+        axes.plot(frames["t"], frames[name], lw=1.2, label=name)
+    axes.set(xlabel="time (s)", title=str(found.summary["source"]))
+    axes.legend()
     return axes

@@ -6,7 +6,7 @@ use super::watch::{Watch, watched};
 use flockproof::report::{Provenance, TracksReport, digest};
 use flockproof::scenario::{End, Ensemble, Outcome, Row, Scenario, with_law};
 use flockproof::tracks::{
-    BridgeShape, Choices, Format, NearestRule, PositionsUsed, Smoothing, Tracks, analyse, delays,
+    BridgeShape, Choices, ChoicesError, Format, NearestRule, PositionsUsed, Smoothing, Tracks, analyse, delays, named,
 };
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
@@ -169,11 +169,11 @@ pub fn tracks<'py>(
     if let Some(ids) = &chosen.ids {
         tracks = tracks.only(ids).map_err(refuse)?;
     }
-    let shape = BridgeShape::ALL.into_iter().find(|(name, _)| *name == chosen.bridge);
-    let (_, shape) = shape.ok_or_else(|| refuse(format!("bridge = `{}` is neither line nor spline", chosen.bridge)))?;
+    let (_, shape) = named(&BridgeShape::ALL, &chosen.bridge)
+        .map_err(|error| refuse(format!("bridge = `{}`: {error}", chosen.bridge)))?;
     let tracks = tracks.bridge(chosen.max_gap, shape);
     let choices = choices(&chosen, &tracks)?;
-    choices.check(tracks.fish()).map_err(refuse)?;
+    choices.check(tracks.fish()).map_err(|error| wrong(&error))?;
     let configuration = json!({
         "command": "tracks", "file": {"name": source, "sha256": digest(text.as_bytes())}, "columns": chosen.columns,
         "fps": chosen.fps, "part": chosen.part, "score": chosen.score, "max_gap": chosen.max_gap, "bridge": chosen.bridge, "min_fish": chosen.min_fish, "ids": chosen.ids,
@@ -193,10 +193,11 @@ pub fn tracks<'py>(
             analysis: &analysis,
             null: null.as_ref(),
             delays: found.as_ref(),
+            snapshot_at: at,
         };
         let mut files = report.tables(&Provenance::new("flockproof.tracks/1", Some(&chosen.seed), configuration));
         if chosen.pictures {
-            files.extend(report.pictures(at).map_err(|error| error.to_string())?);
+            files.extend(report.pictures().map_err(|error| error.to_string())?);
         }
         Ok::<_, String>((report.text(), files))
     };
@@ -204,11 +205,18 @@ pub fn tracks<'py>(
     Ok((text, files.into_iter().map(|file| (file.name, PyBytes::new(py, &file.contents))).collect()))
 }
 
+/// A choice that makes no sense, with its name.
+fn wrong(error: &ChoicesError) -> PyErr {
+    refuse(match error.choice() {
+        Some(choice) => format!("{choice}: {error}"),
+        None => error.to_string(),
+    })
+}
+
 fn choices(chosen: &Chosen, tracks: &Tracks) -> PyResult<Choices> {
-    let zones = Choices::radii_of_zones(&chosen.zones).map_err(|error| refuse(format!("zones: {error}")))?;
-    let smoothing = Smoothing::ALL.into_iter().find(|(name, _)| *name == chosen.smoothing);
-    let (_, smoothing) = smoothing
-        .ok_or_else(|| refuse(format!("smoothing = `{}` is none of mean, savgol, spline", chosen.smoothing)))?;
+    let zones = Choices::radii_of_zones(&chosen.zones).map_err(|error| wrong(&error))?;
+    let (_, smoothing) = named(&Smoothing::ALL, &chosen.smoothing)
+        .map_err(|error| refuse(format!("smoothing = `{}`: {error}", chosen.smoothing)))?;
     Ok(Choices {
         smoothing,
         window: chosen.window.unwrap_or(Choices::of_sidebar(tracks.step).window),

@@ -205,6 +205,11 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "plot.resonances": lambda x: plot.resonances(x) if not is_empty(x) else None,
     "plot.spectrum": plot.spectrum,
     "plot.network": plot.network,
+    "plot.settlement": plot.settlement,
+    "plot.circle": plot.circle,
+    "plot.portrait": plot.portrait,
+    "plot.tracks": plot.tracks,
+    "plot.sweep": lambda x: plot.sweep(x, "n", "value"),
     "ledger[]": lambda x: flockproof.ledger()[x] if isinstance(x, str) else None,
     "ledger.paper": lambda x: flockproof.ledger().paper(x),
 }

@@ -103,5 +103,5 @@ def test_dates_and_splines() -> None:
     whole = flockproof.tracks(circling(120), fps=25, window=5, null=0).summary
     off = [abs(run["means"]["momentum"] - whole["means"]["momentum"]) for run in (dated, line)]
     assert off[0] < off[1]
-    with pytest.raises(ValueError, match="neither line nor spline"):
+    with pytest.raises(ValueError, match="there are line, spline"):
         flockproof.tracks(rows, bridge="arc")

@@ -6,7 +6,7 @@ use flockproof::arithmetic::Cancelled;
 use flockproof::report::{File, Provenance, TracksReport};
 use flockproof::tracks::{
     BridgeShape, Choices, ChoicesError, Format, FormatError, NearestRule, PositionsUsed, School, Setting, Smoothing,
-    Tracks, analyse, delays, largest_lag, synthetic_school,
+    Tracks, UnknownName, analyse, delays, largest_lag, named, synthetic_school,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -107,24 +107,31 @@ pub struct Arguments {
 
 /// Frame step of synthetic schools in seconds.
 const STEP: f64 = 0.1;
+/// The file of a synthetic school.
+const SCHOOL: &str = "tracks.csv";
 /// Most positions of a synthetic school.
 const LARGEST_SCHOOL: usize = 5_000_000;
 /// More shifts than this say nothing more.
 const MOST_SHIFTS: usize = 100_000;
 
-fn smoothing(name: &str) -> Result<Smoothing, String> {
-    let found = Smoothing::ALL.into_iter().find(|(known, _)| *known == name);
-    found.map(|(_, smoothing)| smoothing).ok_or_else(|| "there are mean, savgol, spline".to_string())
+fn smoothing(name: &str) -> Result<Smoothing, UnknownName> {
+    named(&Smoothing::ALL, name).map(|(_, smoothing)| smoothing)
 }
 
-fn bridge(name: &str) -> Result<(&'static str, BridgeShape), String> {
-    BridgeShape::ALL.into_iter().find(|(known, _)| *known == name).ok_or_else(|| "there are line, spline".to_string())
+fn bridge(name: &str) -> Result<(&'static str, BridgeShape), UnknownName> {
+    named(&BridgeShape::ALL, name)
 }
 
-fn school(name: &str) -> Result<(&'static str, School), String> {
-    let known = || School::ALL.map(|(name, _)| name).join(", ");
-    let found = School::ALL.into_iter().find(|(known, _)| *known == name.replace("polarized", "polarised"));
-    found.ok_or_else(|| format!("there are {}", known()))
+fn school(name: &str) -> Result<(&'static str, School), UnknownName> {
+    named(&School::ALL, &name.replace("polarized", "polarised"))
+}
+
+/// A choice that makes no sense, with its option.
+fn wrong(error: &ChoicesError) -> CliError {
+    CliError::Use(match error.choice() {
+        Some(choice) => format!("--{}: {error}", choice.replace('_', "-")),
+        None => error.to_string(),
+    })
 }
 
 /// The trajectories, where they come from, and whether they were made here.
@@ -159,8 +166,7 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
 
 fn choices(arguments: &Arguments, tracks: &Tracks) -> Result<Choices, CliError> {
     let sidebar = Choices::of_sidebar(tracks.step);
-    let zones =
-        Choices::radii_of_zones(&arguments.zones).map_err(|error| CliError::Use(format!("--zones: {error}")))?;
+    let zones = Choices::radii_of_zones(&arguments.zones).map_err(|error| wrong(&error))?;
     Ok(Choices {
         smoothing: arguments.smoothing,
         window: arguments.window.unwrap_or(sidebar.window),
@@ -197,13 +203,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let (from, to) = (first.time, last.time);
         return Err(CliError::Use(format!("--at {at}: the recording goes from t = {from} to {to}")));
     }
-    choices.check(tracks.fish()).map_err(|error| CliError::Use(error.to_string()))?;
+    choices.check(tracks.fish()).map_err(|error| wrong(&error))?;
     if let Some(seconds) = arguments.delays {
         largest_lag(&tracks, seconds).map_err(|error| CliError::Use(format!("--delays: {error}")))?;
     }
     output::make_folder(&arguments.out)?;
     if arguments.synthetic.is_some() {
-        output::write_file(&arguments.out.join("tracks.csv"), tracks.to_csv().as_bytes())?;
+        output::write_file(&arguments.out.join(SCHOOL), tracks.to_csv().as_bytes())?;
     }
     let configuration = json!({
         "command": "tracks", "file": origin, "columns": arguments.columns, "fps": arguments.fps,
@@ -225,7 +231,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     };
     let (reached, frames) = (analysis.frames.len(), tracks.frames.len());
     let tracks = if reached < frames { tracks.first(reached) } else { tracks };
-    let mut report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: None, delays: None };
+    let mut report = TracksReport {
+        source: &source,
+        tracks: &tracks,
+        analysis: &analysis,
+        null: None,
+        delays: None,
+        snapshot_at: arguments.at,
+    };
     // The null models take longest: what was measured is written before them, whatever becomes of them.
     interrupt::finishing();
     let files = write(arguments, report.tables(&provenance))?;
@@ -255,7 +268,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     // Who stops the work does not wait for pictures.
     let complete = !interrupt::happened();
     if complete {
-        files.extend(write(arguments, report.pictures(arguments.at).map_err(|error| refuse(&error))?)?);
+        files.extend(write(arguments, report.pictures().map_err(|error| refuse(&error))?)?);
     }
     print(arguments, &said(arguments, &report, &provenance, &files))?;
     if !complete {
@@ -283,5 +296,15 @@ fn said(arguments: &Arguments, report: &TracksReport, provenance: &Provenance, f
         return format!("{:#}\n", provenance.stamp(report.summary()));
     }
     let written = format!("{}\nwritten to {}: {}", provenance.line(), arguments.out.display(), files.join(", "));
-    format!("{}\n{}\n", report.text(), textwrap::fill(&written, 80))
+    let stale = stale(arguments, files);
+    let stale =
+        if stale.is_empty() { String::new() } else { format!("\nof an earlier run there: {}", stale.join(", ")) };
+    format!("{}\n{}\n", report.text(), textwrap::fill(&format!("{written}{stale}"), 80))
+}
+
+/// Files of other choices that lie in the folder and are not of this run.
+fn stale(arguments: &Arguments, written: &[String]) -> Vec<&'static str> {
+    let ours = |name: &str| written.iter().any(|file| file == name) || arguments.synthetic.is_some() && name == SCHOOL;
+    let old = |name: &&str| arguments.out.join(name).exists() && !ours(name);
+    TracksReport::NOT_ALWAYS.into_iter().filter(old).collect()
 }

@@ -49,6 +49,9 @@ fn a_synthetic_school_can_be_analysed_again_from_its_table() {
     assert_eq!((printed["fish"].as_u64(), printed["frames"].as_u64()), (Some(5), Some(200)));
     assert!(printed["means"]["p_1"].as_f64().is_some_and(|p| p > 0.95));
     assert!(printed["means"]["W_nearest"]["3"].is_number());
+    assert!(printed["means"]["nearest_distance"].as_f64().is_some_and(|distance| distance > 0.0));
+    assert!(printed["few_frames"]["means"].is_boolean() && printed["snapshot"].as_f64() == Some(10.0), "{printed}");
+    assert!(printed["per_fish"][0]["speed_frames"].as_u64().is_some_and(|frames| frames > 0 && frames < 200));
     let on_disk = std::fs::read_to_string(format!("{again}/summary.json")).expect("written");
     assert_eq!(serde_json::from_str::<serde_json::Value>(&on_disk).expect("JSON"), printed);
     for name in [
@@ -67,6 +70,32 @@ fn a_synthetic_school_can_be_analysed_again_from_its_table() {
     let fields = frames.lines().next().map_or(0, |line| line.split(',').count());
     assert_eq!(frames.lines().count(), 201);
     assert!(frames.lines().all(|line| line.split(',').count() == fields));
+    // Without delays those of the run before are still there, and it is said. At the very start no fish has a heading yet.
+    let other = stdout(&flockproof(&["tracks", &csv, "--null", "0", "--at", "0", "--out", again]));
+    assert!(other.contains("of an earlier run there: delays.csv, delays.svg,"), "{other}");
+    assert!(other.contains("of the frames that are used the closest to t = 0 s"), "{other}");
+}
+
+/// Two fish that meet for five frames only: most shifts of their tracks leave the zones of orientation empty, and it is said in how many the
+/// cosine has a value.
+#[test]
+fn shifts_without_a_cosine_are_counted() {
+    let folder = folder("tracks_without_arcs");
+    let mut table = String::from("t,id,x,y\n");
+    for i in 0..60 {
+        let other = if (28..=32).contains(&i) { (10 * i, 10) } else { (0, 5000 + i) };
+        table += &format!("{i},a,{},0\n{i},b,{},{}\n", 10 * i, other.0, other.1);
+    }
+    let path = file(&folder, "met.csv", table.as_bytes());
+    let out = folder.join("out");
+    let text =
+        stdout(&flockproof(&["tracks", &path, "--window", "1", "--null", "19", "--out", out.to_str().expect("UTF-8")]));
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("With tracks shifted the cosine has a value in"), "{text}");
+    let summary = std::fs::read_to_string(out.join("summary.json")).expect("written");
+    let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    let shifts = &summary["null_models"]["shifted"]["tracks shifted"]["zone_alignment"]["shifts"];
+    assert!(shifts.as_u64().is_some_and(|shifts| shifts < 19), "{summary}");
 }
 
 /// Ten fish at 25 frames a second, 2 % of the positions missing and two long gaps, in a table with other names: with bridges and fewer
@@ -99,9 +128,14 @@ fn a_recording_with_gaps_is_bridged_and_says_on_what_it_rests() {
     let text = stdout(&analysed);
     assert!(analysed.status.success(), "{}", String::from_utf8_lossy(&analysed.stderr));
     assert!(text.lines().all(|line| line.chars().count() <= 80), "wider than 80 columns:\n{text}");
-    for part in
-        ["at least 8 of 10 fish", "bridged", "with all fish", "rotation (milling) 0.998", "a heading of every fish"]
-    {
+    for part in [
+        "at least 8 of 10 fish",
+        "mean speeds go over",
+        "bridged",
+        "with all fish",
+        "rotation (milling) 0.998",
+        "a heading of every fish",
+    ] {
         let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(words(&text).contains(part), "{part} is missing in\n{text}");
     }
@@ -137,20 +171,20 @@ fn bad_tracks_are_refused() {
     refuse("good.csv", &good, &["--zones", "2.4,1.4", "--window", "1"], "the zones 2.4, 1.4");
     refuse("good.csv", &good, &["--zones", "2.4"], "--zones");
     refuse("good.csv", &good, &["--zones", "a,b"], "--zones");
-    refuse("good.csv", &good, &["--window", "4"], "window of 4 frames");
+    refuse("good.csv", &good, &["--window", "4"], "--window: the window of 4 frames");
     refuse("good.csv", &good, &["--window", "9"], "no frame has a heading of all 3 fish");
     refuse("good.csv", &good, &["--window", "18446744073709551615"], "no frame has a heading");
     refuse("good.csv", &good, &["--window", "-1"], "-1");
     refuse("good.csv", &good, &["--window", "1", "--ids", "a,z"], "no fish z");
     refuse("good.csv", &good, &["--window", "1", "--ids", "a"], "only one fish");
-    refuse("good.csv", &good, &["--window", "1", "--nearest", "3"], "between 1 and 2");
-    refuse("good.csv", &good, &["--window", "1", "--min-fish", "4"], "between 2 and 3");
+    refuse("good.csv", &good, &["--window", "1", "--nearest", "3"], "--nearest: 3 fish have between 1 and 2");
+    refuse("good.csv", &good, &["--window", "1", "--min-fish", "4"], "--min-fish: frames");
     refuse("good.csv", &good, &["--columns", "frame=t"], "no column `frame`");
     refuse("good.csv", &good, &["--columns", "t"], "--columns: `t` is not NAME=t");
     refuse("good.csv", &good, &["--fps", "0"], "--fps: 0 frames per second");
     refuse("good.csv", &good, &["--window", "1", "--body-length", "0"], "body length 0");
     refuse("good.csv", &good, &["--window", "1", "--body-length", "nan"], "`nan` is not an integer");
-    refuse("good.csv", &good, &["--window", "1", "--blind", "400"], "blind spot of 400");
+    refuse("good.csv", &good, &["--window", "1", "--blind", "400"], "--blind: the blind spot of 400");
     refuse("good.csv", &good, &["--window", "1", "--null", "99999999"], "--null 99999999");
     refuse("good.csv", &good, &["--synthetic", "milling"], "--synthetic");
     assert_refused(&["tracks", "/nowhere/at/all.csv", "--out", out], "/nowhere/at/all.csv");

@@ -7,6 +7,7 @@
 
 mod page;
 mod questions;
+mod release;
 
 use flockproof::question::Question;
 use flockproof::report::{Figure, Site};
@@ -20,8 +21,19 @@ use std::process::{Command, Output};
 const OF_OTHERS: [&str; 4] = ["cargo ", "git ", "python3 ", "source <("];
 
 /// Folders of the repository whose files the pages name.
-const FOLDERS: [&str; 9] =
-    [".ci/", "assets/", "benches/", "crates/", "fuzz/", "notes/", "proofs_checks/", "src/", "tests/"];
+const FOLDERS: [&str; 11] = [
+    ".ci/",
+    "assets/",
+    "benches/",
+    "crates/",
+    "documentation/",
+    "fuzz/",
+    "notes/",
+    "packaging/",
+    "proofs_checks/",
+    "src/",
+    "tests/",
+];
 
 /// A folder of its own with the examples that come with the program.
 fn workplace(name: &str) -> PathBuf {

@@ -61,6 +61,8 @@ pub struct FishSummary {
     pub distance: Option<f64>,
     /// Shares of frames with a neighbour in the zones of repulsion, orientation and attraction.
     pub zones: Option<[f64; 3]>,
+    /// Over how many frames the speed, the distance and the shares go.
+    pub over: [u64; 3],
 }
 
 /// A recording with everything that was measured.
@@ -155,6 +157,11 @@ impl Analysis {
         self.groups().map(|(_, group)| of(group)).sum::<f64>() / self.left_out.used as f64
     }
 
+    /// The mean over the frames of [`Analysis::groups`] of the mean distance to the nearest neighbour, in the unit of the file.
+    pub fn mean_nearest(&self) -> Option<f64> {
+        mean(self.frames.iter().filter(|frame| frame.group.is_some()).filter_map(FrameMeasures::mean_distance)).0
+    }
+
     /// Frames with headings of all fish: those that null models can use.
     pub fn whole_frames(&self) -> usize {
         self.groups().filter(|(_, group)| group.members.len() == self.fish.len()).count()
@@ -224,14 +231,9 @@ impl Analysis {
     }
 
     fn summary_of(&self, tracks: &Tracks, k: usize) -> FishSummary {
-        let mean = |values: &mut dyn Iterator<Item = f64>| {
-            let (sum, count) = values.fold((0.0, 0u64), |(sum, count), x| (sum + x, count + 1));
-            (count > 0).then(|| sum / count as f64)
-        };
         let velocities = &self.motion.velocities[k];
         let presence = |zone: usize| {
-            let in_zone = self.frames.iter().filter_map(|frame| frame.zones[k]).map(|zones| f64::from(zones[zone]));
-            mean(&mut { in_zone })
+            mean(self.frames.iter().filter_map(|frame| frame.zones[k]).map(|zones| f64::from(zones[zone])))
         };
         // Places on bridges were not seen.
         let bridged = || tracks.bridged.iter().filter(move |gap| gap.fish == k);
@@ -240,13 +242,17 @@ impl Analysis {
         let gaps = self.gaps.iter().filter(|gap| gap.fish == k).count() + bridged().count();
         let moving = velocities.iter().flatten().count();
         let headed = self.motion.headings[k].iter().flatten().count();
+        let (speed, speeds) = mean(velocities.iter().flatten().map(|v| v.norm_squared().sqrt()));
+        let (distance, distances) = mean(self.frames.iter().filter_map(|frame| frame.distances[k]));
+        let [(repulsion, zones), (orientation, _), (attraction, _)] = [0, 1, 2].map(presence);
         FishSummary {
             seen,
             missing: (tracks.recorded_frames() - seen, gaps),
             still: (moving - headed) as u64,
-            speed: mean(&mut velocities.iter().flatten().map(|v| v.norm_squared().sqrt())),
-            distance: mean(&mut self.frames.iter().filter_map(|frame| frame.distances[k])),
-            zones: presence(0).zip(presence(1)).zip(presence(2)).map(|((a, b), c)| [a, b, c]),
+            speed,
+            distance,
+            zones: repulsion.zip(orientation).zip(attraction).map(|((a, b), c)| [a, b, c]),
+            over: [speeds, distances, zones],
         }
     }
 
@@ -266,4 +272,10 @@ impl Analysis {
             who, too_many, self.choices.window, too_many, tracks.ids[rarest], self.fish[rarest].seen
         )
     }
+}
+
+/// The mean of numbers, `None` of none, and how many they are.
+fn mean(values: impl Iterator<Item = f64>) -> (Option<f64>, u64) {
+    let (sum, count) = values.fold((0.0, 0u64), |(sum, count), x| (sum + x, count + 1));
+    ((count > 0).then(|| sum / count as f64), count)
 }

@@ -110,6 +110,22 @@ pub enum ChoicesError {
     Cancelled(#[from] Cancelled),
 }
 
+impl ChoicesError {
+    /// The choice that is wrong, as in Python; with hyphens it is the option of the command line. `None` where it is the recording.
+    pub fn choice(&self) -> Option<&'static str> {
+        match self {
+            ChoicesError::EvenWindow(_) | ChoicesError::ShortWindow { .. } => Some("window"),
+            ChoicesError::BodyLength(_) => Some("body_length"),
+            ChoicesError::Zones(..) | ChoicesError::ZoneCount(_) => Some("zones"),
+            ChoicesError::Blind(_) => Some("blind"),
+            ChoicesError::Still(_) => Some("still"),
+            ChoicesError::Neighbours { .. } => Some("nearest"),
+            ChoicesError::LeastFish { .. } => Some("min_fish"),
+            ChoicesError::Recording { .. } | ChoicesError::NothingLeft(_) | ChoicesError::Cancelled(_) => None,
+        }
+    }
+}
+
 impl Choices {
     /// The body length of the sidebar's fish in centimetres.
     pub const BODY_LENGTH_OF_SIDEBAR: f64 = 5.3;

@@ -14,6 +14,7 @@ mod gaps;
 mod histogram;
 mod measures;
 mod motion;
+mod named;
 mod null;
 mod potential;
 mod read;
@@ -30,6 +31,7 @@ pub use gaps::{Gap, gaps};
 pub use histogram::Histogram;
 pub use measures::{FrameMeasures, GroupState, ZonePresence, nearest_neighbour};
 pub use motion::Motion;
+pub use named::{UnknownName, named};
 pub use null::{
     Comparison, NullKind, NullModels, Sample, Statistics, UniformShares, null_models, uniform_draw, uniform_draws,
 };

@@ -62,6 +62,7 @@ impl Made {
             analysis: &self.analysis,
             null: Some(&self.null),
             delays: None,
+            snapshot_at: None,
         }
     }
 }
@@ -75,7 +76,7 @@ pub(super) fn snapshots() -> Result<Reproduced, CheckError> {
     for school in SCHOOLS {
         let made = Made::new(school, 0)?;
         let report = made.report();
-        picture = picture.panel(snapshot_panel(&report, made.name, None));
+        picture = picture.panel(snapshot_panel(&report, made.name));
         let zones = made.analysis.frames.iter().flat_map(|frame| frame.zones.iter().flatten());
         let (empty, all) =
             zones.fold((0usize, 0usize), |(empty, all), zones| (empty + usize::from(!zones[1]), all + 1));

@@ -25,7 +25,13 @@ pub struct TracksReport<'a> {
     pub null: Option<&'a NullModels>,
     /// Delays between headings, where they are asked for.
     pub delays: Option<&'a Delays>,
+    /// Time of the snapshot in seconds; without it the middle of the frames that are used.
+    pub snapshot_at: Option<f64>,
 }
+
+/// Fewer frames than this, or a smaller share of the recording than [`SMALL_SHARE`], are few.
+const FEW_FRAMES: u64 = 100;
+const SMALL_SHARE: f64 = 0.1;
 
 impl TracksReport<'_> {
     /// The text for the terminal, of at most 80 columns.
@@ -54,16 +60,35 @@ impl TracksReport<'_> {
         files
     }
 
-    /// The pictures; the snapshot shows the frame with all headings that is closest to `snapshot_at`.
+    /// Whether so many frames are too few to rest much on.
+    fn is_few(&self, frames: u64) -> bool {
+        frames < FEW_FRAMES || (frames as f64) < SMALL_SHARE * self.analysis.left_out.recorded as f64
+    }
+
+    /// The number of the frame that the snapshot shows: of those that are used the one closest to the time that is asked for.
+    fn snapshot_frame(&self) -> usize {
+        let frames = &self.analysis.frames;
+        let mut used = (0..frames.len()).filter(|&i| frames[i].group.is_some());
+        let found = match self.snapshot_at {
+            None => used.nth(self.analysis.left_out.used as usize / 2),
+            Some(t) => used.min_by(|&i, &j| (frames[i].time - t).abs().total_cmp(&(frames[j].time - t).abs())),
+        };
+        found.unwrap_or(0)
+    }
+
+    /// Files of this analysis by other choices, which an earlier run may have left in the folder.
+    pub const NOT_ALWAYS: [&'static str; 4] = ["delays.csv", "delays.svg", "delays.png", "tracks.csv"];
+
+    /// The pictures.
     ///
     /// # Errors
     /// [`PictureError`].
-    pub fn pictures(&self, snapshot_at: Option<f64>) -> Result<Vec<File>, PictureError> {
+    pub fn pictures(&self) -> Result<Vec<File>, PictureError> {
         let pictures = [
             ("histograms", pictures::histograms(self)),
             ("order", pictures::order(self)),
             ("potentials", pictures::potentials(self)),
-            ("snapshot", pictures::snapshot(self, snapshot_at)),
+            ("snapshot", pictures::snapshot(self)),
         ];
         let mut files = Vec::new();
         let delays = self.delays.map(|delays| ("delays", pictures::delays(self, delays)));

@@ -142,28 +142,15 @@ pub(super) fn delays(report: &TracksReport, delays: &Delays) -> Picture {
     Picture::new(titled(report, "delays of headings")).grid(1, (760.0, 380.0)).panel(panel)
 }
 
-pub(super) fn snapshot(report: &TracksReport, at: Option<f64>) -> Picture {
-    let panel = snapshot_panel(report, "", at);
+pub(super) fn snapshot(report: &TracksReport) -> Picture {
+    let panel = snapshot_panel(report, "");
     Picture::new(titled(report, "positions, headings, zones of orientation")).grid(1, (640.0, 640.0)).panel(panel)
 }
 
-/// The frame with all headings that is closest to a time, the middle one without a time.
-fn frame_at(analysis: &Analysis, at: Option<f64>) -> usize {
-    let used = || (0..analysis.frames.len()).filter(|&i| analysis.frames[i].group.is_some());
-    let found = match at {
-        None => used().nth(analysis.left_out.used as usize / 2),
-        Some(t) => used().min_by(|&i, &j| {
-            let distance = |i: usize| (analysis.frames[i].time - t).abs();
-            distance(i).total_cmp(&distance(j))
-        }),
-    };
-    found.unwrap_or(0)
-}
-
 /// Positions, headings, the last five seconds of the trajectories and the zones of orientation, as in Figure S2.
-pub(crate) fn snapshot_panel(report: &TracksReport, title: &str, at: Option<f64>) -> Panel {
+pub(crate) fn snapshot_panel(report: &TracksReport, title: &str) -> Panel {
     let (analysis, b) = (report.analysis, report.analysis.choices.body_length);
-    let i = frame_at(analysis, at);
+    let i = report.snapshot_frame();
     let time = analysis.frames[i].time;
     let title = if title.is_empty() { format!("t = {time} s") } else { format!("{title}, t = {time} s") };
     let point = |r: &Vector| (r.re, r.im);

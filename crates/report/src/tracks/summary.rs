@@ -27,8 +27,10 @@ pub(super) fn summary(report: &TracksReport) -> Value {
         .map(|(id, fish)| {
             json!({
                 "id": id, "frames_seen": fish.seen, "frames_missing": fish.missing.0, "gaps": fish.missing.1,
-                "frames_at_rest": fish.still, "mean_speed": fish.speed, "mean_nearest_distance": fish.distance,
+                "frames_at_rest": fish.still, "mean_speed": fish.speed, "speed_frames": fish.over[0],
+                "mean_nearest_distance": fish.distance, "distance_frames": fish.over[1],
                 "zones": fish.zones.map(|[r, o, a]| json!({"repulsion": r, "orientation": o, "attraction": a})),
+                "zones_frames": fish.over[2],
             })
         })
         .collect();
@@ -46,6 +48,8 @@ pub(super) fn summary(report: &TracksReport) -> Value {
         "mean_fish": left.members as f64 / left.used as f64,
         "frames_on_bridges": tracks.on_bridges().iter().filter(|&&fish| fish > 0).count(),
         "frames_with_all_fish": analysis.whole_frames(),
+        "few_frames": {"means": report.is_few(left.used), "null_models": report.is_few(analysis.whole_frames() as u64)},
+        "snapshot": analysis.frames[report.snapshot_frame()].time,
         "gaps": gaps,
         "per_fish": fish,
         "means": means(report),
@@ -129,6 +133,7 @@ fn means(report: &TracksReport) -> Value {
         "p_2": analysis.mean(|g| g.order[1]),
         "momentum": analysis.mean(|g| g.momentum),
         "rotation": analysis.mean(|g| g.rotation),
+        "nearest_distance": analysis.mean_nearest(),
         "W_single": analysis.mean(|g| g.single),
         "W_complete": analysis.mean(|g| g.complete),
         "W_nearest": others,
@@ -160,7 +165,7 @@ fn null_models(report: &TracksReport, models: &NullModels) -> Value {
             c.map_or(Value::Null, |c| {
                 let (low, high) = Share::new(c.at_least.0, c.at_least.1).interval();
                 json!({
-                    "mean": c.mean, "points_2.5_97.5": [c.range.0, c.range.1],
+                    "shifts": c.at_least.1, "mean": c.mean, "points_2.5_97.5": [c.range.0, c.range.1],
                     "share_at_least": c.share_at_least, "share_at_most": c.share_at_most, "wilson_95": [low, high],
                 })
             })

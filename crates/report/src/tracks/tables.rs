@@ -62,24 +62,27 @@ pub(super) fn frames(report: &TracksReport) -> String {
 /// A row for each fish.
 pub(super) fn fish(report: &TracksReport) -> String {
     let mut text = String::from(
-        "id,frames_seen,frames_missing,gaps,frames_at_rest,mean_speed,mean_nearest_distance,\
-         share_repulsion,share_orientation,share_attraction\n",
+        "id,frames_seen,frames_missing,gaps,frames_at_rest,mean_speed,speed_frames,mean_nearest_distance,distance_frames,\
+         share_repulsion,share_orientation,share_attraction,share_frames\n",
     );
     for (id, fish) in report.tracks.ids.iter().zip(&report.analysis.fish) {
         let zone = |z: usize| cell(fish.zones.map(|zones| zones[z]));
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{},{},{},{},{}",
+            "{},{},{},{},{},{},{},{},{},{},{},{},{}",
             csv_field(id),
             fish.seen,
             fish.missing.0,
             fish.missing.1,
             fish.still,
             cell(fish.speed),
+            fish.over[0],
             cell(fish.distance),
+            fish.over[1],
             zone(0),
             zone(1),
-            zone(2)
+            zone(2),
+            fish.over[2]
         );
     }
     text

@@ -16,6 +16,7 @@ pub(super) fn text(report: &TracksReport) -> String {
     left_out(report, &mut text);
     each_fish(report, &mut text);
     potentials(report, &mut text);
+    snapshot(report, &mut text);
     if let Some(found) = report.delays {
         delays(report, found, &mut text);
     }
@@ -204,14 +205,25 @@ fn bridges(report: &TracksReport, text: &mut String) {
     paragraph(text, "bridged", &what);
 }
 
-/// Fewer frames than this, or a smaller share of the recording than [`SMALL_SHARE`], are few.
-const FEW_FRAMES: usize = 100;
-const SMALL_SHARE: f64 = 0.1;
-
 /// A sentence where what is said rests on few frames.
-fn few(used: usize, recorded: u64) -> Option<String> {
-    let is_few = used < FEW_FRAMES || (used as f64) < SMALL_SHARE * recorded as f64;
-    is_few.then(|| format!("Few frames: this rests on {used} of {recorded}."))
+fn few(report: &TracksReport, used: u64) -> Option<String> {
+    let recorded = report.analysis.left_out.recorded;
+    report.is_few(used).then(|| format!("Few frames: this rests on {used} of {recorded}."))
+}
+
+/// Over how many frames the means of the fish go.
+fn over(report: &TracksReport) -> String {
+    let range = |which: usize| {
+        let counts = || report.analysis.fish.iter().map(|fish| fish.over[which]);
+        let (least, most) = (counts().min().unwrap_or(0), counts().max().unwrap_or(0));
+        if least == most { format!("{most}") } else { format!("{least} to {most}") }
+    };
+    format!(
+        "mean speeds go over {} frames of a fish, distances over {}, shares over {}; of each fish in fish.csv",
+        range(0),
+        range(1),
+        range(2)
+    )
 }
 
 fn each_fish(report: &TracksReport, text: &mut String) {
@@ -237,14 +249,15 @@ fn each_fish(report: &TracksReport, text: &mut String) {
     if report.tracks.fish() > LISTED {
         let _ = writeln!(text, "{} more, see fish.csv", report.tracks.fish() - LISTED);
     }
+    paragraph(text, "frames of each", &over(report));
     text.push('\n');
 }
 
 fn potentials(report: &TracksReport, text: &mut String) {
     let analysis = report.analysis;
-    let used = analysis.left_out.used as usize;
-    let whole = analysis.whole_frames();
-    if let Some(few) = few(used, analysis.left_out.recorded) {
+    let used = analysis.left_out.used;
+    let whole = analysis.whole_frames() as u64;
+    if let Some(few) = few(report, used) {
         let _ = writeln!(text, "{few}");
     }
     let over =
@@ -258,6 +271,14 @@ fn potentials(report: &TracksReport, text: &mut String) {
         number(analysis.mean(|g| g.momentum))
     );
     paragraph(text, "order (means)", &order);
+    if let Some(distance) = analysis.mean_nearest() {
+        let lengths = number(distance / analysis.choices.body_length);
+        paragraph(
+            text,
+            "nearest (mean)",
+            &format!("{} in the unit of the file, {lengths} body lengths", number(distance)),
+        );
+    }
     let arcs = analysis.mean(|g| g.orientation_arcs as f64);
     let zone = format!(
         "W_1 {:.4} on {arcs:.2} arcs of the zones of orientation (an empty zone counts as synchronised)",
@@ -281,6 +302,16 @@ fn potentials(report: &TracksReport, text: &mut String) {
         let _ = writeln!(text, "{:18} {w:>10.4} {:>9} W_1/n = {per_arc:.4}", format!("W_1, n = {n}"), "");
     }
     text.push('\n');
+}
+
+/// Which frame the snapshot shows where another one was asked for.
+fn snapshot(report: &TracksReport, text: &mut String) {
+    let shown = report.analysis.frames[report.snapshot_frame()].time;
+    if let Some(at) = report.snapshot_at.filter(|at| (shown - at).abs() > 1e-6 * report.tracks.step) {
+        let what = format!("t = {} s: of the frames that are used the closest to t = {} s", number(shown), number(at));
+        paragraph(text, "snapshot", &what);
+        text.push('\n');
+    }
 }
 
 fn delays(report: &TracksReport, delays: &Delays, text: &mut String) {
@@ -311,8 +342,8 @@ fn delays(report: &TracksReport, delays: &Delays, text: &mut String) {
     if pairs.len() > LISTED {
         let _ = writeln!(text, "{} more, see delays.csv", pairs.len() - LISTED);
     }
-    if let Some(least) = pairs.iter().map(|pair| pair.both).min()
-        && let Some(few) = few(least, report.analysis.left_out.recorded)
+    if let Some(least) = pairs.iter().map(|pair| pair.both as u64).min()
+        && let Some(few) = few(report, least)
     {
         let _ = writeln!(text, "{few} So does the lead of its fish.");
     }
@@ -327,6 +358,9 @@ fn delays(report: &TracksReport, delays: &Delays, text: &mut String) {
 /// The place of the distance to the nearest neighbour: small where fish keep together.
 const NEAREST: usize = 9;
 
+/// The place of the cosine in the zone of orientation, which has no value where all these zones are empty.
+const ALIGNMENT: usize = 7;
+
 /// The statistics that the text shows: their place among the names, and what they are called here.
 const SHOWN: [(usize, &str); 9] = [
     (0, "share > 0, 2/(n+1)"),
@@ -334,7 +368,7 @@ const SHOWN: [(usize, &str); 9] = [
     (2, "share > 0, 1/n"),
     (3, "mean, 2/(n+1)"),
     (5, "mean, 1/n"),
-    (7, "cos in orient. zone"),
+    (ALIGNMENT, "cos in orient. zone"),
     (6, "polarisation |p_1|"),
     (8, "|rotation|"),
     (NEAREST, "nearest (b lengths)"),
@@ -353,7 +387,7 @@ fn null_models(report: &TracksReport, null: &NullModels, text: &mut String) {
             0..=2 => four(null.uniform.positive[place] as f64 / null.uniform.draws as f64),
             // W_1 has the mean n/2.
             3..=5 => four(Scale::ALL[place - 3].difference(fish, (fish - 1) as f64 / 2.0, 0.5)),
-            7 => "0".to_string(),
+            ALIGNMENT => "0".to_string(),
             _ => "-".to_string(),
         };
         let unit = if place == NEAREST { report.analysis.choices.body_length } else { 1.0 };
@@ -369,12 +403,23 @@ fn null_models(report: &TracksReport, null: &NullModels, text: &mut String) {
         text.push('\n');
     }
     text.push('\n');
-    let whole = report.analysis.whole_frames();
+    let whole = report.analysis.whole_frames() as u64;
     let mut verdict = format!("Over the {whole} frames with a heading of every fish. ");
-    if let Some(few) = few(whole, report.analysis.left_out.recorded) {
+    if let Some(few) = few(report, whole) {
         let _ = write!(verdict, "{few} ");
     }
     verdict.push_str(&reading(fish, null));
+    for (kind, comparisons, _) in &null.shifted {
+        let counted = comparisons[ALIGNMENT].map_or(0, |c| c.at_least.1);
+        if observed[ALIGNMENT].is_some() && counted < null.shifts {
+            let _ = write!(
+                verdict,
+                "With {} the cosine has a value in {counted} of {} shifts: in the others no fish has another in its zone of orientation. ",
+                kind.name(),
+                null.shifts
+            );
+        }
+    }
     verdict.push_str(&match null.shifts {
         0 => "No shifts were made (--null 0).".to_string(),
         shifts => {

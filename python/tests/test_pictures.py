@@ -1,0 +1,116 @@
+"""Pictures of results, and how results show themselves in a notebook."""
+
+from __future__ import annotations
+
+import os
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+import flockproof
+from flockproof import plot
+
+ASSETS = Path(os.environ.get("FLOCKPROOF_ASSETS", Path(__file__).resolve().parents[2] / "assets"))
+PHASES = {
+    "model": "phase",
+    "graph": {"kind": "complete"},
+    "state": {"phases": ["0", "1/2", "1"]},
+    "law": {"K1": -1},
+    "run": {"until": 1, "samples": [1]},
+}
+
+
+@pytest.fixture(autouse=True)
+def _no_window() -> None:
+    pytest.importorskip("matplotlib").use("Agg")
+
+
+def test_only_pictures_are_public() -> None:
+    assert dir(plot) == sorted(plot.__all__)
+
+
+def test_links_begin_and_end_where_the_switches_are() -> None:
+    found = flockproof.Flock([0, "9/10", "5/2"], ["1/8", 0, "-1/8"]).settle()
+    assert found.switches
+    bars = [line.get_xdata() for line in plot.settlement(found).get_lines()]
+    times = {switch.t for switch in found.switches}
+    inner = {int(x) for bar in bars for x in bar} - {0, max(int(bar[1]) for bar in bars)}
+    assert inner <= times
+    # At the end the links that last.
+    end = max(int(bar[1]) for bar in bars)
+    assert sum(int(bar[1]) == end for bar in bars) == len(found.edges)
+    with pytest.raises(ValueError, match="ever linked"):
+        plot.settlement(flockproof.Flock([0, 5], [0, 0]).settle())
+
+
+def test_a_sweep_over_a_name(tmp_path: Path) -> None:
+    question = tmp_path / "paths.toml"
+    question.write_text(
+        '[question]\nid = "paths"\n[for]\nn = "3..5"\ngraph = "path(n)"\n[values]\nslow = "lambda(2)"\n'
+    )
+    table = flockproof.sweep(question)
+    line = plot.sweep(table, "n", "slow").containers[0].lines[0]
+    assert list(line.get_xdata()) == [3, 4, 5]
+    assert line.get_ydata()[0] == pytest.approx(1)
+    with pytest.raises(ValueError, match="`wrong` is none of n, graph, slow"):
+        plot.sweep(table, "n", "wrong")
+    with pytest.raises(ValueError, match="has numbers for both"):
+        plot.sweep(table, "graph", "slow")
+
+
+def test_phases_and_portraits() -> None:
+    phases = flockproof.simulate(PHASES)
+    assert f"{phases.observables['order'][-1, 0]:.3f}" in plot.circle(phases).get_title()
+    with pytest.raises(ValueError, match="no positions with velocities"):
+        plot.portrait(phases)
+    with pytest.raises(ValueError, match="row = 1000000"):
+        plot.circle(phases, row=1_000_000)
+    cars = flockproof.simulate(ASSETS / "scenarios" / "platoon.toml")
+    assert len(plot.portrait(cars).get_lines()) == cars.positions.shape[1] + 1
+    with pytest.raises(ValueError, match="no phases"):
+        plot.circle(cars)
+    with pytest.raises(ValueError, match="coordinate = 7"):
+        plot.portrait(cars, coordinate=7)
+
+
+def test_a_recording_over_time() -> None:
+    found = flockproof.tracks(ASSETS / "example_tracks.csv", null=9)
+    assert [line.get_label() for line in plot.tracks(found).get_lines()] == ["p_1", "rotation"]
+    with pytest.raises(ValueError, match="`left_out` is none of"):
+        plot.tracks(found, ["left_out"])
+    assert "few frames" not in found._repr_html_() and "nearest_distance" in found._repr_html_()
+
+
+def test_results_show_themselves() -> None:
+    matrix = flockproof.ergodicity([[["1/2", "1/2"], ["1/3", "2/3"]]])
+    assert (
+        matrix._repr_latex_()
+        == r"$\begin{pmatrix} \frac{1}{2} & \frac{1}{2} \\ \frac{1}{3} & \frac{2}{3} \end{pmatrix}$"
+    )
+    assert flockproof.Enclosure(Fraction(-1, 2), Fraction(1, 2))._repr_latex_() == r"$[-0.5,\ 0.5]$"
+    for found in (
+        flockproof.resonance(5, -1, -1),
+        flockproof.peak("path:3", -1, -1),
+        flockproof.spectrum("ring:5"),
+        matrix,
+    ):
+        html, latex = found._repr_html_(), found._repr_latex_()
+        assert html.count("<table>") == html.count("</table>") == 1
+        assert latex is not None and latex.startswith("$") and latex.endswith("$")
+    assert flockproof.spectrum("ring:200")._repr_latex_() is None
+    assert "order" in flockproof.simulate(PHASES)._repr_html_()
+    name = next(iter(flockproof.invariants()))
+    assert f"<td>{name}</td><td>2</td>" in flockproof.fuzz(invariants=name, cases=2)._repr_html_()
+
+
+def test_a_reach_shows_its_checks() -> None:
+    found = flockproof.reach(
+        {
+            "system": {"states": ["x"], "inputs": {"u": [-1, 1]}, "start": {"x": 0}},
+            "mode": {"only": {"A": [[-1]], "B": [[1]]}},
+            "run": {"until": 2},
+            "check": [{"holds": "x <= 9/10"}],
+        }
+    )
+    assert "<td>x &lt;= 9/10</td><td>holds</td>" in found._repr_html_()
