@@ -36,7 +36,7 @@ mod _native {
         sweep_table,
     };
     #[pymodule_export]
-    use super::runs::{law_file, simulate, tracks};
+    use super::runs::{named_files, simulate, tracks};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -12,7 +12,6 @@ use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use serde_json::json;
-use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -38,17 +37,10 @@ fn scenario(text: &str, files: &BTreeMap<String, String>, member: Option<u64>) -
     }
 }
 
-/// The file of the law that a scenario names, if it names one.
+/// The files that a scenario names: of its law, of its graph. What else is wrong is told when it is read.
 #[pyfunction]
-pub fn law_file(text: &str) -> Option<String> {
-    let named = RefCell::new(None);
-    let file = |name: &str| {
-        named.borrow_mut().get_or_insert_with(|| name.to_string());
-        Err(String::new())
-    };
-    // What else is wrong is told when it is read.
-    let _ = with_law(text, &file);
-    named.into_inner()
+pub fn named_files(text: &str) -> Vec<String> {
+    flockproof::scenario::named_files(text)
 }
 
 /// Runs a scenario that is given as TOML; arrays over all times that are written.

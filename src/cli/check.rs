@@ -63,10 +63,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         question.certified = arguments.certificate.is_some();
         question.listed_counterexamples = arguments.all.unwrap_or(0);
         question.listed_tight = arguments.tight.unwrap_or(0);
-        if arguments.tight.is_some() && question.cannot_be_tight() {
-            let why = "--tight lists members at which `<=` or `>=` is an equation, and the property has neither";
-            return Err(CliError::file(path, why));
-        }
         let watch = interrupt::Watch::with(progress::bar());
         let decided = decide(&question, &watch);
         watch.finish();
@@ -79,6 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             }
             Err(error) => return Err(CliError::file(path, error)),
         };
+        let no_tight = arguments.tight.is_some() && question.cannot_be_tight();
         let replay = write_replay(&question, &answer, path, &arguments.replay)?;
         let drawn = arguments.plot.as_ref().map(|_| plot(&question, &answer)).transpose()?;
         worst = worse(worst, answer.verdict);
@@ -88,9 +85,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             pages.push((answer.id.clone(), shown::question(&question, &answer, &watch)));
         }
         if arguments.json {
-            documents.push(provenance(path, &question).stamp(answer.json(replay.as_deref())));
+            let mut document = answer.json(replay.as_deref());
+            if no_tight {
+                document["tight"] = Value::Null;
+            }
+            documents.push(provenance(path, &question).stamp(document));
         } else {
-            let text = answer.text(replay.as_deref());
+            let mut text = answer.text(replay.as_deref());
+            if no_tight {
+                text += "no members with equality: the property has neither `<=` nor `>=`\n";
+            }
             let whole_words = textwrap::Options::new(output::width().clamp(40, 100))
                 .word_separator(WordSeparator::Custom(breaking_lists))
                 .word_splitter(textwrap::WordSplitter::NoHyphenation)

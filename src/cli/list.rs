@@ -67,7 +67,7 @@ fn query(arguments: &Arguments, all: &[Listing<'_>]) -> Result<Query, CliError> 
     })
 }
 
-/// How many there are, and what stands in a line.
+/// How many there are, what stands in a line, and what its grades mean.
 fn legend(found: &[&Listing<'_>], all: &[Listing<'_>]) -> String {
     let own = all.iter().filter(|claim| claim.is_own()).count();
     let text = format!(
@@ -78,7 +78,11 @@ fn legend(found: &[&Listing<'_>], all: &[Listing<'_>]) -> String {
         all.len(),
         all.len() - own
     );
-    textwrap::fill(&text, output::width()) + "\n"
+    let shown: BTreeSet<&str> = found.iter().flat_map(|claim| claim.grades()).collect();
+    let grades = Grade::ALL.into_iter().filter(|grade| shown.contains(grade.word()));
+    let grades: Vec<String> = grades.map(|grade| format!("{}: {}", grade.word(), grade.meaning())).collect();
+    let filled = |text: &str| textwrap::fill(text, output::width()) + "\n";
+    filled(&text) + &if grades.is_empty() { String::new() } else { filled(&grades.join(". ")) }
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {

@@ -138,9 +138,14 @@ pub fn zero_based_name(graph: &str) -> CliError {
     CliError::Use(format!("--zero-based is for the numbers of a file, and {graph} names a graph"))
 }
 
+/// The file that a graph is read from: `file:NAME`, or its name alone.
+pub fn named_file(graph: &str) -> &Path {
+    Path::new(graph.strip_prefix("file:").unwrap_or(graph))
+}
+
 fn find(arguments: &Arguments, kind: LaplacianKind) -> Result<Found, CliError> {
     let graph = &arguments.graph;
-    let path = Path::new(graph);
+    let path = named_file(graph);
     // A file wins over a name only where the name means nothing. Graphs with names need not be stored.
     if let Ok(named) = graph.parse::<NamedGraph>() {
         return if arguments.zero_based { Err(zero_based_name(graph)) } else { of_name(arguments, kind, &named) };
@@ -148,7 +153,7 @@ fn find(arguments: &Arguments, kind: LaplacianKind) -> Result<Found, CliError> {
     match graph.parse::<AnyGraph>() {
         Ok(_) if arguments.zero_based => Err(zero_based_name(graph)),
         Ok(found) => of_listed(arguments, kind, &found),
-        Err(_) if path.exists() || graph == "-" => {
+        Err(_) if path.exists() || graph == "-" || graph.starts_with("file:") => {
             let (file, origin) = read_file(path, arguments.zero_based)?;
             of_file(arguments, kind, file, origin)
         }

@@ -98,7 +98,6 @@ fn wrong_input() {
         assert_refused(&["check", &path], named);
     }
     let path = file(&folder, "question.toml", question("planar", "edges < 0").as_bytes());
-    assert_refused(&["check", "--tight", &path], "--tight");
     assert_refused(&["check", "--all", "0", &path], "--all");
     let unread = question("edges > 0", "edges < 0").replace("[for]", "scenario = \"flock.toml\"\n[for]");
     assert_refused(&["check", &file(&folder, "question.toml", unread.as_bytes())], "line 3, column 12");
@@ -123,6 +122,35 @@ fn members_are_listed() {
             assert!(flockproof(&["spectrum", "--graph", graph]).status.success(), "{graph}");
         }
     }
+}
+
+/// The verdict comes first where there is no inequality that can be an equation.
+#[test]
+fn nothing_is_tight_without_a_bound() {
+    let folder = folder("check-tight");
+    let path = file(&folder, "question.toml", question("edges < n*n and n = n", "edges < 0").as_bytes());
+    let output = flockproof(&["check", "--tight", &path]);
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert!(text.starts_with("mine: holds"), "{text}");
+    assert!(text.ends_with("no members with equality: the property has neither `<=` nor `>=`\n"), "{text}");
+    let output = flockproof(&["check", "--tight", "--json", &path]);
+    let document: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!((document["verdict"].as_str(), &document["tight"]), (Some("holds"), &Value::Null));
+}
+
+/// A replay of a question without controls has none, and is decided alike.
+#[test]
+fn a_replay_makes_its_controls_again() {
+    let folder = folder("check-made");
+    let path = file(&folder, "question.toml", format!("{QUESTION}property = \"edges <= n\"\n").as_bytes());
+    let out = folder.to_string_lossy().into_owned();
+    let replay = checked(&path, &out).1["replay"].as_str().expect("a replay").to_string();
+    let text = std::fs::read_to_string(&replay).expect("a file");
+    assert!(!text.contains("controls"), "{text}");
+    let (status, document) = checked(&replay, &out);
+    assert_eq!((status, document["controls"]["total"].as_u64()), (1, Some(0)));
+    assert!(document["controls"]["why_none"].as_str().is_some_and(|why| why.contains("holds for every member")));
 }
 
 /// Sums of squares as files: they say the question itself where it is one of polynomials, and the separate checker agrees.

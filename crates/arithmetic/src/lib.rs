@@ -23,6 +23,7 @@
 /// Crates that stand in signatures.
 pub use {num_bigint, num_rational, num_traits, rand_chacha};
 
+mod alike;
 mod ball;
 mod complex;
 mod degree;
@@ -53,6 +54,7 @@ mod surd;
 pub mod threads;
 mod words;
 
+pub use alike::{nearest_ids, nearest_name};
 pub use ball::Ball;
 pub use complex::Complex;
 pub use degree::DegreeBound;

@@ -296,13 +296,16 @@ impl Table {
         };
         let names = self.names.iter().enumerate().map(|(k, name)| {
             let cells = shown_rows().map(|row| row.names.get(k).map_or("", String::as_str));
-            [name.as_str()].into_iter().chain(cells).map(|cell| shortened(cell, width / 2)).collect::<Vec<_>>()
+            [name.as_str()].into_iter().chain(cells).map(ToString::to_string).collect::<Vec<_>>()
         });
         let columns = self.columns.iter().enumerate().map(|(k, name)| {
             let cells = shown_rows().map(|row| row.values.get(k).map_or(String::new(), &shown));
             std::iter::once(name.clone()).chain(cells).collect::<Vec<_>>()
         });
-        let mut text = beside(&names.collect::<Vec<_>>(), &columns.collect::<Vec<_>>(), width);
+        // A graph is never cut: one that takes half of the line stands at its end.
+        let is_long = |column: &Vec<String>| column.iter().any(|cell| cell.chars().count() > width / 2);
+        let (long, names): (Vec<_>, Vec<_>) = names.partition(is_long);
+        let mut text = beside(&names, &columns.collect::<Vec<_>>(), &long, width);
         if self.rows.len() > most {
             text.push_str(&format!("and {} more rows\n", self.rows.len() - most));
         }
@@ -313,17 +316,9 @@ impl Table {
     }
 }
 
-/// A cell of at most so many characters.
-fn shortened(cell: &str, most: usize) -> String {
-    if cell.chars().count() <= most {
-        cell.to_string()
-    } else {
-        cell.chars().take(most - 2).chain("..".chars()).collect()
-    }
-}
-
-/// Columns one beside the other, each flush right; those that do not fit below, beside the first ones again.
-fn beside(names: &[Vec<String>], columns: &[Vec<String>], width: usize) -> String {
+/// Columns one beside the other, each flush right; those that do not fit below, beside the first ones again. The last ones stand behind every line, flush left,
+/// however wide they are.
+fn beside(names: &[Vec<String>], columns: &[Vec<String>], last: &[Vec<String>], width: usize) -> String {
     let room = |column: &Vec<String>| 2 + column.iter().map(|cell| cell.chars().count()).max().unwrap_or(0);
     let first: usize = names.iter().map(room).sum();
     let mut blocks: Vec<Vec<&Vec<String>>> = vec![Vec::new()];
@@ -346,7 +341,9 @@ fn beside(names: &[Vec<String>], columns: &[Vec<String>], width: usize) -> Strin
         text.push_str(if k > 0 { "\n" } else { "" });
         for line in 0..lines {
             let cell = |column: &&Vec<String>| format!("{:>1$}", column[line], room(column) - 2);
-            text.push_str(all.iter().map(cell).collect::<Vec<_>>().join("  ").trim_end());
+            let flush_left = last.iter().filter_map(|column| column.get(line)).cloned();
+            let cells: Vec<String> = all.iter().map(cell).chain(flush_left).collect();
+            text.push_str(cells.join("  ").trim_end());
             text.push('\n');
         }
     }

@@ -16,7 +16,6 @@
 //! assert_eq!(rates, [3.0, 1.5, -4.5]);
 //! ```
 
-mod alike;
 mod blocks;
 mod bodies;
 mod compile;
@@ -27,7 +26,7 @@ mod problem;
 mod program;
 mod syntax;
 
-pub use alike::{nearest_ids, nearest_name};
+pub use arithmetic::{nearest_ids, nearest_name};
 pub use blocks::Blocks;
 pub use bodies::Bodies;
 pub use compile::{Clauses, Comparison};

@@ -1,6 +1,6 @@
 //! What is wrong with an expression: one sentence.
 
-use crate::alike::nearest_name;
+use arithmetic::nearest_name;
 use arithmetic::{NumberError, shown};
 
 /// What is wrong.

@@ -3,6 +3,7 @@
 use crate::bindings::Bindings;
 use crate::decisive::Decisive;
 use crate::error::QuestionError;
+use crate::made::{Made, MadeControl};
 use crate::members::{Listed, Member};
 use crate::names::Subject;
 use crate::outcome::{Outcome, Unsettled};
@@ -95,7 +96,7 @@ pub struct Answer {
     /// For each control whether it was refuted.
     pub controls: Vec<bool>,
     /// The controls where the program made them itself, because the question has none.
-    pub made: Option<Vec<String>>,
+    pub made: Option<Made>,
     /// The reason of the verdict, one sentence or two.
     pub why: String,
 }
@@ -204,8 +205,10 @@ impl Answer {
             "controls": {"refuted": self.refuted(), "total": self.controls.len(), "made": self.made.is_some()},
             "why": self.why,
         });
-        if let Some(made) = &self.made {
-            document["controls"]["what"] = json!(made);
+        if let Some(Made { controls, why_none, .. }) = &self.made {
+            document["controls"]["what"] = controls.iter().map(|own| json!(own.property)).collect();
+            document["controls"]["fails_at"] = controls.iter().map(|own| named(&own.fails_at)).collect();
+            document["controls"]["why_none"] = json!(why_none);
         }
         for (key, list) in [("counterexamples", &self.counterexamples), ("tight", &self.tight)] {
             if let Some(list) = list {
@@ -255,11 +258,16 @@ impl Answer {
             None => {
                 let _ = writeln!(text, "controls refuted: {} of {}", self.refuted(), self.controls.len());
             }
-            Some(made) => {
-                let _ = writeln!(text, "controls made by the program, all refuted: {}", made.len());
-                made.iter().for_each(|control| {
-                    let _ = writeln!(text, "  {control}");
-                });
+            Some(Made { why_none: Some(why), .. }) => {
+                let _ = writeln!(text, "no control could be made by the program: {why}");
+            }
+            Some(Made { controls, .. }) => {
+                let _ = writeln!(text, "controls made by the program, all refuted: {}", controls.len());
+                for MadeControl { property, fails_at } in controls {
+                    let is_somewhere = fails_at.iter().next().is_some();
+                    let at = if is_somewhere { format!("; fails at {fails_at}") } else { String::new() };
+                    let _ = writeln!(text, "  {property}{at}");
+                }
             }
         }
         let lists = [("counterexamples", &self.counterexamples), ("members with equality", &self.tight)];
@@ -322,7 +330,7 @@ fn reason(verdict: Verdict, outcome: &Outcome, refuted: &[bool]) -> String {
 }
 
 impl Question {
-    /// A question of one instance, as the text of a file. Its controls are those of this question that fail there, too.
+    /// A question of one instance, as the text of a file. Its controls are those of this question that fail there, too, if there are any.
     pub(crate) fn replay(&self, found: &Shrunk, progress: &dyn Progress) -> Result<String, QuestionError> {
         let quoted = |text: &str| serde_json::Value::from(text).to_string();
         let mut text = format!("[question]\nid = {}\n", quoted(&format!("{}.counterexample", self.id())));
@@ -355,10 +363,6 @@ impl Question {
                 nodes.push(&control.node);
             }
         }
-        if controls.is_empty() {
-            // False wherever the property is, so that the replay has a control that bites.
-            controls.push(quoted(&format!("({property}) and 1 < 0")));
-        }
         let _ = writeln!(text, "\n[for]");
         // Names that only made others are not needed here.
         for (name, value) in found.bindings.iter().filter(|(name, _)| self.law().is_some() || self.uses(&nodes, name)) {
@@ -366,7 +370,10 @@ impl Question {
             let _ = writeln!(text, "{key} = {}", quoted(&value.text()));
         }
         let _ = writeln!(text, "\n[holds]\nproperty = {}", quoted(&property));
-        let _ = writeln!(text, "controls = [{}]", controls.join(", "));
+        // Without any, those of the replay are made by the program.
+        if !controls.is_empty() {
+            let _ = writeln!(text, "controls = [{}]", controls.join(", "));
+        }
         Ok(text)
     }
 

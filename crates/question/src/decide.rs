@@ -250,7 +250,7 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
     });
     let remarks = unmet.into_iter().chain(made.iter().flat_map(|made| made.remarks.clone())).chain(of_a_platoon);
     answer.why = std::iter::once(answer.why).chain(remarks).collect::<Vec<String>>().join(" ");
-    answer.made = made.map(|made| made.controls.iter().map(|control| control.node.to_string()).collect());
+    answer.made = made;
     answer.decisive = decisive.filter(|_| answer.counterexample.is_some());
     if let Some(law) = question.law().filter(|_| answer.verdict == Verdict::Holds) {
         let (grades, how) = law.told();

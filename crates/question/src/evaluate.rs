@@ -43,9 +43,9 @@ fn all(parts: impl Iterator<Item = Judged>) -> Judged {
 }
 
 /// The same; unless it stops at the first part that is false, the margin is that of all parts.
-fn joined(parts: impl Iterator<Item = Judged>, stops: bool) -> Judged {
+fn joined(mut parts: impl Iterator<Item = Judged>, stops: bool) -> Judged {
     let (mut truth, mut margin, mut missing) = (Truth::True, Margin::of_truth(true), None);
-    for part in parts {
+    while let Some(part) = parts.next() {
         let (next, own) = match part {
             Err(Failure::Open(doubt)) => (Truth::Unknown(doubt), Margin::ANY),
             Err(failure @ Failure::Refused(..)) => {
@@ -55,7 +55,8 @@ fn joined(parts: impl Iterator<Item = Judged>, stops: bool) -> Judged {
             part => part?,
         };
         (truth, margin) = (truth.and(next), margin.least(own));
-        if stops && truth == Truth::False {
+        // What the parts have that were not looked at is not known.
+        if stops && truth == Truth::False && (missing.is_some() || parts.size_hint().1 != Some(0)) {
             return Ok((truth, Margin { lo: f64::NEG_INFINITY, ..margin }));
         }
     }
@@ -83,12 +84,17 @@ impl Evaluator<'_, '_> {
             Kind::And(nodes) => all(nodes.iter().map(|node| self.judge(node))),
             Kind::Or(nodes) => all(nodes.iter().map(|node| self.judge(node).map(negated))).map(negated),
             Kind::Implies(first, second) => {
-                let parts = [(first, false), (second, true)].into_iter();
-                all(parts.map(|(node, turned)| {
-                    let judged = self.judge(node);
-                    if turned { judged.map(negated) } else { judged }
-                }))
-                .map(negated)
+                // A hypothesis is met or not: the margin is that of the conclusion.
+                let hypothesis = self.judge(first).map(|(truth, _)| {
+                    let margin = match truth {
+                        Truth::True => Margin::of_truth(true),
+                        Truth::False => Margin::of_truth(false),
+                        Truth::Unknown(_) => Margin::ANY,
+                    };
+                    (truth, margin)
+                });
+                let parts = [hypothesis].into_iter().chain(std::iter::once_with(|| self.judge(second).map(negated)));
+                all(parts).map(negated)
             }
             Kind::Relation(first, others) => self.related(first, others),
             Kind::Always(..) | Kind::Until(_) => self.over_time(node),

@@ -1,26 +1,47 @@
 //! Controls that the program makes where the question has none, and hypotheses that are never met.
 
+use crate::bindings::Bindings;
 use crate::decide::over_family;
 use crate::error::QuestionError;
+use crate::names::Subject;
 use crate::outcome::Outcome;
 use crate::question::{Expression, Question};
-use crate::syntax::{Kind, Node, Relation};
-use crate::truth::Truth;
-use arithmetic::{Dyadic, Progress, Rational, rational, simplest_between};
-use num_traits::Signed;
+use crate::sharper::{bounds, just_past};
+use crate::syntax::{Kind, Node};
+use crate::truth::{Margin, Truth};
+use arithmetic::{Dyadic, Progress, rational};
 
-/// Times that a bound is tightened, a hundredfold each.
-const TIGHTENED: usize = 3;
+/// Times that a bound is made sharper where its smallest margin is not known, a hundredfold each.
+const TRIED: usize = 3;
 
-/// What was found out about a question beside its property.
-pub(crate) struct Made {
+/// An altered property that the same check refutes.
+#[derive(Debug, Clone)]
+pub struct MadeControl {
+    /// The property as it was altered.
+    pub property: String,
+    /// The first member, or point, for which it is false.
+    pub fails_at: Bindings,
+}
+
+/// The controls of a question that has none itself.
+#[derive(Debug, Clone, Default)]
+pub struct Made {
     /// Altered properties that were refuted.
-    pub controls: Vec<Expression>,
-    /// What a reader should know, in sentences.
+    pub controls: Vec<MadeControl>,
+    /// Why there is none.
+    pub why_none: Option<String>,
+    /// What was found out beside them, in sentences.
     pub remarks: Vec<String>,
 }
 
-/// The controls of a question without any: its negation, its conclusion without the hypothesis, a bound tightened until it fails. Only those that are
+/// What became of an altered property.
+enum Tried {
+    Refuted(MadeControl),
+    /// It is none, for a reason.
+    Kept(String),
+}
+
+/// The controls of a question without any: its negation, its conclusions without their hypotheses, each bound just past its smallest margin. Only those that are
 /// refuted are controls; of the others is said what that means.
 pub(crate) fn controls(
     question: &Question,
@@ -28,118 +49,123 @@ pub(crate) fn controls(
     outcome: &Outcome,
     progress: &dyn Progress,
 ) -> Result<Made, QuestionError> {
-    let mut made = Made { controls: Vec::new(), remarks: Vec::new() };
-    let node = &property.node;
-    let negation = like(property, Kind::Not(Box::new(node.clone())));
-    match refuted(question, &negation, progress)? {
-        true => made.controls.push(negation),
-        false if outcome.truth == Truth::False && !outcome.boxed => {
-            made.remarks.push("The property fails for every member of the family that was decided.".to_string());
-        }
-        false => {}
-    }
-    if let Kind::Implies(_, conclusion) = &node.kind {
-        let alone = like(property, conclusion.kind.clone());
-        match refuted(question, &alone, progress)? {
-            true => made.controls.push(alone),
-            false if outcome.truth == Truth::True => {
-                made.remarks
-                    .push(format!("No member was found for which {} fails without the hypothesis.", alone.node));
+    let mut made = Made::default();
+    let negation = like(property, Kind::Not(Box::new(property.node.clone())));
+    match tried(question, property, negation, progress)? {
+        Tried::Refuted(control) => made.controls.push(control),
+        Tried::Kept(why) => {
+            if outcome.truth == Truth::False && !outcome.boxed {
+                made.remarks.push("The property fails for every member of the family that was decided.".to_string());
             }
-            false => {}
+            made.why_none = Some(why);
         }
     }
-    if outcome.truth == Truth::True
-        && let Some(tightened) = tightened(question, property, outcome, progress)?
-    {
-        made.controls.push(tightened);
+    for (_, conclusion) in implications(&property.node) {
+        match tried(question, property, conclusion.clone(), progress)? {
+            Tried::Refuted(control) => made.controls.push(control),
+            Tried::Kept(_) if outcome.truth == Truth::True => {
+                made.remarks.push(format!("No member was found for which {conclusion} fails without the hypothesis."));
+            }
+            Tried::Kept(_) => {}
+        }
     }
+    if outcome.truth == Truth::True {
+        made.controls.extend(sharper(question, property, outcome, progress)?);
+    }
+    made.why_none = made.why_none.filter(|_| made.controls.is_empty());
     Ok(made)
 }
 
-/// That the hypothesis of the property is met by no member of a finite family, where that is so.
+/// The hypotheses that no member of a finite family meets, in sentences.
 pub(crate) fn unmet(
     question: &Question,
     property: &Expression,
     outcome: &Outcome,
     progress: &dyn Progress,
-) -> Result<Option<String>, QuestionError> {
-    let Kind::Implies(hypothesis, _) = &property.node.kind else { return Ok(None) };
+) -> Result<Vec<String>, QuestionError> {
+    let mut never_met = Vec::new();
     if outcome.boxed || outcome.truth != Truth::True || question.law().is_some() {
-        return Ok(None);
+        return Ok(never_met);
     }
-    let never = like(property, Kind::Not(hypothesis.clone()));
-    let found = over_family(question, &never, progress);
-    let holds = match found {
+    for (hypothesis, _) in implications(&property.node) {
+        let never = Expression::like(property, like(property, Kind::Not(Box::new(hypothesis.clone()))));
+        let found = over_family(question, &never, progress);
+        let holds = match found {
+            Err(QuestionError::Cancelled(cancelled)) => return Err(cancelled.into()),
+            found => found.is_ok_and(|found| found.truth == Truth::True),
+        };
+        if holds {
+            never_met.push(format!(
+                "No member of the family meets the hypothesis {hypothesis}, so that the property says nothing about it."
+            ));
+        }
+    }
+    Ok(never_met)
+}
+
+/// The parts of a property that have a hypothesis, with their conclusions.
+fn implications(node: &Node) -> Vec<(&Node, &Node)> {
+    match &node.kind {
+        Kind::And(list) => list.iter().flat_map(implications).collect(),
+        Kind::Implies(hypothesis, conclusion) => vec![(hypothesis, conclusion)],
+        _ => Vec::new(),
+    }
+}
+
+fn like(property: &Expression, kind: Kind) -> Node {
+    Node { kind, at: property.node.at }
+}
+
+/// Whether an altered property is false for some member; one that has no value where it matters is no control.
+fn tried(
+    question: &Question,
+    property: &Expression,
+    node: Node,
+    progress: &dyn Progress,
+) -> Result<Tried, QuestionError> {
+    let text = node.to_string();
+    let found = match over_family(question, &Expression::like(property, node), progress) {
         Err(QuestionError::Cancelled(cancelled)) => return Err(cancelled.into()),
-        found => found.is_ok_and(|found| found.truth == Truth::True),
+        Err(error) => return Ok(Tried::Kept(format!("{text} has no value ({error})"))),
+        Ok(found) => found,
     };
-    let message = || {
-        format!(
-            "No member of the family meets the hypothesis {hypothesis}, so that the property says nothing about it."
-        )
-    };
-    Ok(holds.then(message))
+    Ok(match (found.truth, found.counterexample) {
+        (Truth::False, Some(fails_at)) => Tried::Refuted(MadeControl { property: text, fails_at }),
+        (Truth::False, None) => Tried::Kept(format!("{text} is false, and no member shows it")),
+        (Truth::True, _) => Tried::Kept(format!("{text} holds for every member that was decided")),
+        (Truth::Unknown(doubt), _) => Tried::Kept(format!("{text} stayed undecided: {}", doubt.why)),
+    })
 }
 
-fn like(property: &Expression, kind: Kind) -> Expression {
-    Expression { node: Node { kind, at: property.node.at }, base: property.base, inequalities: Vec::new() }
-}
-
-/// Whether a control is false for some member; one that has no value where it matters is no control.
-fn refuted(question: &Question, control: &Expression, progress: &dyn Progress) -> Result<bool, QuestionError> {
-    match over_family(question, control, progress) {
-        Err(QuestionError::Cancelled(cancelled)) => Err(cancelled.into()),
-        Err(_) => Ok(false),
-        Ok(outcome) => Ok(outcome.truth == Truth::False),
-    }
-}
-
-/// The inequality of the property, or of its conclusion, by so much sharper that it fails.
-fn tightened(
+/// The bounds of the property, each so much sharper that it fails.
+fn sharper(
     question: &Question,
     property: &Expression,
     outcome: &Outcome,
     progress: &dyn Progress,
-) -> Result<Option<Expression>, QuestionError> {
-    let (hypothesis, conclusion) = match &property.node.kind {
-        Kind::Implies(hypothesis, conclusion) => (Some(hypothesis), conclusion.as_ref()),
-        _ => (None, &property.node),
-    };
-    let Kind::Relation(left, others) = &conclusion.kind else { return Ok(None) };
-    let [(relation, right)] = &others[..] else { return Ok(None) };
-    if matches!(relation, Relation::Equal | Relation::Different) {
-        return Ok(None);
-    }
-    // Where nothing is known of the margin, what is tried begins near 0.
-    let margin = outcome.margin.and_then(|margin| Dyadic::from_f64(margin.hi)).map(|margin| margin.to_rational());
-    let margin = margin.unwrap_or_default().max(rational(0, 1));
-    let upwards = matches!(relation, Relation::Greater | Relation::AtLeast);
-    let mut step = margin.clone().max(rational(1, 1));
-    for _ in 0..TIGHTENED {
-        let by = simplest_between(&(&margin + &step * rational(1, 1000)), &(&margin + &step * rational(1, 100)));
-        let sharper = Kind::Relation(left.clone(), vec![(*relation, moved(right, by, upwards))]);
-        let sharper = match hypothesis {
-            None => sharper,
-            Some(hypothesis) => Kind::Implies(hypothesis.clone(), Box::new(Node { kind: sharper, at: conclusion.at })),
+) -> Result<Vec<MadeControl>, QuestionError> {
+    let mut found = Vec::new();
+    let exact = |margin: &Margin| Dyadic::from_f64(margin.hi).map(|margin| margin.to_rational());
+    // A motion is enclosed anew for each.
+    let most = if question.subjects().contains(&Subject::Motion) { 1 } else { TRIED };
+    for bound in bounds(&property.node) {
+        let margin = match property.place(&bound.alone) {
+            Some(Some(place)) => outcome.inequalities.get(place).copied(),
+            Some(None) | None => outcome.margin,
         };
-        let control = like(property, sharper);
-        if refuted(question, &control, progress)? {
-            return Ok(Some(control));
+        let smallest = margin.as_ref().and_then(exact);
+        // Of a finite family: nothing rests on this bound, since some other part of the property is true wherever it is asked.
+        if smallest.is_none() && !outcome.boxed && question.law().is_none() {
+            continue;
         }
-        step *= rational(100, 1);
+        let mut by = just_past(&smallest.unwrap_or_default().max(rational(0, 1)));
+        for _ in 0..most {
+            if let Tried::Refuted(control) = tried(question, property, (bound.by)(&by), progress)? {
+                found.push(control);
+                break;
+            }
+            by *= rational(100, 1);
+        }
     }
-    Ok(None)
-}
-
-/// An expression plus, or minus, a positive number.
-fn moved(node: &Node, by: Rational, upwards: bool) -> Node {
-    let at = node.at;
-    let number = Node { kind: Kind::Number(by.abs()), at };
-    let mut terms = match &node.kind {
-        Kind::Sum(terms) => terms.clone(),
-        _ => vec![(false, node.clone())],
-    };
-    terms.push((!upwards, number));
-    Node { kind: Kind::Sum(terms), at }
+    Ok(found)
 }

@@ -50,7 +50,7 @@ impl Question {
         most: u64,
         progress: &dyn Progress,
     ) -> Result<Option<Listed>, QuestionError> {
-        let like = |node: Node| Expression { node, base: property.base, inequalities: Vec::new() };
+        let like = |node: Node| Expression::like(property, node);
         let Some((whole, alone)) = equation(&property.node, true).zip(equation(&property.node, false)) else {
             return Ok(None);
         };

@@ -94,7 +94,7 @@ impl Question {
         }
     }
 
-    /// The margins of the inequalities of a property one by one, that of the whole where it is one itself.
+    /// The margins of the inequalities of a property one by one, and of its bounds, that of the whole where it is one itself.
     pub(crate) fn each_margin(
         &self,
         case: &Case,
@@ -115,6 +115,6 @@ impl Question {
                 Err(failure) => Err(self.refused(failure, expression.base)),
             }
         };
-        expression.inequalities.iter().map(own).collect()
+        expression.measured().map(own).collect()
     }
 }

@@ -27,6 +27,28 @@ pub(crate) struct Expression {
     pub base: usize,
     /// Of the property, its inequalities one by one; of what needs no margins, none.
     pub inequalities: Vec<Node>,
+    /// Of a property without controls, the bounds that may be made sharper, where they decide; without those that are inequalities of it, or it itself.
+    pub bounds: Vec<Node>,
+}
+
+impl Expression {
+    /// One that needs no margins, at the place of another.
+    pub fn like(other: &Expression, node: Node) -> Self {
+        Expression { node, base: other.base, inequalities: Vec::new(), bounds: Vec::new() }
+    }
+
+    /// The parts that have margins of their own: its inequalities, then its bounds.
+    pub fn measured(&self) -> impl Iterator<Item = &Node> {
+        self.inequalities.iter().chain(&self.bounds)
+    }
+
+    /// Which of them it is; `Some(None)` where it is the whole.
+    pub fn place(&self, part: &Node) -> Option<Option<usize>> {
+        if part.kind == self.node.kind {
+            return Some(None);
+        }
+        self.measured().position(|own| own.kind == part.kind).map(Some)
+    }
 }
 
 /// A row of `[values]`.

@@ -47,7 +47,7 @@ impl Question {
     /// [`QuestionError`] where the question is wrong there, or has no property.
     pub fn regions(&self, member: &Bindings, most: u64, progress: &dyn Progress) -> Result<Vec<Region>, QuestionError> {
         let expression = self.asked()?;
-        let without_margins = Expression { inequalities: Vec::new(), ..expression.clone() };
+        let without_margins = Expression::like(expression, expression.node.clone());
         let division = Division { question: self, expression: &without_margins, progress, most };
         let whole = member.boxes();
         let mut regions = Vec::new();

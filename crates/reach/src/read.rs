@@ -3,7 +3,7 @@
 use crate::condition;
 use crate::platoon::{Platoon, WRITTEN_OUT};
 use crate::system::{Check, Input, Mode, Range, Stay, Switching, System};
-use algebra::graph::NamedGraph;
+use algebra::graph::AnyGraph;
 use arithmetic::{Rational, shown};
 use models::platoon::{Communication, CommunicationGraph, Gains, Line, Parameter};
 use num_traits::{Signed, Zero};
@@ -153,15 +153,14 @@ fn tracked(section: &Section) -> Read<CommunicationGraph> {
                     |entry| entry.range(format!("front, front-and-back or a graph, but {error}")),
                 )
             };
-            let named: NamedGraph = name.parse().map_err(|error| must(&error))?;
+            let graph: AnyGraph = name.parse().map_err(|error| must(&error))?;
             if let Some(followers) = section.get("followers") {
                 return Err(followers.range("left out: the graph says how many there are"));
             }
-            if named.order() > FOLLOWERS + 1 {
-                return Err(must(&format!("it has {} vertices, more than {}", named.order(), FOLLOWERS + 1)));
+            if graph.order() > FOLLOWERS + 1 {
+                return Err(must(&format!("it has {} vertices, more than {}", graph.order(), FOLLOWERS + 1)));
             }
-            let built = named.build().map_err(|error| must(&error))?;
-            return CommunicationGraph::behind(&built, 0).map_err(|error| must(&error));
+            return CommunicationGraph::behind(&graph.weighted(), 0).map_err(|error| must(&error));
         }
     };
     CommunicationGraph::of(communication, count()?).map_err(|error| refused(&error))

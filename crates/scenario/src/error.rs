@@ -143,6 +143,9 @@ pub enum Problem {
     /// A key that something else asks for.
     #[error("`{0}` should be {1}")]
     Needs(&'static str, &'static str),
+    /// The file of a graph.
+    #[error("the file of the graph: {0}")]
+    GraphFile(String),
     /// The file of a law.
     #[error("the file of the law: {0}")]
     LawFile(String),

@@ -1,8 +1,10 @@
-//! Laws in files of their own: `law = "FILE"` in the place of the tables `[law]` and `[law.*]`.
+//! What a scenario has in files of their own: its law, `law = "FILE"` in the place of the tables `[law]` and `[law.*]`, and its graph, `kind = "file:FILE"` in
+//! the place of a text.
 
 use super::document::{line_of, parse_toml};
 use super::error::{ConfigError, Problem};
-use super::source::Source;
+use super::source::{Entry, Source};
+use algebra::graph::AnyGraph;
 
 /// A scenario with its law in one text. Lines of the scenario keep their numbers; those of the law come after them.
 #[derive(Debug, Clone)]
@@ -12,15 +14,16 @@ pub struct WithLaw {
     law: Option<(String, usize)>,
 }
 
-/// Puts the law of a file into the scenario that names it; a scenario that names none stays as it is. `read` gives the text of a file. Of the law's file
-/// only the tables `[law]` and `[law.*]` count, so that another scenario can serve as one.
+/// Puts the law and the graph of files into the scenario that names them; a scenario that names none stays as it is. `read` gives the text of a file. Of the law's
+/// file only the tables `[law]` and `[law.*]` count, so that another scenario can serve as one; the graph's is one of those that [`AnyGraph::read_file`] reads.
 ///
 /// # Errors
-/// [`ConfigError`], also where the file is not there or has no law.
+/// [`ConfigError`], also where a file is not there or has no law or not one graph.
 pub fn with_law(text: &str, read: &dyn Fn(&str) -> Result<String, String>) -> Result<WithLaw, ConfigError> {
+    let text = &with_graph(text, read)?;
     let source = Source::parse(text)?;
     let top = source.top();
-    let Some(entry) = top.get("law").filter(|entry| !entry.is_table()) else {
+    let Some(entry) = law_entry(&source) else {
         return Ok(WithLaw::alone(text));
     };
     let name = entry.word()?.to_string();
@@ -38,6 +41,42 @@ pub fn with_law(text: &str, read: &dyn Fn(&str) -> Result<String, String>) -> Re
     let own = format!("{before}{after}\n");
     let lines = own.matches('\n').count();
     Ok(WithLaw { text: own + &tables, law: Some((name, lines)) })
+}
+
+fn law_entry(source: &Source) -> Option<Entry<'_>> {
+    source.top().get("law").filter(|entry| !entry.is_table())
+}
+
+/// The name of the file that has the graph.
+fn graph_file(source: &Source) -> Option<String> {
+    let entry = source.section("graph").ok()??.get("kind")?;
+    entry.word().ok()?.strip_prefix("file:").map(ToString::to_string)
+}
+
+/// The files that a scenario names, as far as it can be read: of its law, of its graph.
+pub fn named_files(text: &str) -> Vec<String> {
+    let Ok(source) = Source::parse(text) else { return Vec::new() };
+    let law = law_entry(&source).and_then(|entry| entry.word().ok().map(ToString::to_string));
+    law.into_iter().chain(graph_file(&source)).collect()
+}
+
+/// The scenario with its graph as a text in the place of a file.
+fn with_graph(text: &str, read: &dyn Fn(&str) -> Result<String, String>) -> Result<String, ConfigError> {
+    let source = Source::parse(text)?;
+    let (Some(name), Some(section)) = (graph_file(&source), source.section("graph")?) else {
+        return Ok(text.to_string());
+    };
+    let refused = |why: String| {
+        section.need("kind", "").map_or_else(|error| error, |entry| entry.problem(Problem::GraphFile(why)))
+    };
+    let file = read(&name).map_err(refused)?;
+    let mut graphs = AnyGraph::read_file(&file, false).map_err(|error| refused(format!("{name}: {error}")))?;
+    let (Some(graph), true) = (graphs.pop(), graphs.is_empty()) else {
+        return Err(refused(format!("{name}: there are several graphs in it, where one is expected")));
+    };
+    let span = section.key_and_value("kind").unwrap_or_default();
+    let (before, after) = (text.get(..span.start).unwrap_or(text), text.get(span.end..).unwrap_or_default());
+    Ok(format!("{before}kind = \"{graph}\"{after}"))
 }
 
 /// The lines of the tables `[law]` and `[law.*]`, the other lines empty.

@@ -3,8 +3,8 @@
 use super::error::{ConfigError, Problem};
 use super::source::{Section, Source};
 use super::view::{Links, Sensing};
-use algebra::graph::{ArcList, NamedGraph};
-use arithmetic::{Complex, Field, Rational};
+use algebra::graph::{AnyGraph, ArcList, NamedGraph, nearest_form};
+use arithmetic::{Complex, Field, Rational, nearest_name, shown};
 use models::oscillator::{Everyone, Interaction, Neighbours};
 use num_traits::{One, Signed};
 use std::borrow::Cow;
@@ -117,13 +117,15 @@ impl Network {
                 _ => Err(ConfigError::MissingSection("graph")),
             };
         };
-        let entry = section.need("kind", &KINDS.map(|(name, _)| name).join(", "))?;
+        let entry = section.need("kind", &format!("{}, or a graph", KINDS.map(|(name, _)| name).join(", ")))?;
         let word = entry.word()?;
         if word.contains(':') || word.parse::<NamedGraph>().is_ok() {
             section.allow(&["kind"], " whose kind names the graph")?;
             return Network::of_text(order, &entry, can);
         }
-        let kind = entry.choice(&KINDS)?;
+        let Some((_, kind)) = KINDS.into_iter().find(|(name, _)| *name == word) else {
+            return Err(entry.problem(unknown(word)));
+        };
         let needs = |needs| entry.problem(Problem::Network { model: can.model, needs });
         if !can.positions && matches!(kind, Kind::Within | Kind::Nearest) {
             return Err(needs("a fixed graph: it has no positions in the plane"));
@@ -191,11 +193,10 @@ impl Network {
         Ok(Network::fixed(order, pairs, false, declaration))
     }
 
-    /// A graph as all commands read it: `hypercube:3`, `edges:4:1-2,2-3`, `graph6:..`; all weights must be 1.
+    /// A graph as all commands read it: `hypercube:3`, `edges:4:1-2,2-3`, `graph6:..`.
     fn of_text(order: usize, entry: &super::source::Entry, can: Abilities) -> Result<Self, ConfigError> {
         let refused = |why: String| entry.problem(Problem::Range(why));
-        let graph: algebra::graph::AnyGraph =
-            entry.word()?.parse().map_err(|error| entry.problem(Problem::Graph(error)))?;
+        let graph: AnyGraph = entry.word()?.parse().map_err(|error| entry.problem(Problem::Graph(error)))?;
         if graph.order() != order {
             return Err(refused(format!(
                 "a graph on {order} vertices, one for each agent, and not on {}",
@@ -205,14 +206,25 @@ impl Network {
         if graph.is_directed() && !can.directed {
             return Err(entry.problem(Problem::Network { model: can.model, needs: "an undirected graph" }));
         }
-        let weights = graph.weighted();
-        if weights.adjacency().entries().any(|(i, j, weight)| i == j || *weight != Rational::from_integer(1.into())) {
-            return Err(refused("a graph without loops whose edges all have weight 1".to_string()));
+        let arcs = graph.weighted();
+        let arcs = || arcs.adjacency().entries();
+        if arcs().any(|(i, j, weight)| i == j || !weight.is_positive()) {
+            return Err(refused("a graph without loops whose edges have weights above 0".to_string()));
         }
+        let is_weighted = arcs().any(|(_, _, weight)| !weight.is_one());
+        if is_weighted && !can.weighted {
+            return Err(entry.problem(Problem::Network { model: can.model, needs: "edges without weights" }));
+        }
+        let weights = is_weighted.then(|| arcs().map(|(i, j, weight)| ((i, j), weight.clone())).collect());
         let directed = graph.is_directed();
         let mut pairs: Vec<Pair> = graph.arcs().into_iter().filter(|(i, j)| directed || i < j).collect();
         pairs.sort_unstable();
-        Ok(Network::fixed(order, pairs, directed, format!("fixed network {graph}")))
+        let text = graph.to_string();
+        let declaration = match text.len() {
+            0..=LONGEST_DECLARED => format!("fixed network {text}"),
+            _ => counted(pairs.len(), directed, is_weighted),
+        };
+        Ok(Network { weights, ..Network::fixed(order, pairs, directed, declaration) })
     }
 
     fn named(order: usize, graph: &NamedGraph, section: &Section) -> Result<Self, ConfigError> {
@@ -240,9 +252,8 @@ impl Network {
             .then(|| arcs.iter().map(|(i, j, weight)| ((*i, *j), weight.clone())).collect());
         let pairs = pairs_of(arcs, directed);
         let coming = timetable(order, section, directed, can)?;
-        let kind = if directed { "arcs i -> j (i senses j)" } else { "edges" };
-        let weighted = if weights.is_some() { "weighted " } else { "" };
-        let mut declaration = format!("fixed network of {} {weighted}{kind}", pairs.len());
+        let kind = if directed { DIRECTED } else { "edges" };
+        let mut declaration = counted(pairs.len(), directed, weights.is_some());
         if let (Some((last, _)), Some((first, _))) = (coming.first(), coming.last()) {
             declaration = format!(
                 "network of {} {kind}, replaced {} times, first at t = {first}, last at t = {last}; each is in force from its time on",
@@ -398,6 +409,25 @@ impl Network {
     pub fn sensing(&self) -> Sensing<'_> {
         self.lists.as_ref().map_or(Sensing::Everyone, |lists| Sensing::These(Cow::Borrowed(lists)))
     }
+}
+
+/// Longest text of a graph that a declaration repeats.
+const LONGEST_DECLARED: usize = 200;
+
+const DIRECTED: &str = "arcs i -> j (i senses j)";
+
+fn counted(pairs: usize, directed: bool, weighted: bool) -> String {
+    let (weighted, kind) = (if weighted { "weighted " } else { "" }, if directed { DIRECTED } else { "edges" });
+    format!("fixed network of {pairs} {weighted}{kind}")
+}
+
+/// A kind that is none of those that there are.
+fn unknown(word: &str) -> Problem {
+    let kinds = KINDS.map(|(name, _)| name);
+    let near = nearest_name(word, kinds).or_else(|| nearest_form(word).map(ToString::to_string));
+    let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
+    let graphs = "a graph such as edges:4:1-2,2-3, hypercube:3 or graph6:DQc, file:NAME";
+    Problem::Name { found: shown(word), allowed: format!("{}, {graphs}{near}", kinds.join(", ")) }
 }
 
 const EDGES: &str = "a list of pairs such as [1, 2]";

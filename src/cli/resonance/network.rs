@@ -17,7 +17,6 @@ use flockproof::platoon::{
 use flockproof::report::{File, NamedMatrix, Provenance, matrix_files};
 use num_traits::ToPrimitive;
 use serde_json::{Map, Value, json};
-use std::path::Path;
 use std::process::ExitCode;
 
 /// Most followers: a response costs their number times the square of how far they look.
@@ -210,11 +209,11 @@ fn on_a_graph(arguments: &Arguments) -> Result<Looked, CliError> {
         let why = "--followers is for the graphs front and front-and-back; this one tells how many there are";
         return Err(CliError::Use(why.to_string()));
     }
-    let path = Path::new(&arguments.graph);
+    let path = spectrum::named_file(&arguments.graph);
     let (weighted, labels, file) = match arguments.graph.parse::<AnyGraph>() {
         Ok(_) if arguments.zero_based => return Err(spectrum::zero_based_name(&arguments.graph)),
         Ok(found) => (found.weighted(), None, None),
-        Err(_) if path.exists() || arguments.graph == "-" => {
+        Err(_) if path.exists() || arguments.graph == "-" || arguments.graph.starts_with("file:") => {
             let (file, origin) = spectrum::read_file(path, arguments.zero_based)?;
             (file.graph, file.labels, Some(origin))
         }

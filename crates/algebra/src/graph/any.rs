@@ -162,7 +162,7 @@ impl AnyGraph {
 }
 
 impl fmt::Display for AnyGraph {
-    /// A text that is read again: `edges:N:..`, `arcs:N:..` with weights `*w` other than 1, or the name.
+    /// A text that is read again: `edges:N:..`, `arcs:N:..` with weights `*w` other than 1, of a loop in any case, or the name.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let graph = match self {
             AnyGraph::Named(name, _) => return write!(f, "{name}"),
@@ -174,7 +174,7 @@ impl fmt::Display for AnyGraph {
         let listed = graph.adjacency().entries().filter(|(i, j, _)| directed || i <= j);
         for (k, (i, j, weight)) in listed.enumerate() {
             write!(f, "{}{}-{}", if k > 0 { "," } else { "" }, i + 1, j + 1)?;
-            if !weight.is_one() {
+            if !weight.is_one() || (i == j && !directed) {
                 write!(f, "*{weight}")?;
             }
         }
@@ -211,26 +211,44 @@ pub(super) fn packed_lines(text: &str) -> Option<Result<Vec<AnyGraph>, GraphRead
     Some(all.and_then(|all| if all.is_empty() { Err(GraphReadError::Nothing) } else { Ok(all) }))
 }
 
-/// `4:1-2,2-3`, with `*w` after an arc of another weight than 1. What is wrong is told with its byte of the text.
+/// `4:1-2,2-3`, with `*w` after an arc of another weight than 1. What is wrong is told with its byte of the text. A loop of an edge list is meant only where it has a
+/// weight, `1-1*1`.
 fn listed(text: &str, directed: bool) -> Result<AnyGraph, (usize, String)> {
-    let form = || (0, format!("`{}` is not of the form 4:1-2,2-3: vertices, edges", shown(text)));
-    let (order, list) = text.split_once(':').ok_or_else(form)?;
+    let form = |at: usize, text: &str| (at, format!("`{}` is not of the form 4:1-2,2-3: vertices, edges", shown(text)));
+    let (order, list) = text.split_once(':').ok_or_else(|| form(0, text))?;
     let most = if directed { 1000 } else { 10_000 };
-    let order: usize = order.trim().parse().ok().filter(|n| (1..=most).contains(n)).ok_or_else(form)?;
-    let vertex = |word: &str| word.trim().parse().ok().filter(|v| (1..=order).contains(v)).map(|v: usize| v - 1);
+    let order = order.trim();
+    let count = order.parse().ok().filter(|n| (1..=most).contains(n));
+    let count: usize = count.ok_or_else(|| {
+        let why = format!("the number of vertices must be an integer between 1 and {most}, not `{}`", shown(order));
+        (0, why)
+    })?;
     let what = if directed { "arc" } else { "edge" };
     let (mut arcs, mut simple, mut at) = (ArcList::default(), !directed, text.len() - list.len());
     for (item, number) in list.split(',').zip(1..) {
-        let start = at;
+        let start = at + item.len() - item.trim_start().len();
         at += item.len() + 1;
         let item = item.trim();
         if item.is_empty() {
             continue;
         }
-        let (pair, weight) = item.split_once('*').unwrap_or((item, "1"));
-        let (i, j) = pair.split_once('-').ok_or_else(form)?;
-        let (i, j) = vertex(i).zip(vertex(j)).ok_or_else(form)?;
-        let weight = parse_rational(weight).map_err(|error| (start, error.to_string()))?;
+        let (pair, weight) = item.split_once('*').map_or((item, None), |(pair, weight)| (pair, Some(weight)));
+        let (i, j) = pair.split_once('-').ok_or_else(|| form(start, item))?;
+        let vertex = |word: &str| {
+            let found = word.trim().parse().ok().filter(|v| (1..=count).contains(v)).map(|v: usize| v - 1);
+            let why =
+                || format!("the {what} `{}` names `{}`, and the vertices are 1 to {count}", shown(item), shown(word));
+            found.ok_or_else(|| (start, why()))
+        };
+        let (i, j) = (vertex(i)?, vertex(j)?);
+        if i == j && !directed && weight.is_none() {
+            let own = i + 1;
+            let why = format!(
+                "the edge `{own}-{own}` joins a vertex with itself; a loop that is meant has a weight, {own}-{own}*1"
+            );
+            return Err((start, why));
+        }
+        let weight = parse_rational(weight.unwrap_or("1")).map_err(|error| (start, error.to_string()))?;
         simple &= i != j && weight.is_one();
         arcs.add((i, j), weight, !directed, number).map_err(|first: usize| {
             let why =
@@ -241,9 +259,9 @@ fn listed(text: &str, directed: bool) -> Result<AnyGraph, (usize, String)> {
     let arcs = arcs.into_arcs();
     if simple {
         let edges: Vec<(usize, usize)> = arcs.iter().map(|(i, j, _)| (*i, *j)).filter(|(i, j)| i < j).collect();
-        let graph = Graph::from_edges(order, &edges).map(AnyGraph::Simple);
+        let graph = Graph::from_edges(count, &edges).map(AnyGraph::Simple);
         return graph.map_err(|error| (0, error.to_string()));
     }
-    let graph = WeightedGraph::from_arcs(order, arcs);
+    let graph = WeightedGraph::from_arcs(count, arcs);
     Ok(if directed { AnyGraph::Directed(graph) } else { AnyGraph::Weighted(graph) })
 }

@@ -16,7 +16,7 @@ pub use any::{AnyGraph, GraphTextError};
 pub use arc_list::ArcList;
 pub use components::{component_numbers, components};
 pub use laplacian::{LaplacianError, LaplacianKind};
-pub use named::{LARGEST_ORDER, NameError, NamedGraph};
+pub use named::{LARGEST_ORDER, NameError, NamedGraph, nearest_form};
 pub use weighted::WeightedGraph;
 
 use crate::matrix::{Footprint, MatrixError, RationalMatrix};

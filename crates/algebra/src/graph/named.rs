@@ -1,7 +1,7 @@
 //! Graphs that have a name: `ring:12`, `circulant:12:1,3`, `platoon2:8`.
 
 use super::WeightedGraph;
-use arithmetic::{Rational, parse_rational, rational, shown};
+use arithmetic::{Rational, nearest_name, parse_rational, rational, shown};
 use num_bigint::BigInt;
 use num_traits::Signed;
 use rand_chacha::ChaCha8Rng;
@@ -70,8 +70,13 @@ pub enum NamedGraph {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum NameError {
     /// Not one of the families.
-    #[error("`{0}` names no graph: {FAMILIES}")]
-    Unknown(String),
+    #[error("`{text}` names no graph{} {}", .nearest.map_or(": known are".to_string(), |form| format!("; did you mean {form}? Known are")), FORMS.join(", "))]
+    Unknown {
+        /// What was given.
+        text: String,
+        /// The form of a name that is spelled much like it.
+        nearest: Option<&'static str>,
+    },
     /// A parameter is missing, or there is one too many.
     #[error("`{text}` is not of the form {form}")]
     Form {
@@ -100,10 +105,41 @@ pub enum NameError {
     TooManyArcs(String),
 }
 
-/// What there is, for messages.
-const FAMILIES: &str = "known are ring:N, cycle:N, path:N, complete:N, star:N, wheel:N, empty:N, bipartite:A,B, grid:AxB, \
-                        hypercube:D, petersen, circulant:N:a,b,.., platoon1:M, platoon2:M, geometric:N:R:SEED, \
-                        edges:N:1-2,2-3, arcs:N:1-2,2-3, graph6:.., sparse6:.. and digraph6:..";
+/// All texts that name a graph.
+const FORMS: [&str; 21] = [
+    "ring:N",
+    "cycle:N",
+    "path:N",
+    "complete:N",
+    "star:N",
+    "wheel:N",
+    "empty:N",
+    "bipartite:A,B",
+    "grid:AxB",
+    "hypercube:D",
+    "petersen",
+    "circulant:N:a,b,..",
+    "platoon1:M",
+    "platoon2:M",
+    "geometric:N:R:SEED",
+    "edges:N:1-2,2-3",
+    "arcs:N:1-2,2-3",
+    "graph6:..",
+    "sparse6:..",
+    "digraph6:..",
+    "file:NAME",
+];
+
+/// The form of the text that names a graph whose name, which stands before its first `:`, is spelled most like this one; `None` where none is near.
+pub fn nearest_form(name: &str) -> Option<&'static str> {
+    if name.starts_with("file:") {
+        return None;
+    }
+    let first = |text: &'_ str| text.split(':').next().unwrap_or_default().to_string();
+    let names = FORMS.map(first);
+    let near = nearest_name(&first(name), names.iter().map(String::as_str))?;
+    FORMS.into_iter().find(|form| first(form) == near)
+}
 
 impl FromStr for NamedGraph {
     type Err = NameError;
@@ -165,7 +201,7 @@ impl FromStr for NamedGraph {
                 let radius = radius.ok_or_else(|| NameError::Radius(shown(text)))?;
                 Ok(NamedGraph::Geometric { order, radius, seed })
             }
-            _ => Err(NameError::Unknown(shown(text))),
+            _ => Err(NameError::Unknown { text: shown(text), nearest: nearest_form(text) }),
         }
     }
 }

@@ -122,6 +122,22 @@ fn tables_have_a_row_for_each_member() {
     assert!(text.ends_with("and 1 more rows\n"));
 }
 
+/// Graphs are read again, so that they are never cut: a long one stands at the end of its line.
+#[test]
+fn tables_do_not_cut_graphs() {
+    let table = table(read(
+        "[question]\nid = \"a\"\n[for]\nn = \"4..6\"\ngraph = \"connected(n)\"\nwhere = \"edges = n*(n - 1)/2\"\n[values]\ndegree = \"max_degree\"\nroot = \"sqrt(n)\"\n",
+    ));
+    for width in [20, 40, 80] {
+        let text = table.text(10, width);
+        for row in &table.rows {
+            assert!(text.contains(&row.names[1]), "{width}: {text}");
+        }
+        assert!(!text.contains("1-2.."), "{text}");
+    }
+    assert!(table.text(10, 40).lines().nth(1).expect("a row").ends_with("edges:4:1-2,1-3,1-4,2-3,2-4,3-4"));
+}
+
 #[test]
 fn tables_put_together_by_hand_may_lack_cells() {
     let row = TableRow { names: vec!["1".into()], values: vec![true.into()], regions: serde_json::Value::Null };

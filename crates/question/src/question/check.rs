@@ -8,6 +8,7 @@ use crate::evaluate::kind_argument;
 use crate::names::{FAMILIES, FUNCTIONS, GIVEN, OWN, Subject, quantity_of, unknown_quantity};
 use crate::scenario_file::ScenarioFile;
 use crate::syntax::{Kind, Node};
+use algebra::graph::nearest_form;
 use arithmetic::shown;
 use models::platoon::Communication;
 
@@ -27,7 +28,13 @@ impl Question {
         {
             let Some(family) = FAMILIES.iter().find(|family| family.name == name) else {
                 let known = FAMILIES.iter().map(|family| family.name).filter(|name| !name.is_empty());
-                return Err(at((node.at, Problem::unknown("family", name, known))));
+                let problem = match nearest_form(name) {
+                    Some(form) if form.split(':').next() == Some(name) => {
+                        Problem::Other(format!("`{name}` is one graph, which is written {form}"))
+                    }
+                    _ => Problem::unknown("family", name, known),
+                };
+                return Err(at((node.at, problem)));
             };
             check_count(name, family.arguments, arguments.len()).map_err(|problem| at((node.at, problem)))?;
             let sorts = |node: &Node| match &node.kind {
@@ -53,6 +60,14 @@ impl Question {
                 self.check_numbers(a).and_then(|()| self.check_numbers(b)).map_err(at)
             }
             Kind::Name { name, called: false, .. } if self.sort(name).is_some() => Ok(()),
+            Kind::Name { name, called: false, .. } if !FUNCTIONS.iter().any(|function| function.name == name) => {
+                // Of the graphs only some have a name without numbers.
+                let near = nearest_form(name).map(|form| form.to_string());
+                let bound = self.bounds.iter().map(|bound| bound.name.to_string());
+                let known: Vec<String> = bound.chain(near).collect();
+                let what = "graph, and no number bound before this,";
+                Err(at((node.at, Problem::unknown(what, name, known.iter().map(String::as_str)))))
+            }
             _ => self.check_numbers(node).map_err(at),
         }
     }

@@ -10,6 +10,7 @@ use crate::inequalities::inequalities;
 use crate::names::{FUNCTIONS, Subject};
 use crate::scenario_file::Files;
 use crate::scenario_file::{ScenarioFile, is_place};
+use crate::sharper::bounds;
 use crate::source::{Entry, Section, Source};
 use crate::states::LawFile;
 use crate::syntax::{KEYWORDS, Node, parse_property};
@@ -339,6 +340,13 @@ impl Question {
             }
             self.controls.push(control);
         }
+        if self.controls.is_empty()
+            && self.law.is_none()
+            && let Some(property) = &mut self.property
+        {
+            let alone = bounds(&property.node).into_iter().map(|own| own.alone);
+            property.bounds = alone.filter(|own| property.place(own).is_none()).collect();
+        }
         Ok(())
     }
 
@@ -365,11 +373,11 @@ impl Question {
         let node = parse_property(&located.text).and_then(|node| self.expanded(node)).map_err(at)?;
         if self.law.is_some() {
             // The law knows the names; what is wrong is told for the first case.
-            return Ok(Expression { node, base: located.base, inequalities: Vec::new() });
+            return Ok(Expression { node, base: located.base, inequalities: Vec::new(), bounds: Vec::new() });
         }
         let mut check = Check { question: self, moving: false, places: Vec::new() };
         check.expect(&node, is_truth).map_err(at)?;
-        Ok(Expression { node, base: located.base, inequalities: Vec::new() })
+        Ok(Expression { node, base: located.base, inequalities: Vec::new(), bounds: Vec::new() })
     }
 }
 

@@ -234,8 +234,16 @@ fn every_text_of_a_graph_stands_in_a_family() {
     ] {
         assert_eq!(verdict(&format!("graph = '{graph}'"), property), Holds, "{graph}");
     }
-    let message = refusal(&asked("graph = \"petersson\"", "edges > 0", "1 < 0"));
-    assert!(message.contains("petersson"), "{message}");
+    for (graph, word) in [
+        ("peterson", "petersen"),
+        ("rings:5", "did you mean ring:N"),
+        ("conected(4)", "connected"),
+        ("petersen(10)", "written petersen"),
+        ("edges:4:1-5", "the vertices are 1 to 4"),
+    ] {
+        let message = refusal(&asked(&format!("graph = \"{graph}\""), "edges > 0", "1 < 0"));
+        assert!(message.contains(word) && message.contains("line 4, column"), "{message}");
+    }
     // A file of several graphs is a family.
     let text = asked("graph = \"file:some.g6\"", "edges = 4", "edges < 0");
     let files = |_: &str| Ok("DQc\nCF\n".to_string());

@@ -14,16 +14,19 @@ fn listed(text: &str, counterexamples: u64, tight: u64) -> Answer {
     decide(&question, &Unwatched).expect("an answer")
 }
 
+fn texts(answer: &Answer) -> Vec<String> {
+    answer.made.as_ref().expect("made").controls.iter().map(|control| control.property.clone()).collect()
+}
+
 const CONNECTED: &str = "n = \"2..5\"\ngraph = \"connected(n)\"";
 
 #[test]
 fn controls_are_made_and_refuted() {
     let found = answer(&without(CONNECTED, "lambda(2) >= 2*(1 - cos(pi/n))"));
     assert_eq!(found.verdict, Verdict::Holds);
-    let made = found.made.clone().expect("made");
-    assert_eq!((made.len(), found.controls.len()), (2, 2), "{made:?}");
-    assert_eq!(made[0], "not lambda(2) >= 2*(1 - cos(pi/n))");
-    assert!(made[1].starts_with("lambda(2) >= 2*(1 - cos(pi/n)) + 1/"), "{made:?}");
+    let made = texts(&found);
+    assert_eq!(found.controls.len(), 2);
+    assert_eq!(made, ["not lambda(2) >= 2*(1 - cos(pi/n))", "lambda(2) >= 2*(1 - cos(pi/n)) + 1/100"]);
     let json = found.json(None);
     assert_eq!((&json["controls"]["made"], &json["controls"]["refuted"]), (&true.into(), &2.into()));
     // Each of them is false by the same check.
@@ -31,14 +34,14 @@ fn controls_are_made_and_refuted() {
         assert_eq!(answer(&without(CONNECTED, &control)).verdict, Verdict::False, "{control}");
     }
     let given = answer(&super::asked(CONNECTED, "edges > 0", "edges > 1"));
-    assert_eq!((given.made.clone(), &given.json(None)["controls"]["made"]), (None, &false.into()));
+    assert_eq!((given.made.is_none(), &given.json(None)["controls"]["made"]), (true, &false.into()));
 }
 
 #[test]
 fn a_hypothesis_is_left_out_and_looked_for() {
     let needed = answer(&without(CONNECTED, "tree implies edges <= n - 1"));
     assert_eq!(needed.verdict, Verdict::Holds);
-    assert!(needed.made.as_ref().is_some_and(|made| made.contains(&"edges <= n - 1".to_string())), "{needed:?}");
+    assert!(texts(&needed).contains(&"edges <= n - 1".to_string()), "{needed:?}");
     let idle = answer(&without(CONNECTED, "tree implies edges >= n - 1"));
     assert!(idle.why.contains("without the hypothesis"), "{}", idle.why);
     for text in [
@@ -53,6 +56,73 @@ fn a_hypothesis_is_left_out_and_looked_for() {
     let nowhere = answer(&without(CONNECTED, "edges > 100"));
     assert_eq!((nowhere.verdict, nowhere.controls.len()), (Verdict::False, 0));
     assert!(nowhere.why.contains("every member"), "{}", nowhere.why);
+    let text = nowhere.text(None);
+    assert!(text.contains("no control could be made by the program: not edges > 100 holds for every member"), "{text}");
+    assert!(!text.contains("refuted: 0"), "{text}");
+    // Its replay has no control either, and is decided alike.
+    let alone = answer(nowhere.replay.as_ref().expect("a replay"));
+    assert_eq!((alone.verdict, alone.text(None).contains("no control could be made")), (Verdict::False, true));
+}
+
+/// Every made control of a question, each refuted by the same check, and false at the member that it names: as a question of that member alone.
+fn refuted_where_they_say(family: &str, property: &str) -> Vec<String> {
+    let found = answer(&without(family, property));
+    assert_eq!(found.verdict, Verdict::Holds, "{property}: {}", found.why);
+    for control in &found.made.as_ref().expect("made").controls {
+        let bound = |(name, value): (&str, &question::Value)| format!("{name} = \"{}\"\n", value.text());
+        let alone: String = control.fails_at.iter().map(bound).collect();
+        let text = format!("{}where = \"n > 0\"\n", alone);
+        let there = answer(&without(&text, &control.property));
+        assert_eq!((there.verdict, there.cases), (Verdict::False, 1), "{} at {}", control.property, control.fails_at);
+        assert!(answer(&without(family, &control.property)).counterexample.is_some());
+    }
+    texts(&found)
+}
+
+#[test]
+fn each_bound_is_made_sharper_past_its_smallest_margin() {
+    for (property, sharper) in [
+        // Each part of a conjunction, and each link of a chain.
+        ("edges >= n - 1 and max_degree < n", &["edges >= n - 1 + 1/100", "max_degree < n - 101/100"][..]),
+        ("1 <= diameter < n", &["1 <= diameter - 1/100", "diameter < n - 101/100"]),
+        // After its hypotheses alone: of trees of three vertices and more.
+        (
+            "n >= 3 implies (tree implies max_degree >= 3/2)",
+            &["tree implies max_degree >= 3/2", "n >= 3 implies tree implies max_degree >= 3/2 + 501/1000"],
+        ),
+        // Where the other parts of a disjunction fail.
+        ("tree or girth >= 3", &["tree or girth >= 3 + 1/100"]),
+        (
+            "edges <= 2*n - 3 or max_degree >= 3",
+            &["edges <= 2*n - 3 - 1/100 or max_degree >= 3", "edges <= 2*n - 3 or max_degree >= 3 + 1/100"],
+        ),
+        // Neither is needed where the other one is true everywhere.
+        ("edges <= n + 5 or diameter <= 4", &[]),
+        // A small margin is passed by little.
+        ("edges + 1/300 >= n - 1", &["edges + 1/300 >= n - 1 + 167/50000"]),
+        ("edges >= n - 300", &["edges >= n - 300 + 300"]),
+        // A negation is made sharper by no rule.
+        ("not max_degree > n + 6", &[]),
+    ] {
+        assert_eq!(refuted_where_they_say(CONNECTED, property)[1..], *sharper, "{property}");
+    }
+    // Margins that are enclosed.
+    refuted_where_they_say(CONNECTED, "lambda(n) <= max_degree + 3 and (bipartite or lambda(2) <= n)");
+}
+
+#[test]
+fn a_margin_beside_an_implication_is_that_of_its_conclusion() {
+    // K4 is the first to have more than 5 edges; the hypothesis is met there by 1 and by 3.
+    for (hypothesis, margin) in [("edges > 5", -97.0), ("edges > 3", -97.0)] {
+        let found = answer(&without("graph = \"complete:4\"", &format!("{hypothesis} implies edges >= 103")));
+        assert_eq!(found.margin.map(|margin| (margin.lo, margin.hi)), Some((margin, margin)), "{hypothesis}");
+    }
+    // Where no member meets the hypothesis there is none.
+    let never = answer(&without(CONNECTED, "edges > 100 implies diameter < 50"));
+    assert!(!never.text(None).contains("margin"), "{}", never.text(None));
+    // The smallest one is that of the members that meet it.
+    let some = answer(&without(CONNECTED, "n >= 4 implies edges >= n - 2"));
+    assert_eq!(some.margin.map(|margin| (margin.lo, margin.hi)), Some((1.0, 1.0)));
 }
 
 #[test]

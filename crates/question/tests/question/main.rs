@@ -4,6 +4,7 @@ extern crate flockproof_question as question;
 
 mod bad_input;
 mod decisions;
+mod digraphs;
 mod exact_facts;
 mod families;
 mod gallery;

@@ -145,7 +145,13 @@ impl Trace {
             Formula::Not(p) => -self.margin(p, now),
             Formula::And(p, q) => self.margin(p, now).min(self.margin(q, now)),
             Formula::Or(p, q) => self.margin(p, now).max(self.margin(q, now)),
-            Formula::Implies(p, q) => (-self.margin(p, now)).max(self.margin(q, now)),
+            Formula::Implies(p, q) => {
+                if self.holds(p, now) {
+                    self.margin(q, now)
+                } else {
+                    f64::INFINITY
+                }
+            }
             Formula::Always(window, p) => {
                 self.steps(window, now).map(|t| self.margin(p, t)).fold(f64::INFINITY, f64::min)
             }

@@ -24,7 +24,10 @@ pub fn question(question: &Question, answer: &Answer, progress: &dyn Progress) -
                 dt { @if answer.verdict == Verdict::False { "Margin there" } @else { "Smallest margin" } } dd { @if lo == hi { (lo) } @else { "[" (lo) ", " (hi) "]" } }
             }
             dt { "Controls refuted" } dd { (refuted) " of " (total) @if answer.made.is_some() { ", made by the program" } }
-            @for control in answer.made.iter().flatten() { dd { code { (control) } } }
+            @if let Some(made) = &answer.made {
+                @for control in &made.controls { dd { code { (control.property) } " fails at " code { (control.fails_at) } } }
+                @if let Some(why) = &made.why_none { dd { (why) } }
+            }
         }
         @if let Some(bindings) = &answer.counterexample {
             h2 { "Counterexample" }

@@ -10,7 +10,9 @@ mod own;
 use arithmetic::{Progress, Unwatched};
 use models::platoon::Gains;
 use models::platoon::time_domain::Modes;
-use scenario::{Amount, End, Ensemble, Links, Model, Outcome, Row, Scenario, Value, View, measure};
+use scenario::{
+    Amount, End, Ensemble, Links, Model, Outcome, Row, Scenario, Value, View, measure, named_files, with_law,
+};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -50,12 +52,45 @@ fn networks_have_the_names_of_graphs() {
     for (agents, graph, word) in [
         (4, "kind = \"petersen\"", "10"),
         (4, "kind = \"grid:2y2\"", "grid:AxB"),
-        (4, "kind = \"edges:4:1-2*2\"", "weight 1"),
-        (4, "kind = \"petersson\"", "not known"),
+        (4, "kind = \"edges:4:1-2*2\"", "without weights"),
+        (4, "kind = \"edges:4:1-2,2-2*1\"", "without loops"),
+        (4, "kind = \"peterson\"", "did you mean petersen?"),
+        (4, "kind = \"complet\"", "did you mean complete?"),
+        (4, "kind = \"wheel\"", "wheel:N"),
+        (4, "kind = \"nothing\"", "hypercube:3"),
         (4, "kind = \"grid:2x2\"\nradius = 1", "radius"),
     ] {
         let error = Scenario::read(&phases(agents, graph)).expect_err(graph).to_string();
         assert!(error.contains(word), "{graph}: {error}");
+    }
+}
+
+/// A network stands in a file beside the scenario, in any of the formats of graphs.
+#[test]
+fn networks_stand_in_files() {
+    let text = |kind: &str| {
+        format!(
+            "model = \"phase\"\n[graph]\nkind = \"{kind}\"\n[state]\nphases = [0, 1, \"3/2\", 3]\n[law]\nK1 = -1\n[run]\nuntil = 1\nrows = 1\n"
+        )
+    };
+    let read = |file: &'static str| {
+        move |name: &str| if name == "net" { Ok(file.to_string()) } else { Err(format!("no {name}")) }
+    };
+    let end = |text: &str| run(text).rows.last().expect("a row").frame.phases.clone();
+    let listed = end(&text("edges:4:1-2,1-3,2-4,3-4"));
+    for file in ["1 2\n1 3\n2 4\n3 4\n", "Cr\n", ">>graph6<<Cr\n"] {
+        let whole = with_law(&text("file:net"), &read(file)).expect("a scenario");
+        assert_eq!(end(whole.text()), listed, "{file}");
+        assert_eq!(named_files(&text("file:net")), ["net"]);
+    }
+    assert!(named_files(&text("path")).is_empty());
+    for (kind, file, word) in [
+        ("file:net", "1 2\n1 1\n", "line 3: `graph.kind`: the file of the graph: net: line 2"),
+        ("file:net", "Cr\nCF\n", "several graphs"),
+        ("file:other", "", "no other"),
+    ] {
+        let error = with_law(&text(kind), &read(file)).expect_err(file).to_string();
+        assert!(error.contains(word), "{error}");
     }
 }
 

@@ -16,3 +16,18 @@ pub use cliques::LARGEST_SEARCHED;
 pub use cuts::LARGEST_CUT;
 pub use directed::{is_rooted, period};
 pub use distances::distances;
+
+use crate::graph::Graph;
+use petgraph::graph::{NodeIndex, UnGraph};
+
+/// The graph in the form that petgraph's algorithms take.
+fn undirected(graph: &Graph) -> UnGraph<(), ()> {
+    let mut theirs = UnGraph::with_capacity(graph.order(), 0);
+    for _ in 0..graph.order() {
+        theirs.add_node(());
+    }
+    for (i, j) in graph.edges() {
+        theirs.add_edge(NodeIndex::new(i), NodeIndex::new(j), ());
+    }
+    theirs
+}

@@ -13,6 +13,21 @@ fn small() -> Vec<Graph> {
     (1..=4).flat_map(Graph::all).chain(classes).collect()
 }
 
+/// Random graphs of 7 to 11 vertices, from few edges to nearly all; the same in every run.
+fn random(count: usize) -> impl Iterator<Item = Graph> {
+    let mut state = 5u64;
+    let mut next = move |below: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) % below
+    };
+    (0..count).map(move |k| {
+        let (order, share) = (7 + k % 5, 1 + next(9));
+        let pairs = (0..order).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let edges: Vec<(usize, usize)> = pairs.filter(|_| next(10) < share).collect();
+        Graph::from_edges(order, &edges).expect("a graph")
+    })
+}
+
 fn sets(count: usize) -> impl Iterator<Item = Vec<usize>> {
     (0u64..1 << count).map(move |bits| (0..count).filter(|k| bits >> k & 1 == 1).collect())
 }
@@ -102,14 +117,16 @@ fn matchings_are_the_largest_sets_of_separate_edges() {
         };
         sets(edges.len()).filter(separate).map(|set| set.len()).max().unwrap_or(0)
     });
-    // By Tutte and Berge, over all classes of eight vertices, where blossoms lie in blossoms: the least of (n + |U| - odd components without U)/2.
-    for graph in graphs(8, &Unwatched).expect("graphs").iter().step_by(7) {
+    // By Tutte and Berge, over classes of eight vertices and larger graphs, where blossoms lie in blossoms: the least of (n + |U| - odd components without U)/2.
+    let classes = graphs(8, &Unwatched).expect("graphs");
+    for graph in classes.into_iter().step_by(5).chain(random(40)) {
+        let order = graph.order();
         let bound = |set: Vec<usize>| {
-            let rest: Vec<usize> = (0..8).filter(|v| !set.contains(v)).collect();
+            let rest: Vec<usize> = (0..order).filter(|v| !set.contains(v)).collect();
             let odd = graph.induced(&rest).components().iter().filter(|part| part.len() % 2 == 1).count();
-            (8 + set.len() - odd) / 2
+            (order + set.len() - odd) / 2
         };
-        assert_eq!(Some(graph.matching_number()), sets(8).map(bound).min(), "{:?}", graph.edges());
+        assert_eq!(Some(graph.matching_number()), sets(order).map(bound).min(), "{:?}", graph.edges());
     }
     assert_eq!(named("petersen").matching_number(), 5);
 }
@@ -131,6 +148,14 @@ fn connectivity_is_what_must_be_removed() {
             sets(graph.order()).filter(parts).map(|set| set.len()).min().unwrap_or(0)
         },
     );
+    for graph in random(60) {
+        let (n, held) = (graph.order(), graph.vertex_connectivity(&Unwatched).expect("a number"));
+        let cuts = sets(n).filter(|set| !set.is_empty() && set.len() < n);
+        assert_eq!(graph.edge_connectivity(&Unwatched).ok(), cuts.map(|set| boundary(&graph, &set)).min(), "{graph:?}");
+        let left = |set: &Vec<usize>| (0..n).filter(|v| !set.contains(v)).collect::<Vec<usize>>();
+        let parts = |set: &Vec<usize>| left(set).len() == 1 || graph.induced(&left(set)).components().len() > 1;
+        assert_eq!(Some(held), sets(n).filter(parts).map(|set| set.len()).min(), "{graph:?}");
+    }
     assert_eq!(named("petersen").vertex_connectivity(&Unwatched), Ok(3));
     assert_eq!(named("hypercube:5").edge_connectivity(&Unwatched), Ok(5));
 }

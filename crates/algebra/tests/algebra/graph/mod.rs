@@ -424,4 +424,5 @@ fn edges_and_arcs_are_listed_once_in_every_format() {
     }
 }
 mod invariants;
+mod petgraph;
 mod texts;

@@ -71,7 +71,36 @@ fn texts_are_read_again() {
         let message = why(text);
         assert!(!message.is_empty() && text.parse::<AnyGraph>().is_err(), "{text}: {message}");
     }
-    assert!(why("petersson").contains("petersen"));
+    for (text, near) in [
+        ("peterson", "petersen"),
+        ("rign:4", "ring:N"),
+        ("hipercube:3", "hypercube:D"),
+        ("edge:3:1-2", "edges:N:1-2,2-3"),
+    ] {
+        assert!(why(text).contains(&format!("did you mean {near}? Known are ring:N, ")), "{}", why(text));
+    }
+    assert!(!why("nonsense:4").contains("did you mean"));
+}
+
+/// What is wrong in a list is told in plain words, with its byte.
+#[test]
+fn a_list_of_edges_is_refused_where_it_is_wrong() {
+    for (text, at, word) in [
+        ("edges:4:1-5", 8, "names `5`, and the vertices are 1 to 4"),
+        ("arcs:4:1-2, 0-2", 12, "names `0`"),
+        ("edges:4:1-2,3-3", 12, "the edge `3-3` joins a vertex with itself; a loop that is meant has a weight, 3-3*1"),
+        ("edges:0:", 6, "between 1 and 10000, not `0`"),
+        ("edges:4:1-2,23", 12, "not of the form"),
+        ("edges:4:1-2*x", 8, "x"),
+        ("edges:4", 6, "not of the form"),
+    ] {
+        let error = text.parse::<AnyGraph>().expect_err(text);
+        assert_eq!(error.at(), at, "{error}");
+        assert!(error.to_string().contains(word), "{error}");
+    }
+    let loops = read("edges:3:1-1*1,1-2");
+    assert_eq!((loops.to_string().as_str(), loops.arcs().len()), ("edges:3:1-1*1,1-2", 3));
+    assert_eq!(read("arcs:2:1-1,1-2").to_string(), "arcs:2:1-1,1-2");
 }
 
 #[test]
