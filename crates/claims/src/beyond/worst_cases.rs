@@ -86,13 +86,12 @@ pub fn worst_cases() -> Record<WorstVariant> {
         examine,
     )
     .stated("completes veerman, Section 6: gains of bounded accelerations beside the resonance", "")
-    .reading("The worst lag and gap of car k are the suprema over all t >= 0 and all measurable accelerations of the leader with values in [-1, 1] of |y_k - y_0| and |y_k - y_(k-1)|, \
-              y_k the deviation of car k from its place, all cars starting in their places at the leader's velocity.")
     .clauses(&[
-        "For f, g < 0 the worst lag of car k in system (2) with M followers is at least k (2M - k)/|f|, that of the last car at least M²/|f|.",
-        "For f, g < 0 the worst gap of car k in system (2) with M followers is at least (2 (M - k) + 1)/|f|.",
-        "For f, g < 0 in system (1) the worst lag of car k is at least k/|f|.",
-        "For f, g < 0 in system (1) the worst gap of car k is at least |1/gamma|^(k-1)/|f + i w g + w²| for every frequency w > 0, and so grows exponentially with k.",
+        "Let f, g < 0, let all cars of system (2) with M followers start in their places at the leader's velocity, and let the leader's acceleration be any measurable function with values in \
+         [-1, 1]. Over all of these and all t >= 0 the supremum of |y_k - y_0|, y_k the deviation of car k from its place, is at least k (2M - k)/|f|, and M²/|f| for the last car.",
+        "In the same setting the supremum of |y_k - y_(k-1)| is at least (2 (M - k) + 1)/|f|.",
+        "For system (1), in the same setting, the supremum of |y_k - y_0| is at least k/|f|.",
+        "For system (1), in the same setting, the supremum of |y_k - y_(k-1)| is at least |1/gamma|^(k-1)/|f + i w g + w²| for every frequency w > 0, and so grows exponentially with k.",
     ])
     .altered("k (2M - k + 1)/|f|", |v| v.lag = 1)
     .altered("gaps of 2 (M - k + 1)/|f|", |v| v.gap = 2)

@@ -18,6 +18,9 @@ struct Worst {
     gap: [Rational; 2],
 }
 
+/// Lag or gap.
+type Part = fn(&Worst) -> &[Rational; 2];
+
 fn worst(graph: &str, followers: usize) -> Result<Worst, CheckError> {
     let car = if graph == "front" { followers } else { 1 };
     let text = format!(
@@ -51,12 +54,12 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let found = side_by_side(&all, |(graph, m)| worst(graph, *m));
     let found: Vec<Worst> = found.into_iter().collect::<Result<_, _>>()?;
     let (two, one) = found.split_at(TWO_SIDED.len());
-    let line = |list: &[Worst], of: fn(&Worst) -> &[Rational; 2]| -> Vec<(f64, f64)> {
+    let line = |list: &[Worst], of: Part| -> Vec<(f64, f64)> {
         list.iter().map(|w| (w.followers as f64, float(of(w)))).collect()
     };
     let square =
         |list: &[Worst]| list.iter().map(|w| (w.followers as f64, (w.followers as f64).powi(2))).collect::<Vec<_>>();
-    let (lag, gap): (fn(&Worst) -> &[Rational; 2], fn(&Worst) -> &[Rational; 2]) = (|w| &w.lag, |w| &w.gap);
+    let (lag, gap): (Part, Part) = (|w| &w.lag, |w| &w.gap);
     let picture = Picture::new("Worst cases behind a leader with accelerations in [−1, 1], for ever (f = g = −1)")
         .grid(2, (520.0, 420.0))
         .panel(
