@@ -2,7 +2,7 @@
 
 use super::{CliError, certify, interrupt, output, progress};
 use flockproof::arithmetic::Progress;
-use flockproof::reach::{Decided, ReachError, System, Verdict, answer, certificate, decide};
+use flockproof::reach::{Decided, ReachError, System, Unbounded, Verdict, answer, bounded, certificate, decide};
 use flockproof::report::{Provenance, shown};
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -26,6 +26,9 @@ pub struct Arguments {
     /// Write the motion found for the first check that is false, or else the first, as a certificate, see proofs_checks/README.md
     #[arg(long, value_name = "OUT")]
     certificate: Option<PathBuf>,
+    /// Write that no motion violates the checks that hold at all times, as a certificate
+    #[arg(long, value_name = "OUT")]
+    bound: Option<PathBuf>,
     /// Draw the tube of each quantity with the worst motion, its modes and inputs
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
@@ -76,6 +79,7 @@ impl Answered {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     arguments.plot.as_deref().map_or(Ok(()), output::check_writable)?;
     certify::check_asked(arguments.certificate.as_deref())?;
+    certify::check_asked(arguments.bound.as_deref())?;
     let input = output::read_input(&arguments.file)?;
     let watch = interrupt::Watch::with(progress::spinner("worst cases"));
     let found = answered(&input, arguments.digits, &watch).map_err(|error| CliError::file(&arguments.file, error))?;
@@ -89,6 +93,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let text =
             text.ok_or_else(|| CliError::Use("--certificate: no motion was found that it could show".to_string()))?;
         output::write_file(path, text.as_bytes())?;
+    }
+    if let Some(path) = &arguments.bound {
+        match bounded(&found.system, &found.decided, &watch) {
+            Ok(text) => output::write_file(path, text.as_bytes())?,
+            Err(Unbounded::Cancelled(_)) => {
+                watch.finish();
+                return Ok(interrupt::status(false));
+            }
+            Err(error) => return Err(CliError::Use(format!("--bound: {error}"))),
+        }
     }
     if let Some(path) = &arguments.plot {
         let Ok(picture) = shown::worst_cases(&found.system, &found.decided, &watch) else {

@@ -112,3 +112,15 @@ fn a_claim_is_taken_home_with_what_its_theorems_rest_on() {
     assert!(text(&out.join("statements.v")).contains("Print Assumptions chazelle_ergodicity."));
     assert_refused(&["certify", "--claim", "paley.figS1_S3", "--coq", &out.to_string_lossy()], "paley.figS1_S3");
 }
+
+#[test]
+fn bounds_of_worst_cases_are_certified() {
+    let folder = folder("reach_bound");
+    let out = folder.join("bound.cert");
+    let asset = |name: &str| format!("{}/assets/systems/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let output = flockproof(&["reach", &asset("two_cars"), "--bound", &out.to_string_lossy()]);
+    assert_eq!(output.status.code(), Some(1), "another check is false");
+    let certified = flockproof_checker::check(text(&out).as_bytes()).expect("accepted");
+    assert_eq!(certified.kind, "bound");
+    assert_refused(&["reach", &asset("forty_cars"), "--bound", &out.to_string_lossy()], "up to a time");
+}

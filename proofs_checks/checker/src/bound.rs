@@ -354,11 +354,15 @@ impl Flow {
         let n = a.rows;
         reader.pay(2 * n, a.bits(), time.0.bits().max(time.1.bits()))?;
         let norm = (0..n).map(|i| sizes(a.row(i))).max().unwrap_or_default();
-        let short = norm * 2 * &time.0 <= &a.denominator * &time.1 * steps;
+        let short = &norm * 2 * &time.0 <= &a.denominator * &time.1 * steps;
         reader.require(short, "the steps are too long")?;
+        // Bits for the errors, which grow by e^(|A| h) in a step; they are counted, so that too few of them refuse but do not err.
+        let columns = (0..n).map(|j| sizes((0..n).map(|i| a.at(i, j)))).max().unwrap_or_default();
+        let growth = norm.max(columns) * 3 * &time.0 / (&a.denominator * &time.1 * 2);
+        let growth = u64::try_from(&growth).unwrap_or(u64::MAX).min(2 * steps as u64);
         let square = reader.times(&a, &a)?;
         let cube = reader.times(&square, &a)?;
-        let fine = 2 * SCALE + steps as u64;
+        let fine = 2 * SCALE + growth;
         let stretch =
             Stretch { m: Matrix { entries: a.entries.clone(), denominator: a.denominator.clone(), ..a }, time, steps };
         // Columns of e^(A h), which are the rows of its transpose.

@@ -15,6 +15,7 @@ mod table1_reading;
 mod tanner;
 mod tower;
 mod virtual_origins;
+mod worst_cases;
 
 use ledger::Claim;
 
@@ -28,6 +29,7 @@ pub fn claims() -> Vec<Box<dyn Claim>> {
         next_order: frequency, amplitude;
         decay_rate: slowest_decay;
         growth: growth;
+        worst_cases: worst_cases;
         paley_circulant: circulant_spectrum, cyclic_patterns;
         paley_abscissa: pattern_abscissa;
         phases: inertia, cyclic_eigenvectors;

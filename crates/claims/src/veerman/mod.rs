@@ -55,16 +55,16 @@ pub(super) fn enclosed(gains: &Gains<Rational>, precision: u32) -> Gains<Interva
 }
 
 /// The same gains over complex numbers.
-fn complex_gains<T: Ring>(f: &T, g: &T) -> Gains<Complex<T>> {
+pub(super) fn complex_gains<T: Ring>(f: &T, g: &T) -> Gains<Complex<T>> {
     Gains { f: Complex::real(f.clone()), g: Complex::real(g.clone()) }
 }
 
-fn imaginary<T: Ring>(x: &T) -> Complex<T> {
+pub(super) fn imaginary<T: Ring>(x: &T) -> Complex<T> {
     Complex::new(x.zero(), x.clone())
 }
 
 /// Real and imaginary parts, one after the other.
-fn parts<T>(numbers: impl IntoIterator<Item = Complex<T>>) -> Vec<T> {
+pub(super) fn parts<T>(numbers: impl IntoIterator<Item = Complex<T>>) -> Vec<T> {
     numbers.into_iter().flat_map(|z| [z.re, z.im]).collect()
 }
 

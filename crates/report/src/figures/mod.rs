@@ -30,6 +30,7 @@ mod veerman_observation;
 mod veerman_procedures;
 mod veerman_sweep;
 mod veerman_table1;
+mod veerman_worst;
 
 use super::file::File;
 use super::papers::paper;
@@ -103,6 +104,12 @@ pub const FIGURES: &[Figure] = &[
         "exploration: linear or exponential growth",
         &["veerman.onlytwo", "veerman.nth_neighbour"],
         veerman_sweep::reproduce,
+    ),
+    figure(
+        "veerman.worst_cases",
+        "worst lags and gaps behind a leader of bounded acceleration",
+        &["beyond.veerman.worst_cases", "beyond.veerman.growth"],
+        veerman_worst::reproduce,
     ),
     figure(
         "paley.fig1",
