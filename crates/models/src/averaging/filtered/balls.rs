@@ -203,6 +203,24 @@ impl<const L: usize> Balls<L> {
         }
     }
 
+    /// These birds alone, in this order.
+    pub(super) fn part(&self, birds: &[usize]) -> Self {
+        let rows = |list: &[Words<L>]| -> Vec<Words<L>> {
+            birds.iter().flat_map(|&i| &list[i * self.dimension..(i + 1) * self.dimension]).copied().collect()
+        };
+        let velocities = rows(&self.velocities);
+        Balls {
+            weights: self.weights.restricted(birds),
+            network: self.network.induced(birds),
+            shares: birds.iter().map(|&i| self.shares[i]).collect(),
+            known_shares: self.known_shares.clone(),
+            positions: rows(&self.positions),
+            scratch: velocities.clone(),
+            velocities,
+            ..*self
+        }
+    }
+
     /// Gives up resolution for room.
     fn coarsen(&mut self) {
         let shift = (ROOM_BITS as u32).min(self.fraction);

@@ -61,7 +61,7 @@ impl<const L: usize> Coefficients<L> {
 }
 
 /// Beyond this degree less than `2^-7` of the last bit of so many limbs is left.
-fn degree_for(steps: u64, limbs: usize) -> u64 {
+pub(super) fn degree_for(steps: u64, limbs: usize) -> u64 {
     (2.0 * steps as f64 * (64 * limbs + 8) as f64 * std::f64::consts::LN_2).sqrt().ceil() as u64 + 1
 }
 

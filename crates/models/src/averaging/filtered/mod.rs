@@ -7,6 +7,8 @@ mod classes;
 mod leap;
 mod links;
 mod outlook;
+mod settled;
+mod stride;
 mod watch;
 mod wholes;
 mod words;
@@ -23,6 +25,7 @@ use links::{Change, Multiplier};
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Zero};
 pub(super) use outlook::Outlook;
+use settled::Left;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use watch::Watch;
@@ -42,8 +45,11 @@ pub struct FilteredFlock {
     network: Graph,
     /// What has changed since the start.
     changes: Vec<Change>,
-    /// The state now.
+    /// The state now, of the birds that are not left behind.
     state: State,
+    /// Their numbers in the whole flock. Where nothing else is said, birds are numbered as in the state.
+    names: Vec<u32>,
+    left: Left,
     /// Finer states of earlier times, where they were needed.
     finer: Finer,
     watch: Watch,
@@ -94,6 +100,8 @@ impl FilteredFlock {
             exact_applied: 0,
             exact,
             weights,
+            names: (0..network.order() as u32).collect(),
+            left: Left::default(),
             network,
             changes: Vec::new(),
             state: balls.map_or(State::Exact, |balls| State::Balls(Box::new(balls))),
@@ -144,7 +152,10 @@ impl FilteredFlock {
     /// What is certain about the network from now on, if anything is.
     pub(super) fn outlook(&self, progress: &dyn Progress) -> Result<Option<Outlook>, FlockError> {
         let State::Balls(balls) = &self.state else { return Ok(None) };
-        outlook::outlook(balls, &self.threshold, &self.classes, progress).map(Some)
+        let mut outlook = outlook::outlook(balls, &self.threshold, &self.classes, u64::MAX, progress)?;
+        outlook.drifting += self.left.drifting;
+        outlook.looked = outlook.looked.max(self.left.until.saturating_sub(self.time));
+        Ok(Some(outlook))
     }
 
     /// Many steps at once in which nothing changes; whether that was possible.
@@ -236,8 +247,10 @@ impl FilteredFlock {
         self.time += 1;
         let State::Balls(balls) = &mut self.state else { return Ok(None) };
         let time = &self.origin + self.time;
+        let names = &self.names;
         balls.step(&changed).map_err(|error| match error {
             FlockError::Inadmissible { bird, degree, c, .. } => {
+                let bird = names[bird - 1] as usize + 1;
                 FlockError::Inadmissible { bird, degree, c, time: time.to_string() }
             }
             other => other,
@@ -265,6 +278,7 @@ impl FilteredFlock {
 
     /// Notes what changed in the step to now.
     fn note(&mut self, mut changed: Vec<(u32, u32)>, time: BigInt) -> Switch {
+        changed.iter_mut().for_each(|pair| *pair = (self.names[pair.0 as usize], self.names[pair.1 as usize]));
         // The order of `Graph::edges`.
         changed.sort_unstable_by_key(|&(i, j)| (j, i));
         let (mut gained, mut lost) = (Vec::new(), Vec::new());
@@ -302,7 +316,7 @@ impl FilteredFlock {
             (now[k], moved[k]) = balls.next_difference(i, j, k);
         }
         let error = error_of_difference(dimension, balls.errors());
-        let edge = self.network.has_edge(i, j);
+        let edge = balls.network.has_edge(i, j);
         let squared: f64 = now.iter().map(|x| x * x).sum();
         let doubt = error_of_square(squared, error);
         let joined = if squared - 1.0 < -doubt {
@@ -335,6 +349,7 @@ impl FilteredFlock {
         }
         // Bits of exact numbers: at least one a step, mostly far more.
         let bits = self.first_unit.bits() + 4 * self.time;
+        let (i, j) = (self.names[i] as usize, self.names[j] as usize);
         if bits > SHORT {
             if let Some(middle) = self.middle(progress)?
                 && let Some(joined) = by(middle.pair(i, j), &self.threshold)
@@ -352,7 +367,7 @@ impl FilteredFlock {
     }
 
     fn decide_exactly(&mut self, pair: (u32, u32), edge: bool, progress: &dyn Progress) -> Result<bool, FlockError> {
-        let (i, j) = (pair.0 as usize, pair.1 as usize);
+        let (i, j) = (self.names[pair.0 as usize] as usize, self.names[pair.1 as usize] as usize);
         if self.jumped {
             let (pair, bits) = ((i + 1, j + 1), 64 * 32);
             return Err(FlockError::Undecided { pair, time: self.time + 1, against: "distance 1", bits });
@@ -360,8 +375,8 @@ impl FilteredFlock {
         self.exact(progress)?;
         let (near, moved) = self.exact.next_comparison(i, j);
         if near == Ordering::Equal && moved.iter().all(Zero::is_zero) {
-            let exact = &self.exact;
-            self.classes.note(pair, || equal_velocities(&exact.integers()));
+            let (exact, names) = (&self.exact, &self.names);
+            self.classes.note(pair, || equal_velocities(&exact.integers(), names));
             self.watch.renew();
         }
         Ok(near != Ordering::Greater || (edge && self.exact.next_is_held(i, j)?))
@@ -409,14 +424,14 @@ fn error_of_square(squared: f64, error: f64) -> f64 {
     1e-12 * (1.0 + squared) + (2.0 + squared + error) * error
 }
 
-/// Numbers that are the same for birds of equal velocities.
-fn equal_velocities(state: &IntegerState) -> Vec<u64> {
+/// Numbers that are the same for birds of equal velocities, among those with these names.
+fn equal_velocities(state: &IntegerState, names: &[u32]) -> Vec<u64> {
     let mut known: BTreeMap<&[BigInt], u64> = BTreeMap::new();
     let mut number = |v| {
         let next = known.len() as u64;
         *known.entry(v).or_insert(next)
     };
-    state.velocities.iter().map(|v| number(v.as_slice())).collect()
+    names.iter().map(|&i| number(state.velocities[i as usize].as_slice())).collect()
 }
 
 #[cfg(test)]

@@ -37,11 +37,12 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 /// Steps that flocks are first followed; then four times as many.
 const FIRST: u64 = 64;
 
-/// What is certain from this state on.
+/// What is certain from this state on, as far as following the flocks for so many steps at most shows.
 pub(super) fn outlook<const L: usize>(
     balls: &Balls<L>,
     threshold: &Threshold,
     classes: &Classes,
+    longest: u64,
     progress: &dyn Progress,
 ) -> Result<Outlook, FlockError> {
     let wholes = balls.wholes();
@@ -57,7 +58,7 @@ pub(super) fn outlook<const L: usize>(
             }
         }
     }
-    let mut until = FIRST;
+    let mut until = FIRST.min(longest);
     while !flocks.is_empty() && quiet > 0 {
         let most = until.min(quiet);
         let certain: Vec<Certain> =
@@ -73,7 +74,11 @@ pub(super) fn outlook<const L: usize>(
         if until >= quiet {
             break;
         }
-        until = until.saturating_mul(4);
+        if until >= longest && !flocks.is_empty() {
+            quiet = until;
+            break;
+        }
+        until = until.saturating_mul(4).min(longest);
     }
     let drifting = if quiet == u64::MAX { around.drifting() } else { 0 };
     Ok(Outlook { quiet, drifting, looked })

@@ -7,6 +7,7 @@
 use super::balls::Balls;
 use super::classes::Classes;
 use crate::averaging::boxes::{Between, Boxes};
+use std::cell::Cell;
 
 /// The pairs to look at, by time.
 #[derive(Debug, Clone, Default)]
@@ -125,8 +126,14 @@ impl Snapshot {
         Groups { widths, slowest: by_bird(|b| b.0), fastest: by_bird(|b| b.1), of }
     }
 
-    /// The flocks with these numbers, taken together where they could meet in so many steps.
-    fn joined(&self, flocks: (Vec<u32>, usize), length: u64) -> (Groups, Boxes) {
+    /// The flocks with these numbers, taken together where they could meet in so many steps; all of them after so many rounds, or looks at
+    /// pairs of boxes or birds.
+    fn joined(&self, flocks: (Vec<u32>, usize), length: u64, (rounds, most): (usize, usize)) -> (Groups, Boxes) {
+        let looks = Cell::new(0);
+        let enough = || {
+            looks.set(looks.get() + 1);
+            looks.get() > most
+        };
         let (mut of, mut count) = flocks;
         let (mut now, mut moved) = (vec![0.0; self.dimension], vec![0.0; self.dimension]);
         for round in 0.. {
@@ -134,12 +141,13 @@ impl Snapshot {
             let boxes = self.boxes(&groups);
             let mut union: Vec<u32> = (0..count as u32).collect();
             boxes.pairs(
-                |places| self.are_far(&boxes, places, length) || groups.share_one(&boxes, places),
+                |places| enough() || self.are_far(&boxes, places, length) || groups.share_one(&boxes, places),
                 |i, j| {
                     let (f, g) = (root(&mut union, groups.of[i as usize]), root(&mut union, groups.of[j as usize]));
-                    if f != g {
+                    if !enough() && f != g {
                         self.difference(i, j, &mut now, &mut moved);
-                        if quiet_steps(&now, &moved, false, groups.drift(i, j), self.error) < length {
+                        let quiet = quiet_steps(&now, &moved, false, groups.drift(i, j), self.error);
+                        if quiet < length && !self.part_for_ever(&groups, (i, j), &now) {
                             union[f.max(g) as usize] = f.min(g);
                         }
                     }
@@ -154,16 +162,31 @@ impl Snapshot {
                     name
                 })
                 .collect();
-            if next as usize == count {
+            if next as usize == count && looks.get() <= most {
                 return (groups, boxes);
             }
             of = groups.of.iter().map(|&group| names[root(&mut union, group) as usize]).collect();
             count = next as usize;
-            if round + 1 >= ROUNDS {
+            if round + 1 >= rounds || looks.get() > most {
                 (of, count) = (vec![0; self.birds()], 1);
+                looks.set(0);
             }
         }
         unreachable!("the number of groups falls")
+    }
+
+    /// Whether no velocities of the groups of two birds take these nearer to one another: along the line between them, by the bounds of each
+    /// coordinate.
+    fn part_for_ever(&self, groups: &Groups, (i, j): (u32, u32), now: &[f64]) -> bool {
+        let distance = now.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let (a, b) = (i as usize * self.dimension, j as usize * self.dimension);
+        let closing = |(k, x): (usize, &f64)| {
+            let slowest = groups.slowest[a + k] - groups.fastest[b + k];
+            let fastest = groups.fastest[a + k] - groups.slowest[b + k];
+            let along = x / distance;
+            (-along * slowest).max(-along * fastest) + SLACK * slowest.abs().max(fastest.abs())
+        };
+        distance - 1.0 > SLACK * (1.0 + distance) + self.error && now.iter().enumerate().map(closing).sum::<f64>() < 0.0
     }
 
     fn boxes(&self, groups: &Groups) -> Boxes {
@@ -176,6 +199,17 @@ impl Snapshot {
     fn are_far(&self, boxes: &Boxes, places: (usize, usize), length: u64) -> bool {
         boxes.stay_apart(places, (1.0 + 4.0 * self.error) * (1.0 + SLACK) + SLACK, length as f64)
     }
+}
+
+/// Rounds, and looks for each bird, after which flocks that never meet are not told apart any longer.
+const ROUNDS_FOR_EVER: usize = 32;
+const LOOKS_FOR_EVER: usize = 256;
+
+/// Flocks in groups that never meet, whatever happens in each of them: the group of each bird, and their number.
+pub(super) fn groups_for_ever<const L: usize>(balls: &Balls<L>) -> (Vec<u32>, usize) {
+    let most = (ROUNDS_FOR_EVER, LOOKS_FOR_EVER * balls.network.order());
+    let (groups, _) = Snapshot::of(balls).joined(balls.network.component_numbers(), u64::MAX, most);
+    (groups.of, groups.widths.len())
 }
 
 /// The number that stands for a group; the way there is halved.
@@ -255,7 +289,7 @@ impl Watch {
         // As long as its groups are narrow it may be longer.
         let mut length = if self.start.is_some() { (self.length * 2).clamp(usual, LONGEST) } else { usual };
         let (groups, boxes) = loop {
-            let (groups, boxes) = state.joined(flocks.clone(), length);
+            let (groups, boxes) = state.joined(flocks.clone(), length, (ROUNDS, usize::MAX));
             if length == usual || groups.widest() * length as f64 <= WIDEST {
                 break (groups, boxes);
             }
@@ -415,7 +449,7 @@ mod tests {
     fn flocks_that_may_meet_are_one_group() {
         let groups = |places: &[i64], speeds: &[i64], length: u64| {
             let (balls, _) = on_the_line(places, speeds);
-            Snapshot::of(&balls).joined(balls.network.component_numbers(), length).0
+            Snapshot::of(&balls).joined(balls.network.component_numbers(), length, (ROUNDS, usize::MAX)).0
         };
         // The second comes to the first after 25 steps.
         for (length, of) in [(24, [0, 1, 2]), (27, [0, 0, 1])] {

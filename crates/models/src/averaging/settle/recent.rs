@@ -1,7 +1,7 @@
 //! The networks of the last steps, and whether they go round.
 
+use crate::averaging::flock::Switch;
 use algebra::graph::Graph;
-use std::sync::Arc;
 
 /// The longest cycle of networks that is looked for.
 const LONGEST_CYCLE: usize = 6;
@@ -15,48 +15,53 @@ const MOST: usize = 4 * LONGEST_CYCLE * REPETITIONS;
 /// The networks of the last steps, as long as switches follow one another closely.
 #[derive(Default)]
 pub(super) struct Recent {
-    networks: Vec<Arc<Graph>>,
+    /// The pairs that each step changed.
+    changes: Vec<Vec<(usize, usize)>>,
 }
 
 impl Recent {
-    /// Notes the network of a step.
-    pub fn push(&mut self, network: Graph) {
-        self.note(Arc::new(network));
-    }
-
-    /// Notes that the network of a step is the one before; `false` where none is remembered.
-    pub fn push_same(&mut self) -> bool {
-        let last = self.networks.last().filter(|_| self.networks.len() < MOST).cloned();
-        last.map(|same| self.note(same)).is_some()
-    }
-
-    fn note(&mut self, network: Arc<Graph>) {
-        if self.networks.len() == MOST {
+    /// Notes what a step changed.
+    pub fn push(&mut self, switch: Option<&Switch>) {
+        if self.changes.len() == MOST {
             self.clear();
         }
-        self.networks.push(network);
+        let pairs = switch.iter().flat_map(|switch| switch.gained.iter().chain(&switch.lost)).copied().collect();
+        self.changes.push(pairs);
     }
 
     pub fn clear(&mut self) {
-        self.networks.clear();
+        self.changes.clear();
     }
 
     /// The length of the shortest cycle that the networks have gone round often enough; found only where their number is a multiple of twice as
     /// many steps, so not at every one.
     pub fn period(&self) -> Option<usize> {
-        let networks = &self.networks;
+        let steps = self.changes.len();
         let repeats = |period: usize| {
             let seen = REPETITIONS * period;
-            networks.len().is_multiple_of(2 * seen)
-                && networks.len() >= 2 * seen
-                && (networks.len() - seen..networks.len()).all(|k| networks[k] == networks[k - period])
+            steps.is_multiple_of(2 * seen)
+                && steps >= 2 * seen
+                && (steps - seen..steps).all(|k| leave_nothing(&self.changes[k + 1 - period..=k]))
         };
         (2..=LONGEST_CYCLE).find(|&p| repeats(p))
     }
 
-    /// The networks of the last steps, at most so many.
-    pub fn last(&self, count: usize) -> Vec<Graph> {
-        let first = self.networks.len().saturating_sub(count);
-        self.networks[first..].iter().map(|network| (**network).clone()).collect()
+    /// The networks of the last steps, at most so many, up to this one.
+    pub fn last(&self, count: usize, now: &Graph) -> Vec<Graph> {
+        let mut networks = Vec::new();
+        let mut network = now.clone();
+        for pairs in self.changes.iter().rev().take(count) {
+            networks.push(network.clone());
+            pairs.iter().for_each(|&(i, j)| network.toggle(i, j));
+        }
+        networks.reverse();
+        networks
     }
+}
+
+/// Whether these changes together change nothing.
+fn leave_nothing(changes: &[Vec<(usize, usize)>]) -> bool {
+    let mut pairs: Vec<_> = changes.iter().flatten().map(|&(i, j)| (i.min(j), i.max(j))).collect();
+    pairs.sort_unstable();
+    pairs.chunk_by(|a, b| a == b).all(|same| same.len().is_multiple_of(2))
 }

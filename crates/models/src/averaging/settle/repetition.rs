@@ -42,7 +42,7 @@ impl Trajectory<'_> {
             return Ok(Cycle::None);
         }
         self.next_attempt = 2 * self.switches;
-        let cycle = self.recent.last(period);
+        let cycle = self.recent.last(period, self.network());
         let Some(flock) = self.exact()? else { return Ok(Cycle::None) };
         let (horizon, until) = match future(&flock, &cycle, limits.steps, self.progress) {
             Ok(Future::Keeps(horizon)) => (horizon, None),

@@ -16,6 +16,9 @@ use num_bigint::BigInt;
 /// Steps that are taken one by one after a switch before anything is analysed.
 const PATIENCE: u64 = 48;
 
+/// More are never taken.
+const MOST_PATIENCE: u64 = 4096;
+
 /// Certified bounds for all pairs at once are given up for exact limits after so many steps on one network: what these cost
 /// grows with the cube of the number of birds, and a step by balls costs next to nothing.
 fn patience_for_bounds(birds: usize) -> u64 {
@@ -44,6 +47,10 @@ pub(super) struct Trajectory<'a> {
     pub(super) switches: usize,
     /// A cycle is not looked for before so many switches.
     pub(super) next_attempt: usize,
+    /// Steps that were taken one by one.
+    pub(super) walked: u64,
+    /// Settled flocks are not looked for before so many of them.
+    pub(super) next_look: u64,
     pub(super) progress: &'a dyn Progress,
 }
 
@@ -67,6 +74,8 @@ impl<'a> Trajectory<'a> {
             last_switch: BigInt::ZERO,
             switches: 0,
             next_attempt: 0,
+            walked: 0,
+            next_look: PATIENCE,
             progress,
         }
     }
@@ -95,15 +104,16 @@ impl<'a> Trajectory<'a> {
 
     /// The next switch or the end, where the balls show it; otherwise the exact flock is brought to some steps after the last switch.
     pub(super) fn next_by_balls(&mut self, limits: &Limits) -> Result<Option<Next>, SettleError> {
-        if let Some(switch) = self.walk(PATIENCE)? {
+        self.leave_settled()?;
+        let patience = self.patience();
+        if let Some(switch) = self.walk(patience)? {
             return Ok(Some(Next::Switch(switch)));
         }
         self.recent.clear();
         let Some(balls) = &self.balls else { return Ok(None) };
         let start = balls.time();
-        let most = patience_for_bounds(balls.birds());
-        let mut walked = PATIENCE;
-        let mut decided = PATIENCE;
+        let most = patience_for_bounds(balls.birds()).max(patience);
+        let (mut walked, mut decided) = (patience, patience);
         loop {
             let Some(balls) = &mut self.balls else { return Ok(None) };
             let Some(outlook) = balls.outlook(self.progress)? else { break };
@@ -142,6 +152,22 @@ impl<'a> Trajectory<'a> {
             self.flock = balls.into_exact(&start, self.progress)?;
         }
         Ok(None)
+    }
+
+    /// After many switches more steps are taken before anything is analysed: as many as cost little beside those that were taken.
+    fn patience(&self) -> u64 {
+        if self.stages.is_empty() { (self.walked / 64).clamp(PATIENCE, MOST_PATIENCE) } else { PATIENCE }
+    }
+
+    /// Leaves settled flocks behind, now and then: at a part of the cost of the steps that were taken.
+    fn leave_settled(&mut self) -> Result<(), SettleError> {
+        if let Some(balls) = &mut self.balls
+            && self.walked >= self.next_look
+        {
+            balls.leave_settled(PATIENCE + self.walked / 4, self.progress)?;
+            self.next_look = self.walked + PATIENCE + self.walked / 4;
+        }
+        Ok(())
     }
 
     pub(super) fn next_exactly(&mut self, limits: &Limits) -> Result<Next, SettleError> {
@@ -206,10 +232,8 @@ impl<'a> Trajectory<'a> {
             } else {
                 self.careful_step()?
             };
-            if switch.is_some() || !self.recent.push_same() {
-                let network = self.network().clone();
-                self.recent.push(network);
-            }
+            self.walked += 1;
+            self.recent.push(switch.as_ref());
             if switch.is_some() {
                 return Ok(switch);
             }

@@ -62,7 +62,7 @@ fn birds_stay_apart_as_long_as_is_said() {
 }
 
 fn seen(flock: &Flock, threshold: &Threshold) -> Outlook {
-    outlook(&balls(flock), threshold, &Classes::default(), &Unwatched).unwrap()
+    outlook(&balls(flock), threshold, &Classes::default(), u64::MAX, &Unwatched).unwrap()
 }
 
 /// Two birds at 3/4 of which the relative velocity is -1/3 of the one before: in the end they are 3/4 w farther apart, after the first step w.
@@ -146,6 +146,6 @@ fn flocks_that_part_are_counted_pair_by_pair() {
     // Known to move alike they stay apart for ever.
     let mut classes = Classes::default();
     classes.note((0, 1), || vec![0, 0]);
-    let said = outlook(&balls(&still), &none, &classes, &Unwatched).unwrap();
+    let said = outlook(&balls(&still), &none, &classes, u64::MAX, &Unwatched).unwrap();
     assert_eq!((said.quiet, said.drifting), (u64::MAX, 0));
 }
