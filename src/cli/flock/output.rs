@@ -40,7 +40,7 @@ pub struct SwitchLine {
 
 impl SwitchLine {
     pub fn new(network: &Graph) -> Self {
-        SwitchLine { flocks: network.components().len() }
+        SwitchLine { flocks: network.component_numbers().1 }
     }
 
     /// The next switch, with the network after it.
@@ -48,7 +48,7 @@ impl SwitchLine {
         let edges = |sign: &str, pairs: &[(usize, usize)]| -> String {
             pairs.iter().map(|(i, j)| format!(" {sign}{}-{}", i + 1, j + 1)).collect()
         };
-        let (old, new) = (self.flocks, after.components().len());
+        let (old, new) = (self.flocks, after.component_numbers().1);
         self.flocks = new;
         let what = match old.cmp(&new) {
             std::cmp::Ordering::Greater => format!("  flocks merge: {old} -> {new}"),
