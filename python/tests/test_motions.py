@@ -149,6 +149,29 @@ def test_alignment(model: str, n: int) -> None:
         assert shown == pytest.approx(expected, abs=1e-8), graph
 
 
+@pytest.mark.parametrize("n", SIZES)
+def test_laws_of_ones_own(n: int) -> None:
+    choose = random.Random(n)
+    law = {
+        "state": {"x": "vector", "v": "vector"},
+        "parameters": {"K": "3/4"},
+        "rates": {"x": "v", "v": "K*sum(j, (v[j] - v)/(1 + norm2(x[j] - x))) - x/8"},
+    }
+
+    def rate(_: float, state: Any, arcs: Arcs) -> Any:
+        x, v = state.reshape(2, n, 2)
+        force = -x / 8
+        for k, j in arcs:
+            force[k] += 0.75 * (v[j] - v[k]) / (1 + np.sum((x[j] - x[k]) ** 2))
+        return np.concatenate([v.ravel(), force.ravel()])
+
+    for graph, arcs in networks(n, choose, True):
+        x, v = apart(choose, n), drawn(choose, n, 2) / 2
+        found = end("own", graph, {"x": x, "v": v}, law)
+        shown = np.concatenate([found.states[name][-1].ravel() for name in ("x", "v")])
+        assert shown == pytest.approx(reference(rate, np.concatenate([x.ravel(), v.ravel()]), arcs), abs=1e-8), graph
+
+
 @pytest.mark.parametrize("n", SIZES[1:])
 def test_platoons(n: int) -> None:
     choose = random.Random(n)

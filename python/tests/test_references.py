@@ -1,4 +1,4 @@
-"""Peaks, products and exact flocks against slow references from their definitions, in NumPy and in fractions."""
+"""Peaks, products, exact flocks, spectra and recordings against slow references from their definitions, in NumPy and in fractions."""
 
 from __future__ import annotations
 
@@ -147,3 +147,75 @@ def test_flocks_are_stepped_by_the_rule(case: int, weights: str) -> None:
     assert tuple(sorted(found.edges)) == tuple(sorted((i + 1, j + 1) for i, j in edges or ()))
     assert found.positions is not None and [list(row) for row in found.positions] == x
     assert found.velocities is not None and [list(row) for row in found.velocities] == v
+
+
+@pytest.mark.parametrize("kind", ["laplacian", "adjacency", "out-degree", "in-degree"])
+@pytest.mark.parametrize("case", CASES)
+def test_spectra_are_those_of_numpy(case: int, kind: str) -> None:
+    rng = np.random.default_rng(case)
+    n = 2 + case % 6
+    weights = rng.integers(0, 4, (n, n)) * (rng.random((n, n)) < 0.6)
+    np.fill_diagonal(weights, 0)
+    if kind in ("laplacian", "adjacency"):
+        weights = np.triu(weights) + np.triu(weights).T
+    degrees = np.diag(weights.sum(axis=0 if kind == "in-degree" else 1))
+    matrix = weights if kind == "adjacency" else degrees - weights
+    left = list(np.linalg.eigvals(matrix.astype(float)))
+    for part in flockproof.spectrum(weights.tolist(), kind):
+        for _ in range(part.multiplicity):
+            nearest = min(left, key=lambda z, own=complex(part): abs(z - own))
+            # Floats know a multiple eigenvalue to a root of their precision.
+            assert abs(nearest - complex(part)) < 1e-3, (weights, kind)
+            left.remove(nearest)
+    assert not left
+
+
+def recorded(rng: np.random.Generator, frames: int, fish: int) -> Any:
+    """Fish that turn at random, with some positions missing; shape (frames, fish, 2)."""
+    angle = rng.uniform(0, 7, fish) + 0.3 * rng.standard_normal((frames, fish)).cumsum(axis=0)
+    data = np.stack([np.cos(angle), np.sin(angle)], axis=2).cumsum(axis=0) + 5 * rng.standard_normal((fish, 2))
+    data[rng.random((frames, fish)) < 0.01] = np.nan
+    return data
+
+
+def velocity(data: Any, frame: int, fish: int, window: int, step: float) -> Any:
+    """The mean over the window of central differences; nothing where a position that it needs is missing."""
+    numbers = range(frame - window // 2 - 1, frame + window // 2 + 2)
+    if numbers[0] < 0 or numbers[-1] >= len(data) or any(np.isnan(data[k, fish, 0]) for k in numbers):
+        return None
+    return sum((data[k + 1, fish] - data[k - 1, fish]) / (2 * step) for k in numbers[1:-1]) / window
+
+
+@pytest.mark.parametrize("case", range(9))
+def test_recordings_are_measured_frame_by_frame(case: int) -> None:
+    rng = np.random.default_rng(case)
+    frames, n, window = 150, 3 + case % 4, [1, 3, 7][case % 3]
+    data = recorded(rng, frames, n)
+    found = flockproof.tracks(data, fps=10, window=window, null=0, plain_nearest=True, nearest=[2]).summary
+    sums: dict[str, list[float]] = {
+        name: [] for name in ("p_1", "p_2", "momentum", "rotation", "W_complete", "W_single", "W_2")
+    }
+    for frame in range(frames):
+        moving = [velocity(data, frame, fish, window, 0.1) for fish in range(n)]
+        if any(v is None for v in moving):
+            continue
+        places, heading = data[frame], [v / np.hypot(*v) for v in moving]
+        angle = [np.arctan2(y, x) for x, y in heading]
+        arm = places - places.mean(axis=0)
+        arm = [r / np.hypot(*r) for r in arm]
+
+        def laplacian(neighbours: int) -> float:
+            near = [sorted(range(n), key=lambda j: np.hypot(*(places[j] - places[k])))[1:] for k in range(n)]
+            return sum(1 - np.cos(angle[k] - angle[j]) for k in range(n) for j in near[k][:neighbours]) / (2 * n)
+
+        sums["p_1"].append(abs(sum(np.exp(1j * a) for a in angle)) / n)
+        sums["p_2"].append(abs(sum(np.exp(2j * a) for a in angle)) / (2 * n))
+        sums["momentum"].append(np.hypot(*(sum(moving) / n)))
+        sums["rotation"].append(sum(r[0] * u[1] - r[1] * u[0] for r, u in zip(arm, heading, strict=True)) / n)
+        sums["W_complete"].append(laplacian(n - 1))
+        sums["W_single"].append(laplacian(1))
+        sums["W_2"].append(laplacian(2))
+    assert found["left_out"]["used"] == len(sums["p_1"]) > 20
+    means = {**found["means"], "W_2": found["means"]["W_nearest"]["2"]}
+    for name, values in sums.items():
+        assert means[name] == pytest.approx(np.mean(values), abs=1e-9), name

@@ -2,8 +2,9 @@
 
 mod functions;
 
+use crate::function::Function as Valued;
 use crate::multivariate::Multivariate;
-use arithmetic::{ArithmeticError, Field, Rational, Ring, Sign, Signed, operators, rational};
+use arithmetic::{ArithmeticError, Field, Number, Rational, Ring, Sign, Signed, operators, rational};
 use num_traits::{Signed as _, Zero};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -230,6 +231,21 @@ impl Symbolic {
         Some((slopes, constant))
     }
 
+    /// Its absolute value.
+    pub fn size(&self) -> Self {
+        if let Some(c) = self.as_constant() {
+            return self.rational(&c.abs());
+        }
+        let meaning = Meaning::Absolute(self.fraction.0.clone(), self.denominator());
+        self.extension.of(Multivariate::x(self.extension.known(meaning)))
+    }
+
+    /// The larger of two functions, or the smaller one, by the absolute value of their difference.
+    pub fn extreme(&self, other: &Self, larger: bool) -> Self {
+        let apart = (self.clone() - other).size();
+        (self.clone() + other + if larger { apart } else { -apart }) * self.ratio(1, 2)
+    }
+
     fn as_constant(&self) -> Option<Rational> {
         self.fraction.0.as_constant().filter(|c| c.is_zero() || self.fraction.1.iter().all(|power| *power == 0))
     }
@@ -287,20 +303,34 @@ impl Signed for Symbolic {
     }
 
     fn absolute(&self) -> Result<Self, ArithmeticError> {
-        if let Some(c) = self.as_constant() {
-            return Ok(self.rational(&c.abs()));
-        }
-        let meaning = Meaning::Absolute(self.fraction.0.clone(), self.denominator());
-        Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
+        Ok(self.size())
     }
 
     fn larger(&self, other: &Self) -> Result<Self, ArithmeticError> {
-        let apart = (self.clone() - other).absolute()?;
-        Ok((self.clone() + other + apart) * self.ratio(1, 2))
+        Ok(self.extreme(other, true))
     }
 
     fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
-        let apart = (self.clone() - other).absolute()?;
-        Ok((self.clone() + other - apart) * self.ratio(1, 2))
+        Ok(self.extreme(other, false))
+    }
+}
+
+/// A quotient of polynomials in the arguments, roots and absolute values is a function of the arguments alone.
+impl Valued for Symbolic {
+    fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
+        let like = at.first().ok_or(ArithmeticError::Domain("a variable"))?;
+        let of = |polynomial: &Polynomial, point: &[T]| polynomial.at(point, like, |q| like.rational(q));
+        let mut point = at.to_vec();
+        for meaning in self.extension.meanings() {
+            point.push(match meaning {
+                Meaning::Root(over, under) => of(&over, &point).over(&of(&under, &point))?.sqrt()?,
+                Meaning::Absolute(over, under) => of(&over, &point).over(&of(&under, &point))?.absolute()?,
+                _ => return Err(ArithmeticError::Domain("a function of the arguments alone")),
+            });
+        }
+        let (numerator, divisors) = self.parts();
+        let divided =
+            |value: T, (divisor, power): (Polynomial, u32)| value.over(&of(&divisor, &point).power(u64::from(power)));
+        divisors.into_iter().try_fold(of(&numerator, &point), divided)
     }
 }

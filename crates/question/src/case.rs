@@ -64,6 +64,11 @@ impl<'q> Case<'q> {
         Case { moving: OnceCell::from(Ok(Moving::Floats(run))), ..case }
     }
 
+    /// What is told of long work, and what stops it.
+    pub fn progress(&self) -> &dyn Progress {
+        self.progress
+    }
+
     /// The quantity of that name, of the subjects of the question.
     pub fn quantity(&self, owner: Option<&str>, name: &str) -> Result<&'static Quantity, Problem> {
         let subjects = self.question.subjects();

@@ -1,5 +1,6 @@
 //! Values and truth of expressions in one case.
 
+mod curve;
 mod steps;
 mod time;
 mod until;

@@ -7,6 +7,7 @@ use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::RealNumber as Number;
 use arithmetic::{Rational, rational};
 use num_bigint::BigInt;
+use polynomials::{Side, Symbolic};
 
 /// A quantity that was measured.
 #[derive(Debug, Clone)]
@@ -28,6 +29,20 @@ pub(crate) trait Moment {
     fn known(&self, _: &Node) -> Option<Result<(Truth, Margin), Failure>> {
         None
     }
+}
+
+/// What is measured at the times of a piece, as functions of one number that each time has.
+pub(crate) trait Curve {
+    /// What the number ranges over.
+    fn range(&self) -> &Side;
+
+    /// A constant.
+    fn number(&self, q: &Rational) -> Option<Symbolic>;
+
+    fn measure(&self, quantity: &Quantity, arguments: &[Number]) -> Option<Symbolic>;
+
+    /// A number of a law of one's own by its name.
+    fn own(&self, name: &str) -> Option<Symbolic>;
 }
 
 /// All times from one to another, or on for ever.
@@ -74,6 +89,11 @@ pub(crate) trait Timeline {
     /// Some instants of a piece at which what is measured is known exactly, and which may decide what happens at one instant only; each with times between which it is.
     fn instants<'t>(&'t self, _: &Piece, _precision: u32) -> Vec<(Piece, Box<dyn Moment + 't>)> {
         Vec::new()
+    }
+
+    /// What is measured in a piece as functions of one number, where the motion has such a form.
+    fn curve<'t>(&'t self, _: &Piece, _precision: u32) -> Option<Box<dyn Curve + 't>> {
+        None
     }
 
     /// Whether there are such instants.

@@ -7,6 +7,7 @@ use arithmetic::{
 use models::double_integrator::{self, Potential};
 use models::oscillator::{self, Everyone, Interaction, Neighbours, Steering};
 use motion::enclose::Expanded;
+use polynomials::Symbolic;
 use std::borrow::Cow;
 use std::cell::LazyCell;
 
@@ -362,5 +363,27 @@ impl Measurable for Expanded {
             Some(most) if most.range().hi() < half_turn(&most) => Amount::Root(most),
             Some(_) => Amount::Unknown("two agents may move in opposite directions"),
         }
+    }
+}
+
+impl Measurable for Symbolic {
+    fn lesser(self, other: Self) -> Self {
+        self.extreme(&other, false)
+    }
+
+    fn greater(self, other: Self) -> Self {
+        self.extreme(&other, true)
+    }
+
+    fn size(&self) -> Self {
+        Symbolic::size(self)
+    }
+
+    fn potential<'p>(_: &'p Potential, _: &Self) -> Result<ValueAt<'p, Self>, ArithmeticError> {
+        Err(ArithmeticError::Domain("a scalar with logarithms"))
+    }
+
+    fn heading_spread(_: &Rows<Self>) -> Amount<Self> {
+        Amount::Unknown("headings are no quotients of polynomials")
     }
 }

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 143] = sources![
+const SOURCES: [(&str, &str); 145] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -155,6 +155,8 @@ const SOURCES: [(&str, &str); 143] = sources![
     "audit_independent_lower",
     "audit_independent_limits",
     "audit_independent_matrices",
+    "audit_independent_circular",
+    "audit_independent_derivative",
 ];
 
 /// A file of the development.

@@ -128,7 +128,7 @@ pub fn lower_bound() -> Record<LowerVariant> {
         "In model D on the line, from x(0) = (0, 2/3, 2, 8/3, ..., 2l, 2l+2/3, ..., n-2, n-4/3) and v(1) = n^-c (1, 0, -1, 0, ..., 1, 0, \
          -1, 0), with every bird that has neighbours giving the weight 1/3 to itself and equal weights to them (n a multiple of 4, n^c >= \
          8), the network changes at t = ceil(n^c/3), with or without hysteresis.",
-        "From there it changes at no other time.",
+        "From this start and with these weights the network changes at no other time.",
     ])
     .altered("one step later", |v| v.steady = Steady::AtContact { shift: 1, joined: (1, 2) })
     .altered("birds 1 and 3 of each group join", |v| v.steady = Steady::AtContact { shift: 0, joined: (0, 2) })

@@ -80,8 +80,8 @@ pub fn count() -> Record<CountVariant> {
     .repaired_by(Fault::Slip, "", |v| (v.with_t, v.exactly_one) = (true, false))
     .repaired_clauses(&[
         "Let P(s), P(s+1), ... be matrices, s an integer, and for integers t >= t' >= s let N(t,t') be the number of integers u, t' < u <= \
-         t, such that the footprint of P(u) (the places of its nonzero entries) differs from that of P(u-1): N(t_{k+1}, t_k) <= 1 when \
-         t_{k+1} = t_k + 1.",
+         t, such that the footprint of P(u) (the places of its nonzero entries) differs from that of P(u-1): N(t_{k+1}, t_k) <= 1 for \
+         integers t_k >= s and t_{k+1} = t_k + 1.",
         "With the same N and integers s = t_0 <= t_1 <= ... <= t_l, N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
     ])
     .altered("strict at both ends, at most 1", |v| v.with_t = false)

@@ -246,9 +246,9 @@ pub fn any_potential() -> Record<UsableVariant> {
     .reading("any potential, as the sentence says; collisions of linked agents, cohesion of a connected graph")
     .repaired(Fault::False, "", UsableVariant { allowed: |potential| potential.repels() && potential.confines() })
     .repaired_clauses(&[
-        "With any differentiable, non-negative potential V_ij(|r_ij|) = V_ji(|r_ij|) that tends to infinity as |r_ij| tends to 0 linked \
+        "Along (1), (4), (5) with any differentiable, non-negative potential V_ij(|r_ij|) = V_ji(|r_ij|) that tends to infinity as |r_ij| tends to 0 linked \
          agents on a fixed graph that start in different places do not collide as long as the motion lasts.",
-        "If it tends to infinity with |r_ij| too, all distances of a connected graph stay bounded as long as the motion lasts.",
+        "If it tends to infinity with |r_ij| too, under the same law and from such starts all distances of a connected graph stay bounded as long as the motion lasts.",
     ])
     .altered("any that is unbounded near 0", |v| v.allowed = Potential::repels)
     .altered("any with a critical distance that is unbounded at infinity", |v| v.allowed = |potential| potential.confines() && potential.critical().is_some_and(|list| !list.is_empty()))

@@ -233,7 +233,7 @@ pub fn cases() -> Record<CaseVariant> {
     ])
     .repaired_by(Fault::False, "", |v| v.signs = 2)
     .repaired_clauses(&[
-        "On the set of equal constant headings of agents that move, no linked ones in one place, potential forces are along the velocities.",
+        "Under (4), (5), on the set of equal constant headings of agents that move, no linked ones in one place, potential forces are along the velocities.",
         "Neither case need last, and the system need not converge to a minimum of sum V_i: two linked agents at (0, 0) and (2, 0), both \
          with velocity (2, 0), V = 1/s + log s, s the squared distance, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each \
          swing.",

@@ -309,7 +309,7 @@ pub fn collision() -> Record<CollisionVariant> {
     .repaired_by(Fault::Hypothesis, "", |v| v.linked_only = true)
     .repaired_clauses(&[
         "With V_ij = 1/|r_ij|² + log |r_ij|² on the linked pairs V_t tends to infinity where linked agents meet.",
-        "With these V_ij, from starts in which no linked agents are in one place, collisions of linked agents are avoided as long as the \
+        "With these V_ij, along (1), (4), (5) from starts in which no linked agents are in one place, collisions of linked agents are avoided as long as the \
          motion lasts (all collisions, if the graph is complete).",
     ])
     .altered("V = (s - 1)²", |v| v.potential = soft())
@@ -372,7 +372,8 @@ pub fn ratio() -> Record<RatioVariant> {
     .repaired_by(Fault::Typo, "", |v| v.denominator = 2)
     .repaired_clauses(&[
         "d/dt (ydot_i/xdot_i) = 0 implies yddot_i/xddot_i = ydot_i/xdot_i = k (where the denominators are not zero).",
-        "On the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).",
+        "Under (4), (5), on the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not \
+         zero).",
     ])
     .altered("xddot/yddot", |v| (v.numerator, v.denominator) = (2, 3))
     .altered("at any headings", |v| v.equal_headings = false)

@@ -4,6 +4,7 @@ extern crate flockproof_polynomials as polynomials;
 
 mod decide;
 mod expression;
+mod functions;
 mod hostile;
 mod random;
 mod sums;

@@ -19,6 +19,10 @@ pub(super) const MOST_JUDGED: usize = 20_000;
 /// Undecided pieces in which single times are tried.
 const MOST_TRIED: usize = 1000;
 
+/// Undecided pieces on which comparisons are looked at as functions of one number: at the end, and while that many halvings are left.
+pub(super) const MOST_SETTLED: usize = 64;
+pub(super) const COARSE: u32 = DEPTH - 6;
+
 /// How often a piece is halved.
 pub(super) const DEPTH: u32 = 14;
 
@@ -260,7 +264,7 @@ impl Operator<'_, '_, '_> {
         let covered = self.timeline.pieces(&from, to.as_ref(), &moving_names(self.evaluator, self.body))?;
         let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
         let (mut margin, mut doubt, mut missing, mut judged) = (Margin::of_truth(true), None, None, 0);
-        let mut open = Vec::new();
+        let (mut open, mut settled) = (Vec::new(), 0);
         while let Some((piece, depth)) = queue.pop() {
             judged += 1;
             let is_sure = sure.as_ref().is_some_and(|sure| meets(&piece, sure));
@@ -283,8 +287,16 @@ impl Operator<'_, '_, '_> {
                     return Ok((Truth::False, Margin { lo: margin.lo.min(rest), ..margin }));
                 }
                 truth => {
+                    let halves = self.timeline.halves(&piece);
+                    let looks = settled < MOST_SETTLED && (matches!(depth, 0 | COARSE) || halves.is_none());
+                    settled += usize::from(looks);
+                    let truth = if looks { self.settled(&piece, truth)? } else { truth };
+                    if truth == Truth::True {
+                        margin = margin.least(Margin { lo: own.lo.max(0.0), ..own });
+                        continue;
+                    }
                     let wanted = judged < MOST_JUDGED && depth > 0 && (doubt.is_none() || depth > DEPTH - 4);
-                    match self.timeline.halves(&piece).filter(|_| wanted) {
+                    match halves.filter(|_| wanted) {
                         Some([first, second]) => queue.extend([(second, depth - 1), (first, depth - 1)]),
                         None => {
                             margin = margin.least(own);
@@ -304,7 +316,7 @@ impl Operator<'_, '_, '_> {
                 return Ok((Truth::False, margin.least(found)));
             }
         }
-        let is_open = !open.is_empty() && !self.has_times();
+        let is_open = !open.is_empty();
         if let Some(found) = self.fails_at_instant(open, sure.as_ref())? {
             return Ok((Truth::False, margin.least(found)));
         }
@@ -347,11 +359,15 @@ impl Operator<'_, '_, '_> {
     ) -> Result<Option<Margin>, Failure> {
         let Some((from, to)) = sure else { return Ok(None) };
         let is_meant = |piece: &Piece| {
-            let within = |end: &Rational| *end > piece.from && to.as_ref().is_none_or(|to| end <= to);
+            let within = |end: &Rational| to.as_ref().is_none_or(|to| end <= to);
             piece.from >= *from && piece.to.as_ref().is_some_and(within)
         };
-        let open = open.into_iter().filter(is_meant).collect();
-        self.at_instants(open, &mut |_, (truth, margin)| Ok((truth == Truth::False).then_some(margin)))
+        self.instant_of(Truth::False, open.into_iter().filter(is_meant).collect())
+    }
+
+    /// The margin at an instant in undecided pieces at which everything is known exactly, and the body has this truth.
+    pub fn instant_of(&self, wanted: Truth, open: Vec<Piece>) -> Result<Option<Margin>, Failure> {
+        self.at_instants(open, &mut |_, (truth, margin)| Ok((truth == wanted).then_some(margin)))
     }
 
     /// Whether there are time operators in the body.
@@ -362,9 +378,9 @@ impl Operator<'_, '_, '_> {
     }
 
     /// A doubt about short pieces with what is not decided there.
-    fn explained(&self, doubt: Doubt) -> Doubt {
+    pub fn explained(&self, doubt: Doubt) -> Doubt {
         let why = match self.timeline.has_instants() {
-            _ if self.timeline.is_discrete() => return doubt,
+            _ if self.has_times() || self.timeline.is_discrete() => return doubt,
             true => {
                 "no instant at which the motion is known exactly decides it, and that two sides only touch and never pass is not proved"
             }

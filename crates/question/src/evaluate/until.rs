@@ -1,6 +1,6 @@
 //! `p until[a, b] q` in continuous time.
 
-use super::time::{DEPTH, MOST_JUDGED, Operator, Span, at_time, moving_names};
+use super::time::{COARSE, DEPTH, MOST_JUDGED, MOST_SETTLED, Operator, Span, at_time, moving_names};
 use super::{Evaluator, Judged};
 use crate::failure::Failure;
 use crate::syntax::{Kind, Node, Relation};
@@ -38,7 +38,9 @@ pub(super) fn until(
     let cut = covered.pieces.into_iter().flat_map(|piece| cut(piece, &changes));
     let mut queue: Vec<(Piece, u32)> = cut.map(|piece| (piece, DEPTH)).collect();
     queue.reverse();
-    let (mut kept, mut may_have_come, mut doubt, mut judged) = (true, false, None, 0);
+    let (mut kept, mut may_have_come, mut doubt, mut judged, mut settled) = (true, false, None, 0, 0);
+    // Where `q` may come at an instant while `p` holds, and where `p` may fail at one before `q` can have come.
+    let (mut comings, mut failings) = (Vec::new(), Vec::new());
     // Where `q` is that `p` fails, `p` holds in the window until `q` comes for the first time.
     let waits = is_closed_opposite(evaluator, first, second);
     let mut margin = LargestUntil::new(covered.rest.is_some());
@@ -48,6 +50,15 @@ pub(super) fn until(
         let (coming, comes_by) =
             if is_possible { comes.judge(&piece)? } else { (Truth::False, Margin::of_truth(false)) };
         judged += 1;
+        let (mut keeping, mut coming) = (keeping, coming);
+        let looks = matches!(depth, 0 | COARSE) || timeline.halves(&piece).is_none();
+        if looks
+            && settled < MOST_SETTLED
+            && matches!((&keeping, &coming), (Truth::Unknown(_), _) | (_, Truth::Unknown(_)))
+        {
+            settled += 1;
+            (keeping, coming) = (keeps.settled(&piece, keeping)?, comes.settled(&piece, coming)?);
+        }
         let inside = sure.as_ref().is_some_and(|sure| lies_in(&piece, sure));
         let keeping = if waits && inside { Truth::True } else { keeping };
         // Only after the last time of `at` does the piece lie between now and then whatever now is.
@@ -56,10 +67,11 @@ pub(super) fn until(
         if coming == Truth::True && kept && inside {
             // It has come when the piece begins.
             margin.include(keeps_by, comes_by, inside);
-            return Ok((Truth::True, margin.so_far()));
+            let margin = margin.so_far();
+            return Ok((Truth::True, Margin { lo: margin.lo.max(0.0), ..margin }));
         }
-        let settled = coming == Truth::False && !matches!(keeping, Truth::Unknown(_));
-        let wanted = !settled && judged < MOST_JUDGED && depth > 0 && !may_have_come;
+        let is_decided = coming == Truth::False && !matches!(keeping, Truth::Unknown(_));
+        let wanted = !is_decided && judged < MOST_JUDGED && depth > 0 && !may_have_come;
         if let Some([one, two]) = timeline.halves(&piece).filter(|_| wanted) {
             queue.extend([(two, depth - 1), (one, depth - 1)]);
             continue;
@@ -74,14 +86,25 @@ pub(super) fn until(
             (Truth::True, truth) => {
                 may_have_come = true;
                 doubt.get_or_insert_with(|| at_time(truth, &piece));
+                comings.extend(Some(piece).filter(|_| kept && inside));
             }
             (truth, coming) => {
+                failings.extend(Some(piece.clone()).filter(|_| after && !may_have_come && coming == Truth::False));
                 kept = false;
                 may_have_come |= coming != Truth::False;
                 doubt.get_or_insert_with(|| at_time(truth, &piece));
             }
         }
     }
+    let is_open = !(comings.is_empty() && failings.is_empty());
+    // What is true has no margin below 0, and what is false none above.
+    if keeps.instant_of(Truth::False, failings)?.is_some() {
+        return Ok((Truth::False, Margin { hi: margin.whole().hi.min(0.0), ..margin.whole() }));
+    }
+    if comes.instant_of(Truth::True, comings)?.is_some() {
+        return Ok((Truth::True, Margin { lo: margin.whole().lo.max(0.0), ..margin.whole() }));
+    }
+    let doubt = doubt.map(|doubt| if is_open { comes.explained(doubt) } else { doubt });
     match doubt.or(covered.rest) {
         None => Ok((Truth::False, margin.whole())),
         Some(doubt) => Ok((Truth::Unknown(doubt), margin.whole())),

@@ -3,6 +3,7 @@
 
 mod at;
 mod closed;
+mod curve;
 mod exact;
 mod laws;
 mod modes;
@@ -12,11 +13,12 @@ pub(crate) use numbers::Start;
 
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::timeline::{Covered, Moment, Piece, Timeline, clock};
+use crate::timeline::{Covered, Curve, Moment, Piece, Timeline, clock};
 use crate::truth::Doubt;
 use arithmetic::{FloatInterval, Number, Progress, Rational, Ring, rational};
 use at::At;
 use closed::ClosedForm;
+use curve::OnCurve;
 use exact::Holds;
 use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
 use models::double_integrator::{
@@ -517,6 +519,12 @@ impl Timeline for MotionSubject<'_> {
             (times, Box::new(at) as Box<dyn Moment>)
         });
         instants.collect()
+    }
+
+    fn curve<'t>(&'t self, piece: &Piece, precision: u32) -> Option<Box<dyn Curve + 't>> {
+        let (state, range) = self.closed()?.curve(&piece.from, piece.to.as_ref()?, precision)?;
+        let at = At { subject: self, motion: &self.motion, holds: self.holds(piece), state, pairs: None };
+        Some(Box::new(OnCurve { at, range }))
     }
 
     fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {

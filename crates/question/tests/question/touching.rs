@@ -92,9 +92,71 @@ fn what_is_not_decided_says_why() {
         assert_eq!(answer.verdict, Verdict::Undecided, "{property}");
         answer.why
     };
-    let stays = why(&passing((1, 3)), "always[0, 2](min_distance >= 3/7)");
+    // x = exp(-t) (t - 1)² has an exponential and powers of the time.
+    let three = "model = \"own\"\n[law]\ntime = \"continuous\"\ndimension = 1\n\
+        state = { x = \"number\", y = \"number\", z = \"number\" }\n[law.rates]\nx = \"y - x\"\ny = \"2*z - y\"\nz = \"-z\"\n\
+        [state]\nx = [1]\ny = [-2]\nz = [1]\n[run]\nuntil = 4\n";
+    let stays = why(three, "always[0, 2](x[1] >= 0)");
     assert!(stays.contains("that two sides only touch and never pass is not proved"), "{stays}");
     // The product of the roots of s² + 3 s + 1 is 1, and they are not rational; the least value is no simple number.
     let open = why(&own("-3*v - x", "0", "-1"), "eventually[0, 4](x[1] <= x[1])");
     assert!(open.contains("since the motion has no closed form with rational exponents and frequencies"), "{open}");
+}
+
+/// What touches a bound and never passes keeps to it, and what would pass it does not.
+fn keeps(scenario: &str, property: &str, false_one: &str) {
+    assert_eq!(verdict(scenario, property), Verdict::Holds, "{property}");
+    assert_eq!(verdict(scenario, false_one), Verdict::False, "{false_one}");
+}
+
+#[test]
+fn what_touches_a_bound_and_never_passes_keeps_to_it() {
+    for time in [(1, 1), (1, 3), (355, 113)] {
+        let scenario = passing(time);
+        keeps(&scenario, "always[0, 4](min_distance >= 3/7)", "always[0, 4](min_distance >= 300001/700000)");
+        keeps(&scenario, "always[0, 4](min_distance > 299999/700000)", "always[0, 4](min_distance > 3/7)");
+        assert_eq!(verdict(&scenario, "eventually[0, 4](min_distance < 3/7)"), Verdict::False);
+        keeps(
+            &scenario,
+            "always[0, 4](min_distance^2 >= 9/49 and min_distance >= 3/7)",
+            "always[0, 4](min_distance^2 >= 9/49 and min_distance >= 3/7 + 1/1000000)",
+        );
+    }
+    // Polynomials, at an irrational time: x = (t² - 2)² is 4 - 4 t² + t⁴.
+    let quartic = "model = \"own\"\n[law]\ntime = \"continuous\"\ndimension = 1\n\
+        state = { x = \"number\", a = \"number\", b = \"number\", c = \"number\" }\n[law.rates]\nx = \"a\"\na = \"b\"\nb = \"c\"\n\
+        c = \"24\"\n[state]\nx = [4]\na = [0]\nb = [-8]\nc = [0]\n[run]\nuntil = 4\n";
+    keeps(quartic, "always[0, 2](x[1] >= 0)", "always[0, 2](x[1] >= 1/1000000)");
+    // An exponential, an angle at half a turn and one at a tangent, and a product.
+    keeps(&own("-3*v - 2*x", "0", "-1"), "always[0, 2](x[1] >= -1/4)", "always[0, 2](x[1] >= -24999/100000)");
+    keeps(&own("-x", "1", "0"), "always[0, 4](x[1] >= -1)", "always[0, 4](x[1] > -1)");
+    keeps(&own("-4*x", "3", "8"), "always[0, 2](x[1] <= 5)", "always[0, 2](x[1] <= 4999999/1000000)");
+    keeps(&own("-x", "1", "0"), "always[0, 2](x[1]*v[1] >= -1/2)", "always[0, 2](x[1]*v[1] > -1/2)");
+    // It passes within a millionth of a time: x = (t - 2/3)² - 10^-12.
+    let passes = own("2", "444444444443/1000000000000", "-4/3");
+    assert_eq!(verdict(&passes, "always[0, 2](x[1] >= -1/500000000000)"), Verdict::Holds);
+    assert_ne!(verdict(&passes, "always[0, 2](x[1] >= 0)"), Verdict::Holds);
+}
+
+#[test]
+fn until_and_windows_of_one_instant_are_decided_where_something_is_touched() {
+    let scenario = passing((1, 3));
+    keeps(&scenario, "eventually[1/3, 1/3](min_distance = 3/7)", "eventually[1/4, 1/4](min_distance <= 3/7)");
+    keeps(&scenario, "always[1/3, 1/3](min_distance <= 3/7)", "always[1/3, 1/3](min_distance > 3/7)");
+    // It comes at one instant, or not in the window, or too late.
+    keeps(
+        &scenario,
+        "min_distance < 1 until[0, 4] min_distance <= 3/7",
+        "min_distance < 1 until[1/2, 4] min_distance <= 3/7",
+    );
+    keeps(
+        &scenario,
+        "min_distance > 2/5 until[0, 2] min_distance >= 1",
+        "min_distance > 3/7 until[0, 2] min_distance >= 1",
+    );
+    keeps(
+        &scenario,
+        "min_distance >= 3/7 until[0, 2] min_distance >= 1",
+        "min_distance >= 3/7 until[0, 2] min_distance < 3/7",
+    );
 }

@@ -28,7 +28,7 @@ pub(super) struct At<'m, 'c, T> {
     pub pairs: Option<Rc<Vec<Pair>>>,
 }
 
-impl<T: Scalar + Measurable + Number> At<'_, '_, T> {
+impl<T: Measurable + Number> At<'_, '_, T> {
     /// The square of the distance of two agents in the plane.
     fn square(&self, i: usize, j: usize) -> T {
         let part = |k: usize| (self.state[2 * i + k].clone() - &self.state[2 * j + k]).square();
@@ -56,7 +56,7 @@ impl<T: Scalar + Measurable + Number> At<'_, '_, T> {
     }
 
     /// The states as they are measured, with so many moments of phases; nothing of motions that are not enclosed.
-    fn view(&self, orders: usize) -> Option<View<'_, T>> {
+    pub fn view(&self, orders: usize) -> Option<View<'_, T>> {
         let orders = orders as u32;
         Some(match self.motion {
             ExactMotion::Velocities { positions, potential, pairs, radius, headings, .. } => {

@@ -9,8 +9,8 @@ use motion::System;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::Zero;
-use polynomials::Extension;
 use polynomials::univariate::Polynomial;
+use polynomials::{Extension, Side, Symbolic};
 use std::collections::BTreeMap;
 
 /// A motion `sum t^j e^(at) cos(wt) c`, or with sines, with rational `a`, `w` and vectors `c`.
@@ -129,6 +129,81 @@ impl ClosedForm {
             Instant { time: between.clone(), growth: None, turned: Some(Complex::new(cosine, sine)) }
         });
         part.into_iter().chain(half).collect()
+    }
+
+    /// The state from one time to a later one as quotients of polynomials in one number, and what that ranges over: the time itself, the exponential if there are no other
+    /// functions, or the tangent of half the angle, in the frame turned by half a turn where it has a pole. Nothing where several of them occur.
+    pub fn curve(&self, from: &Rational, to: &Rational, precision: u32) -> Option<(Vec<Symbolic>, Side)> {
+        let s = Extension::new(1).arguments().pop()?;
+        let has_powers = self.terms.iter().any(|term| term.power > 0);
+        let whole = |ends: [Interval; 2]| {
+            let [a, b] = ends.map(|end| end.to_rationals());
+            Side::between(a.0.min(b.0), a.1.max(b.1))
+        };
+        if self.growth.is_zero() && self.turning.is_zero() {
+            return Some((self.summed(&s, |term| Some(s.power(term.power)))?, Side::between(from.clone(), to.clone())));
+        }
+        if has_powers {
+            return None;
+        }
+        if self.turning.is_zero() {
+            let value = |time: &Rational| Number::exp(&Interval::from_rational(&(time * &self.growth), precision)).ok();
+            let range = whole([value(from)?, value(to)?]);
+            let factor = |term: &Term| {
+                let (is_negative, count) = multiple(&term.exponent.re, &self.growth)?;
+                let power = s.power(count);
+                if is_negative { Field::recip(&power).ok() } else { Some(power) }
+            };
+            return Some((self.summed(&s, factor)?, range));
+        }
+        if !self.growth.is_zero() {
+            return None;
+        }
+        let (range, is_turned) = self.half_tangent(from, to, precision)?;
+        let size = Field::recip(&(s.square() + s.one())).ok()?;
+        let parts = [s.one() - s.square(), s.clone() * s.integer(2)].map(|part| part * &size);
+        let [re, im] = if is_turned { parts.map(|part| -part) } else { parts };
+        let circle = Complex::new(re, im);
+        let factor = |term: &Term| {
+            let (_, count) = multiple(&term.exponent.im, &self.turning)?;
+            let turned = circle.power(count);
+            Some(if term.is_imaginary { turned.im } else { turned.re })
+        };
+        Some((self.summed(&s, factor)?, range))
+    }
+
+    /// The sum of the vectors times these factors.
+    fn summed(&self, like: &Symbolic, factor: impl Fn(&Term) -> Option<Symbolic>) -> Option<Vec<Symbolic>> {
+        let size = self.terms.first().map_or(0, |term| term.vector.len());
+        let mut state = vec![like.zero(); size];
+        for term in &self.terms {
+            let factor = factor(term)?;
+            for (x, c) in state.iter_mut().zip(&term.vector) {
+                *x = x.clone() + like.rational(c) * &factor;
+            }
+        }
+        Some(state)
+    }
+
+    /// The range of the tangent of half the angle from one time to a later one, less than half a turn after it, where it has no pole there; or of the angle half a turn back.
+    fn half_tangent(&self, from: &Rational, to: &Rational, precision: u32) -> Option<(Side, bool)> {
+        if (to - from) * &self.turning >= rational(3, 2) {
+            return None;
+        }
+        let range = |is_turned: bool| {
+            let end = |time: &Rational| {
+                let half = Interval::from_rational(&(time * &self.turning * rational(1, 2)), precision);
+                let (sine, cosine) = half.sin_cos().ok()?;
+                let quotient = if is_turned { (-cosine).over(&sine) } else { sine.over(&cosine) };
+                quotient.ok().map(|quotient| quotient.to_rationals())
+            };
+            let (a, b) = (end(from)?, end(to)?);
+            // Between poles it grows, and beyond one it is smaller.
+            let grows = from == to || a.1 < b.0;
+            let near = rational(3, 1);
+            (grows && a.0 > -near.clone() && b.1 < near).then(|| (Side::between(a.0, b.1), is_turned))
+        };
+        range(false).or_else(|| range(true))
     }
 
     /// The state, exact where what it depends on is.
