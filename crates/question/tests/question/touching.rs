@@ -1,7 +1,12 @@
 //! Values that are touched at one instant and not passed: decided where the motion is known in closed form.
 
 use super::motions::{answered, verdict};
+use arithmetic::random::{generator, uniform};
+use arithmetic::{Rational, Ring, rational};
+use num_traits::ToPrimitive;
 use question::Verdict;
+use rand_chacha::ChaCha8Rng;
+use std::f64::consts::{PI, TAU};
 
 /// Asks for a value that is touched, a control beyond it, and one before it.
 fn touches(scenario: &str, touched: &str, beyond: &str, before: &str, window: &str) {
@@ -159,4 +164,93 @@ fn until_and_windows_of_one_instant_are_decided_where_something_is_touched() {
         "min_distance >= 3/7 until[0, 2] min_distance >= 1",
         "min_distance >= 3/7 until[0, 2] min_distance < 3/7",
     );
+}
+
+/// A motion `x` of one number with the value of its extremes and the times at which it has them, in floats.
+struct Extreme {
+    scenario: String,
+    value: Rational,
+    is_least: bool,
+    times: Vec<f64>,
+}
+
+/// A motion drawn at random: a fall, two exponentials, or a swing.
+fn drawn(random: &mut ChaCha8Rng) -> Extreme {
+    let mut pick = |from: i64, to: i64| from + (uniform(random) * (to - from + 1) as f64) as i64;
+    let (kind, sign, shift) = (pick(0, 2), if pick(0, 1) == 0 { 1 } else { -1 }, rational(pick(-9, 9), pick(1, 9)));
+    let text = |rate: String, x: Rational, v: Rational| own(&rate, &x.to_string(), &v.to_string());
+    let float = |q: &Rational| q.to_f64().expect("finite");
+    match kind {
+        0 => {
+            // x = sign k (t - time)² + shift.
+            let (k, time) = (rational(sign * pick(1, 5), 1), rational(pick(1, 40), pick(7, 13)));
+            let scenario =
+                text((&k * rational(2, 1)).to_string(), &k * time.square() + &shift, &k * &time * rational(-2, 1));
+            Extreme { scenario, value: shift, is_least: sign > 0, times: vec![float(&time)] }
+        }
+        1 => {
+            // x = B (z² - 2 at z), z = exp(-t): least or greatest where z = at.
+            let (b, at) = (rational(sign * pick(1, 9), pick(1, 4)), rational(pick(1, 9), 10));
+            let a = &b * &at * rational(-2, 1);
+            let scenario = text("-3*v - 2*x".to_string(), &a + &b, -(&a + &b * rational(2, 1)));
+            let value = -(&b * at.square());
+            Extreme { scenario, value, is_least: sign > 0, times: vec![-float(&at).ln()] }
+        }
+        _ => {
+            // x = s (p cos wt + q sin wt), of amplitude s r, its extremes every half turn by turns.
+            let (p, q, r) = [(3, 4, 5), (5, 12, 13), (8, 15, 17)][pick(0, 2) as usize];
+            let (w, s) = (pick(1, 3), rational(pick(1, 9), pick(1, 9)));
+            let [p, q] = [p * sign, q * if pick(0, 1) == 0 { 1 } else { -1 }];
+            let x = &s * rational(p, 1);
+            let scenario = text(format!("-{}*x", w * w), x, &s * rational(q * w, 1));
+            let is_least = pick(0, 1) == 0;
+            let greatest = (q as f64).atan2(p as f64) + if is_least { PI } else { 0.0 };
+            let times = (-2..5).map(|k| (greatest + TAU * f64::from(k)) / w as f64).filter(|t| *t > 0.0);
+            let value = s * rational(if is_least { -r } else { r }, 1);
+            Extreme { scenario, value, is_least, times: times.collect() }
+        }
+    }
+}
+
+/// What is known of extremes without the program: nothing passes them, and they are attained at their times only.
+#[test]
+fn random_motions_keep_to_their_extremes_and_attain_them_at_their_times() {
+    let mut random = generator("question.touching", "extremes", 0);
+    let (mut decided, mut asked) = (0, 0);
+    for _ in 0..40 {
+        let Extreme { scenario, value, is_least, times } = drawn(&mut random);
+        let from = (uniform(&mut random) * 20.0) as i64;
+        let to = from + 2 + (uniform(&mut random) * 20.0) as i64;
+        let (a, b) = (from as f64 / 10.0, to as f64 / 10.0);
+        if times.iter().any(|t| (t - a).abs() < 1e-3 || (t - b).abs() < 1e-3) {
+            continue;
+        }
+        let inside = times.iter().any(|t| a < *t && *t < b);
+        let is_first = times.iter().copied().reduce(f64::min).is_some_and(|first| a < first && first < b);
+        let window = format!("[{from}/10, {to}/10]");
+        let [keeps, above, touches, passes] = if is_least { [">=", ">", "<=", "<"] } else { ["<=", "<", ">=", ">"] };
+        let little = rational(if is_least { 1 } else { -1 }, 1_000_000);
+        let (inner, outer) = (&value + &little, &value - &little);
+        for (property, truth) in [
+            (format!("always{window}(x[1] {keeps} {value})"), true),
+            (format!("always{window}(x[1] {above} {value})"), !inside),
+            (format!("always{window}(x[1] {keeps} {outer})"), true),
+            (format!("eventually{window}(x[1] {touches} {value})"), inside),
+            (format!("eventually{window}(x[1] {passes} {value})"), false),
+            (format!("eventually{window}(x[1] {touches} {outer})"), false),
+            (format!("x[1] {above} {value} until{window} x[1] {touches} {value}"), is_first),
+            (format!("x[1] {keeps} {value} until{window} x[1] {passes} {value}"), false),
+        ]
+        .into_iter()
+        // Within a millionth of the extreme outside of its time, too: only said where the time is inside.
+        .chain(inside.then(|| (format!("always{window}(x[1] {keeps} {inner})"), false)))
+        {
+            let found = verdict(&scenario, &property);
+            let wrong = if truth { Verdict::False } else { Verdict::Holds };
+            assert_ne!(found, wrong, "{property} of\n{scenario}");
+            asked += 1;
+            decided += usize::from(found != Verdict::Undecided);
+        }
+    }
+    assert!(decided * 10 >= asked * 9, "{decided} of {asked} were decided");
 }
