@@ -116,7 +116,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         output::print_json(&found.document)?;
     } else {
         output::print(&answer::text(&found.system, &found.decided, found.digits))?;
-        if let Some(path) = &arguments.plot {
+        for path in [&arguments.certificate, &arguments.bound, &arguments.plot].into_iter().flatten() {
             output::print(&format!("written: {}\n", path.display()))?;
         }
     }

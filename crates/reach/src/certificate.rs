@@ -72,7 +72,9 @@ pub enum Unbounded {
     #[error("{0}")]
     Unfit(&'static str),
     /// It refused the finest steps.
-    #[error("the bounds are too near to the worst cases for the checker: {0}")]
+    #[error(
+        "the bounds are too near to the worst cases for the checker, or the system is too large or followed for too long: {0}"
+    )]
     Refused(String),
 }
 

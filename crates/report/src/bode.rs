@@ -1,6 +1,6 @@
 //! Bode's diagram: magnitude and phase over the frequency.
 
-use super::plot::{Axis, Panel, Picture, Series};
+use super::plot::{Axis, Panel, Picture, Series, literal};
 use models::platoon::bode::Sample;
 
 /// What is drawn of a response.
@@ -37,14 +37,14 @@ pub fn bode(curves: &Curves) -> Picture {
     let mut below = Panel::new("", frequency(), Axis::linear("phase (degrees)").ticks(angles(phases)));
     for (k, name) in curves.names.iter().enumerate() {
         let line = |value: &dyn Fn(&Sample) -> f64| curves.samples.iter().map(|s| (s.w, value(s))).collect::<Vec<_>>();
-        above = above.series(Series::line(name.clone(), line(&|s| decibels(s.amplitudes[k]))));
+        above = above.series(Series::line(literal(name), line(&|s| decibels(s.amplitudes[k]))));
         below = below.series(Series::line("", line(&|s| turn * s.phases[k])));
     }
     if !curves.peaks.is_empty() {
         let marks = curves.peaks.iter().map(|(w, amplitude)| (*w, decibels(*amplitude)));
         above = above.series(Series::points(curves.mark, marks).colour("#222222").size(4.0));
     }
-    Picture::new(curves.title).grid(1, (700.0, 300.0)).panel(above).panel(below).caption(curves.caption)
+    Picture::new(literal(curves.title)).grid(1, (700.0, 300.0)).panel(above).panel(below).caption(curves.caption)
 }
 
 /// Ticks at multiples of an eighth of a circle, or of more, so that there are not too many.

@@ -4,7 +4,7 @@ use super::shape::{
     Anchor, DASHES, Fill, Level, Outline, Place, Rectangle, Shape, Sheet, Span, Step, Stroke, Text, steps,
 };
 use super::ticks::Scale;
-use super::{Colour, Mark, PALETTE, Panel, Picture, Series};
+use super::{AS_IT_IS, Colour, Mark, PALETTE, Panel, Picture, Series};
 
 /// Size of the labels of axes.
 pub(super) const FONT_SIZE: f64 = 13.0;
@@ -399,7 +399,7 @@ fn looks(series: &[Series]) -> Vec<Look> {
 
 /// Letters that are seen: the sign before an exponent or index is not.
 fn letters(text: &str) -> usize {
-    text.chars().filter(|c| *c != '^' && *c != '_').count()
+    text.chars().filter(|c| !['^', '_', AS_IT_IS].contains(c)).count()
 }
 
 /// About how wide a text is, in units of its size.
@@ -427,7 +427,12 @@ fn spans(text: &str) -> Vec<Span> {
     let mut last = ' ';
     while let Some(c) = rest.next() {
         let next = rest.peek().copied().unwrap_or(' ');
+        if c == AS_IT_IS {
+            last = c;
+            continue;
+        }
         let begins = match c {
+            _ if last == AS_IT_IS => None,
             '^' if next.is_ascii_digit() || next == '−' => Some(Level::Exponent),
             '_' if next.is_alphanumeric() && last.is_alphabetic() => Some(Level::Index),
             _ => None,

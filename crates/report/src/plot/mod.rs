@@ -13,6 +13,14 @@ mod ticks;
 
 pub use error::PictureError;
 
+/// A name that somebody gave, shown as it is: in other texts `K_M` has an index and `10^3` an exponent.
+pub fn literal(name: &str) -> String {
+    name.replace('_', &format!("{AS_IT_IS}_")).replace('^', &format!("{AS_IT_IS}^"))
+}
+
+/// Stands before a character that begins neither index nor exponent, and is not shown: the word joiner, which has no width.
+const AS_IT_IS: char = '\u{2060}';
+
 /// A colour as `#rrggbb`.
 pub type Colour = &'static str;
 

@@ -2,7 +2,7 @@
 
 use super::text::cut;
 use super::{TracksReport, tables};
-use crate::plot::{Axis, PALETTE, Panel, Picture, Series};
+use crate::plot::{Axis, PALETTE, Panel, Picture, Series, literal};
 use models::tracks::{Analysis, Delays, FrameMeasures, Histogram, Scale, Vector};
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ const TRAIL: f64 = 5.0;
 
 /// A title with the start of the name of the recording.
 fn titled(report: &TracksReport, what: &str) -> String {
-    format!("{}: {what}", cut(report.source, 40))
+    format!("{}: {what}", literal(&cut(report.source, 40)))
 }
 
 /// The upper end of an axis of shares, a little above all of them.
@@ -133,7 +133,7 @@ pub(super) fn delays(report: &TracksReport, delays: &Delays) -> Picture {
     let lags = Axis::linear("lag of the second fish behind the first (s)");
     let mut panel = Panel::new("", lags, Axis::linear("mean cosine of headings"));
     for (k, pair) in delays.leading().into_iter().take(DRAWN).enumerate() {
-        let [first, second] = pair.pair.map(|k| cut(&report.tracks.ids[k], 11));
+        let [first, second] = pair.pair.map(|k| literal(&cut(&report.tracks.ids[k], 11)));
         let lag = |i: usize| (i as f64 - delays.largest as f64) * step;
         let curve = pair.curve.iter().enumerate().map(|(i, c)| (lag(i), c.unwrap_or(f64::NAN)));
         let series = Series::line(format!("{first}, {second}"), curve);

@@ -150,3 +150,11 @@ fn legends_stand_above_the_axes_and_lines_differ_in_more_than_colour() {
     assert_eq!(svg.matches("stroke-dasharray=\"6 4\"").count(), 2, "a line and its place in the legend");
     assert_eq!(svg.matches("stroke-dasharray=\"2 2.5\"").count(), 2);
 }
+
+#[test]
+fn names_of_others_have_no_index_and_no_exponent() {
+    let title = |text: &str| picture(text, panel()).svg();
+    assert!(title("K_M").contains("tspan"));
+    let literal = title(&report::plot::literal("my_long_tracks_2024^2.csv"));
+    assert!(literal.contains("my_long_tracks_2024^2.csv") && !literal.contains("tspan"), "{literal}");
+}

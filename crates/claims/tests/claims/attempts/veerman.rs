@@ -493,3 +493,67 @@ fn in_time() {
     }
     assert!(passages.windows(2).all(|p| ((p[1] - p[0]) * w / PI - 1.0).abs() < 0.01), "{passages:?}");
 }
+
+/// beyond.veerman.worst_cases: motions behind a leader whose acceleration is 1 for ever, or a cosine, by Runge and Kutta, should stay below the
+/// bounds that worst cases are said to exceed.
+#[test]
+fn worst_cases() {
+    /// The largest `|y_k - y_0|` and `|y_k - y_(k-1)|` after the time `from`, for each follower.
+    fn largest(
+        [f, g]: [f64; 2],
+        m: usize,
+        is_two_sided: bool,
+        [from, until]: [f64; 2],
+        a: &dyn Fn(f64) -> f64,
+    ) -> Vec<[f64; 2]> {
+        let rates = |x: &[[f64; 2]], t: f64| -> Vec<[f64; 2]> {
+            let at = |k: usize, c: usize| if k == 0 { 0.0 } else { x[k - 1][c] };
+            let heard = |k: usize, c: usize| match is_two_sided && k < m {
+                true => (at(k - 1, c) + at(k + 1, c)) / 2.0,
+                false => at(k - 1, c),
+            };
+            let force = |k: usize| f * (at(k, 0) - heard(k, 0)) + g * (at(k, 1) - heard(k, 1)) - a(t);
+            (1..=m).map(|k| [at(k, 1), force(k)]).collect()
+        };
+        let moved = |x: &[[f64; 2]], d: &[[f64; 2]], h: f64| -> Vec<[f64; 2]> {
+            x.iter().zip(d).map(|(x, d)| [x[0] + h * d[0], x[1] + h * d[1]]).collect()
+        };
+        let (h, mut x, mut most) = (0.02, vec![[0.0; 2]; m], vec![[0.0f64; 2]; m]);
+        for step in 0..(until / h) as usize {
+            let t = step as f64 * h;
+            let one = rates(&x, t);
+            let two = rates(&moved(&x, &one, h / 2.0), t + h / 2.0);
+            let three = rates(&moved(&x, &two, h / 2.0), t + h / 2.0);
+            let four = rates(&moved(&x, &three, h), t + h);
+            for (k, x) in x.iter_mut().enumerate() {
+                (0..2).for_each(|i| x[i] += h / 6.0 * (one[k][i] + 2.0 * two[k][i] + 2.0 * three[k][i] + four[k][i]));
+            }
+            for k in (0..m).filter(|_| t >= from) {
+                let before = if k == 0 { 0.0 } else { x[k - 1][0] };
+                let found = [x[k][0].abs(), (x[k][0] - before).abs()];
+                (0..2).for_each(|i| most[k][i] = most[k][i].max(found[i]));
+            }
+        }
+        most
+    }
+    for gains in [[-1.0, -1.0], [-0.5, -2.0], [-3.0, -0.7], [-0.25, -1.5]] {
+        let [f, g] = gains;
+        for m in 1..=4usize {
+            let (both, one) =
+                (largest(gains, m, true, [0.0, 400.0], &|_| 1.0), largest(gains, m, false, [0.0, 400.0], &|_| 1.0));
+            for k in 1..=m {
+                let reached = |value: f64, bound: f64| assert!(value >= bound * (1.0 - 1e-6), "{value} for {bound}");
+                reached(both[k - 1][0], (k * (2 * m - k)) as f64 / -f);
+                reached(both[k - 1][1], (2 * (m - k) + 1) as f64 / -f);
+                reached(one[k - 1][0], k as f64 / -f);
+            }
+        }
+        for w in [0.2, 0.45, 0.9, 1.6] {
+            let swung = largest(gains, 4, false, [150.0, 250.0], &|t| (w * t).cos());
+            for k in 1..=4 {
+                let bound = gamma(f, g, w).size().powi(1 - k) / Z(f + w * w, w * g).size();
+                assert!(swung[k as usize - 1][1] >= bound * (1.0 - 1e-3), "f = {f}, g = {g}, w = {w}, k = {k}");
+            }
+        }
+    }
+}
