@@ -115,7 +115,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.json {
         output::print_json(&found.document)?;
     } else {
-        output::print(&answer::text(&found.system, &found.decided, found.digits))?;
+        output::print_folded(&answer::text(&found.system, &found.decided, found.digits))?;
         for path in [&arguments.certificate, &arguments.bound, &arguments.plot].into_iter().flatten() {
             output::print(&format!("written: {}\n", path.display()))?;
         }

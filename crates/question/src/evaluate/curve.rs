@@ -14,6 +14,8 @@ use polynomials::{Compared, Function, Literal, Symbolic};
 /// A piece of time on which what is measured is known as functions of one number.
 struct OnPiece<'a, 'c, 'q> {
     evaluator: &'a Evaluator<'c, 'q>,
+    /// The same with enclosures over the whole piece.
+    enclosed: &'a Evaluator<'c, 'q>,
     curve: &'a dyn Curve,
 }
 
@@ -24,7 +26,9 @@ impl Operator<'_, '_, '_> {
             return Ok(truth);
         }
         let Some(curve) = self.timeline.curve(piece, self.evaluator.precision) else { return Ok(truth) };
-        let on = OnPiece { evaluator: self.evaluator, curve: curve.as_ref() };
+        let Ok(moment) = self.timeline.moment(piece) else { return Ok(truth) };
+        let enclosed = Evaluator { moment: Some(moment.as_ref()), piece: Some(piece), ..*self.evaluator };
+        let on = OnPiece { evaluator: self.evaluator, enclosed: &enclosed, curve: curve.as_ref() };
         for wanted in [true, false] {
             if on.holds(self.body, wanted)? {
                 return Ok(Truth::of(wanted != self.negated));
@@ -70,6 +74,10 @@ impl OnPiece<'_, '_, '_> {
     /// One comparison at all times of the piece, where both sides have values.
     fn link(&self, left: &Node, relation: Relation, right: &Node) -> Result<bool, Cancelled> {
         const EFFORT: Effort = Effort { boxes: 200, squares: false, certified: false };
+        // Functions are simplified, and then say nothing about where they have no value: what has an enclosure on the whole piece has values there.
+        if self.enclosed.number(left).is_err() || self.enclosed.number(right).is_err() {
+            return Ok(false);
+        }
         let Some((a, b)) = self.term(left).zip(self.term(right)) else { return Ok(false) };
         let (function, compared) = match relation {
             Relation::Less => (b - a, Compared::Positive),

@@ -89,7 +89,10 @@ pub(super) fn until(
                 comings.extend(Some(piece).filter(|_| kept && inside));
             }
             (truth, coming) => {
-                failings.extend(Some(piece.clone()).filter(|_| after && !may_have_come && coming == Truth::False));
+                // The first time of the window belongs to the piece before it, and `q` may come then, at which nothing is asked of `p` any more.
+                let is_before = is_possible || piece.to.as_ref().is_some_and(|to| *to < possible.0);
+                let is_early = after && is_before && !may_have_come && coming == Truth::False;
+                failings.extend(Some(piece.clone()).filter(|_| is_early));
                 kept = false;
                 may_have_come |= coming != Truth::False;
                 doubt.get_or_insert_with(|| at_time(truth, &piece));

@@ -10,7 +10,7 @@ pub(super) fn answered(scenario: &str, family: &str, property: &str, control: &s
     decide(&Question::read(&text, &files).expect("a question"), &Unwatched).expect("an answer")
 }
 
-fn asked(family: &str, property: &str, control: &str) -> String {
+pub(super) fn asked(family: &str, property: &str, control: &str) -> String {
     // One member, which needs no name.
     let family = if family == "n = 1" { "" } else { family };
     format!(

@@ -1,10 +1,10 @@
 //! Values that are touched at one instant and not passed: decided where the motion is known in closed form.
 
-use super::motions::{answered, verdict};
+use super::motions::{answered, asked, verdict};
 use arithmetic::random::{generator, uniform};
-use arithmetic::{Rational, Ring, rational};
+use arithmetic::{Rational, Ring, Unwatched, rational};
 use num_traits::ToPrimitive;
-use question::Verdict;
+use question::{Question, Verdict, decide};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::{PI, TAU};
 
@@ -253,4 +253,54 @@ fn random_motions_keep_to_their_extremes_and_attain_them_at_their_times() {
         }
     }
     assert!(decided * 10 >= asked * 9, "{decided} of {asked} were decided");
+}
+
+/// Nothing is asked of `p` at the time at which `q` comes, the first of the window too.
+#[test]
+fn until_asks_nothing_of_its_first_part_when_the_second_comes_as_the_window_begins() {
+    // x = 1 - t, and x = (t - 2/3)².
+    let (line, fall) = (own("0", "1", "-1"), own("2", "4/9", "-4/3"));
+    for (scenario, property) in [
+        (&line, "x[1] > 0 until[1, 2] x[1] <= 0"),
+        (&line, "x[1] > 0 until[1, 1] x[1] <= 0"),
+        (&line, "x[1]^2 > 0 until[1, 2] x[1] <= 0"),
+        (&line, "abs(x[1]) > 0 until[1, 2] x[1] <= 0"),
+        (&line, "x[1] > -1 until[2, 2] x[1] <= -1"),
+        (&fall, "x[1] > 0 until[2/3, 2] x[1] = 0"),
+        (&fall, "x[1] > 0 until[2/3, 2/3] x[1] <= 0"),
+        (&fall, "v[1] < 0 until[2/3, 1] x[1] <= 0"),
+    ] {
+        assert_ne!(verdict(scenario, property), Verdict::False, "{property}");
+    }
+    assert_eq!(verdict(&line, "x[1] > 0 until[11/10, 2] x[1] <= 0"), Verdict::False);
+}
+
+/// What has no value at an instant does not hold for all times, whatever becomes of it when it is simplified.
+#[test]
+fn missing_values_are_not_simplified_away() {
+    let (line, fall, passes) =
+        (own("0", "1", "-1"), own("2", "4/9", "-4/3"), own("2", "444444444443/1000000000000", "-4/3"));
+    for (scenario, property) in [
+        (&line, "always[0, 2](1/(v[1]/x[1]) <= 1)"),
+        (&line, "always[1, 1](1/(v[1]/x[1]) = 0)"),
+        (&line, "not eventually[0, 2](1/(v[1]/x[1]) > 5)"),
+        (&line, "x[1] <= 5 until[1, 1] 1/(v[1]/x[1]) <= 1"),
+        (&fall, "always[2/3, 2/3]((1/x[1])^0 >= 1)"),
+        (&fall, "always[0, 2](1/(1/x[1]) >= 0)"),
+        (&fall, "always[0, 2](abs(0*(1/x[1])) >= 0)"),
+        (&passes, "always[0, 2](sqrt(x[1])^2 >= -1)"),
+        (&passes, "always[0, 2](0*sqrt(x[1]) >= 0)"),
+        (&passes, "always[0, 2](sqrt(x[1])^0 >= 1)"),
+    ] {
+        let text = asked("n = 1", property, "1 < 0");
+        let read = Question::read(&text, &|_| Ok(scenario.clone())).expect("a question");
+        let holds = decide(&read, &Unwatched).is_ok_and(|answer| answer.verdict == Verdict::Holds);
+        assert!(!holds, "{property}");
+    }
+    // Observables of the law too.
+    let own = own("0", "1", "-1").replace("[state]", "[law.observables]\nh = \"1/(v[1]/x[1])\"\n[state]");
+    for property in ["always[1, 1](h = 0)", "always[0, 2](h >= -1)"] {
+        let read = Question::read(&asked("n = 1", property, "1 < 0"), &|_| Ok(own.clone())).expect("a question");
+        assert!(!decide(&read, &Unwatched).is_ok_and(|answer| answer.verdict == Verdict::Holds), "{property}");
+    }
 }

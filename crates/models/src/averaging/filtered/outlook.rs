@@ -189,7 +189,9 @@ impl<'a, const L: usize> Around<'a, L> {
                 stopped = progress.checkpoint();
                 // Along the ways on which the flocks are now, and along those that they tend to.
                 let earliest = boxes.earliest(places, (0, 1), 1.0).max(boxes.earliest(places, (2, 3), 1.0));
-                earliest == f64::INFINITY || earliest as u64 >= quiet.get() || share_one(places)
+                // What comes late comes, however late it is.
+                let is_later = (earliest as u64).min(u64::MAX - 1) >= quiet.get();
+                earliest == f64::INFINITY || is_later || share_one(places)
             },
             |i, j| {
                 if self.places[i as usize].0 != self.places[j as usize].0 {

@@ -65,8 +65,8 @@ pub(super) fn quiet_steps(now: &[f64], moved: &[f64], joined: bool, drift: f64, 
     } else if rate <= 0.0 {
         u64::MAX
     } else {
-        // Below the quotient.
-        (gap / rate * (1.0 - SLACK)) as u64
+        // Below the quotient; the largest number says never, which a rate above 0 does not.
+        ((gap / rate * (1.0 - SLACK)) as u64).min(u64::MAX - 1)
     }
 }
 
@@ -197,7 +197,8 @@ impl Snapshot {
 
     /// Whether two boxes are out of reach of each other in so many steps.
     fn are_far(&self, boxes: &Boxes, places: (usize, usize), length: u64) -> bool {
-        boxes.stay_apart(places, (1.0 + 4.0 * self.error) * (1.0 + SLACK) + SLACK, length as f64)
+        let steps = if length == u64::MAX { f64::INFINITY } else { length as f64 };
+        boxes.stay_apart(places, (1.0 + 4.0 * self.error) * (1.0 + SLACK) + SLACK, steps)
     }
 }
 

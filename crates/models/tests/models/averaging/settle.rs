@@ -622,3 +622,61 @@ proptest! {
         prop_assert_eq!(jumped, stepped);
     }
 }
+
+/// A flock in the plane from decimals.
+fn planar(positions: &[[&str; 2]], velocities: &[[&str; 2]]) -> Start {
+    let read = |rows: &[[&str; 2]]| {
+        rows.iter().map(|row| row.iter().map(|x| arithmetic::parse_rational(x).unwrap()).collect()).collect()
+    };
+    Start {
+        positions: read(positions),
+        velocities: read(velocities),
+        weights: Weights::Lazy,
+        hysteresis: Hysteresis::None,
+    }
+}
+
+/// Two birds that meet after more than 2^64 steps meet all the same: beside birds that settle at once, which are left behind, and among
+/// pairs that a tree of boxes tells apart.
+#[test]
+fn what_comes_very_late_comes() {
+    let behind = planar(
+        &[
+            ["0", "0"],
+            ["100", "0"],
+            ["0", "1000"],
+            ["0", "49849/50"],
+            ["0", "2000"],
+            ["0", "2010"],
+            ["0", "2020"],
+            ["0", "2030"],
+        ],
+        &[
+            ["0", "0"],
+            ["-1/1000000000000000000", "0"],
+            ["0", "1/10"],
+            ["0", "11/100"],
+            ["0", "1"],
+            ["0", "11/10"],
+            ["0", "12/10"],
+            ["0", "13/10"],
+        ],
+    );
+    let mut apart = planar(&[["0", "0"], ["1000", "0"]], &[["0", "0"], ["-1/1000000000000000000000", "0"]]);
+    for k in 1..=4 {
+        for side in [-1, 1] {
+            apart.positions.push(vec![rational(if side < 0 { 0 } else { 1000 }, 1), rational(10 * side * k, 1)]);
+            apart.velocities.push(vec![rational(0, 1), rational(side * (9 + k), 10_000_000_000_000)]);
+        }
+    }
+    let late = BigInt::from(10).pow(18);
+    for (start, most) in [(behind, 3), (apart, 1)] {
+        let (switches, settled) = all_switches(&start, &Limits::default());
+        let last = switches.last().map(|switch| switch.time.clone()).unwrap_or_default();
+        assert!(
+            !matches!(settled.ending, Ending::Steady) || (switches.len() >= most && last > late),
+            "steady after {} switches, the last at {last}",
+            switches.len()
+        );
+    }
+}
