@@ -182,3 +182,17 @@ fn regions_are_drawn_and_listed() {
     let squares = file(&folder, "squares.toml", SQUARES);
     assert_refused(&["sweep", &squares, "--store", &path("s"), "--plot", &path("s.svg")], "one or two names");
 }
+
+/// What holds at some points of a box is neither true nor false there.
+#[test]
+fn a_truth_that_changes_within_a_box_is_not_known() {
+    let folder = folder("sweep_boxes");
+    let question = "[question]\nid = \"box\"\n[for]\nx = \"[0, 2]\"\n[values]\na = \"x > 1\"\nb = \"not x > 1\"\nc = \"x > 1 or x <= 1\"\n";
+    let path = file(&folder, "box.toml", question.as_bytes());
+    let store = folder.join("store");
+    let swept = flockproof(&["sweep", &path, "--store", store.to_str().expect("UTF-8")]);
+    assert!(swept.status.success(), "{}", String::from_utf8_lossy(&swept.stderr));
+    let csv = std::fs::read_to_string(store.join("table.csv")).expect("written");
+    let row = csv.lines().nth(1).expect("a row");
+    assert!(!row.contains("false") && row.contains("true") && row.contains("at a point of the box"), "{csv}");
+}

@@ -23,7 +23,7 @@ pub enum ReachError {
     Cancelled(#[from] Cancelled),
     /// A mode that may last for ever and is not stable.
     #[error(
-        "the mode `{mode}` may last for ever and is not stable (an eigenvalue has real part {growth:.3}), so that there are no worst cases for unbounded time; give `until` a number"
+        "the mode `{mode}` may last for ever and is not known to be stable (an eigenvalue has real part {growth:.3}), so that no worst cases are known for unbounded time; give `until` a number"
     )]
     Unstable {
         /// Its name.
