@@ -66,6 +66,12 @@ fn a_claim_is_found_by_its_place() {
 /// Theorems keep their lines; what is argued is printed where it is asked for, and only the sections that are named.
 #[test]
 fn explanations_have_the_statements_and_the_proofs() {
+    // With the sections that the proof and the evidence lean on.
+    let leaning = stdout(&flockproof(&["explain", "tanner2.thm1a", "--proof"]));
+    let (_, proof) = leaning.split_once("\n  notes/tanner2.md\n").expect("a proof on paper");
+    for section in ["Theorem 1", "Bounds", "Identities", "Laplacians"] {
+        assert!(proof.contains(section), "{section} is missing in\n{proof}");
+    }
     let text = stdout(&flockproof(&["explain", "beyond.tanner2.thm2_pot", "--proof"]));
     let (before, proof) = text.split_once("\n  notes/tanner2.md\n").expect("a proof on paper");
     assert!(before.contains("argued: proof on paper") && before.contains("[instances]: for named"), "{before}");

@@ -192,7 +192,8 @@ fn a_truth_that_changes_within_a_box_is_not_known() {
     let store = folder.join("store");
     let swept = flockproof(&["sweep", &path, "--store", store.to_str().expect("UTF-8")]);
     assert!(swept.status.success(), "{}", String::from_utf8_lossy(&swept.stderr));
-    let csv = std::fs::read_to_string(store.join("table.csv")).expect("written");
-    let row = csv.lines().nth(1).expect("a row");
-    assert!(!row.contains("false") && row.contains("true") && row.contains("at a point of the box"), "{csv}");
+    let json = stdout(&flockproof(&["sweep", "--merge", store.to_str().expect("UTF-8"), "--json"]));
+    let row: serde_json::Value = serde_json::from_str(json.lines().next().expect("a row")).expect("JSON");
+    let unknown = |column: &str| row[column]["unknown"].as_str().is_some_and(|why| why.contains("a point of the box"));
+    assert!(unknown("a") && unknown("b") && row["c"] == true, "{json}");
 }

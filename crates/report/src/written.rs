@@ -22,7 +22,9 @@ pub fn written_proofs(entry: &Entry, texts: impl Fn(&str) -> Option<&'static str
             let Some(text) = texts(file) else { continue };
             let rest = &named[end..];
             let rest = rest.find("notes/").map_or(rest, |next| &rest[..next]);
-            for text in sections(text, rest) {
+            let told = sections(text, rest);
+            let leaned_on = leaned_on(text, &told, entry);
+            for text in told.into_iter().chain(leaned_on) {
                 let proof = WrittenProof { file: file.to_string(), text };
                 if !found.contains(&proof) {
                     found.push(proof);
@@ -33,19 +35,38 @@ pub fn written_proofs(entry: &Entry, texts: impl Fn(&str) -> Option<&'static str
     found
 }
 
-/// The sections whose headings stand in `named`; else those with steps of the names that stand there (`steps T4-T6`); else the whole.
-fn sections<'a>(text: &'a str, named: &str) -> Vec<&'a str> {
+/// Further sections of the page that these sections or the evidence name: `Identities, step 3`, or `the bounds above`.
+fn leaned_on<'a>(text: &'a str, told: &[&'a str], entry: &Entry) -> Vec<&'a str> {
+    let named = |section: &&&str| {
+        let heading = heading(section);
+        let (with_step, above) = (format!("{heading}, step"), format!("{} above", heading.to_lowercase()));
+        let names = |words: &str| words.contains(&with_step) || words.to_lowercase().contains(&above);
+        !told.contains(section)
+            && (told.iter().any(|words| names(words)) || entry.evidence.iter().any(|one| names(&one.detail)))
+    };
+    parts(text).iter().filter(named).copied().collect()
+}
+
+/// The sections of a page.
+fn parts(text: &str) -> Vec<&str> {
     let starts: Vec<usize> = text.match_indices("\n## ").map(|(at, _)| at + 1).collect();
     let ends = starts.iter().skip(1).copied().chain([text.len()]);
-    let all: Vec<&str> = starts.iter().zip(ends).map(|(&from, to)| text[from..to].trim_end()).collect();
+    starts.iter().zip(ends).map(|(&from, to)| text[from..to].trim_end()).collect()
+}
+
+/// The heading of a section without its number and what stands in brackets or after a comma.
+fn heading(section: &str) -> &str {
+    let heading = section[3..].lines().next().unwrap_or_default();
+    let heading = heading.split(" (").next().unwrap_or(heading);
+    let numbered = heading.split_once(". ").filter(|(number, _)| number.parse::<u32>().is_ok());
+    numbered.map_or(heading, |(_, words)| words).split([',', ':']).next().unwrap_or(heading).trim()
+}
+
+/// The sections whose headings stand in `named`; else those with steps of the names that stand there (`steps T4-T6`); else the whole.
+fn sections<'a>(text: &'a str, named: &str) -> Vec<&'a str> {
+    let all = parts(text);
     let lower = named.to_lowercase();
-    let by_heading = |section: &&&str| {
-        let heading = section[3..].lines().next().unwrap_or_default();
-        let heading = heading.split(" (").next().unwrap_or(heading);
-        let numbered = heading.split_once(". ").filter(|(number, _)| number.parse::<u32>().is_ok());
-        let heading = numbered.map_or(heading, |(_, words)| words).split([',', ':']).next().unwrap_or(heading);
-        lower.contains(&heading.trim().to_lowercase())
-    };
+    let by_heading = |section: &&&str| lower.contains(&heading(section).to_lowercase());
     let found: Vec<&str> = all.iter().filter(by_heading).copied().collect();
     if !found.is_empty() {
         return found;
