@@ -92,14 +92,17 @@ def read_member(text: str) -> tuple[int, list[tuple[int, int]], bool]:
 
 def _named_or_file(graph: str | bytes, zero_based: bool) -> Given:
     name = os.fsdecode(graph)
-    problem = _native.graph_name_problem(name)
-    if problem is None:
+    is_file = name.startswith("file:")
+    problem = None if is_file else _native.graph_name_problem(name)
+    if problem is None and not is_file:
         if zero_based:
             raise ValueError(f"zero_based is for the numbers of a file, and {name} names a graph")
         return Given(("name", name), name)
-    path = Path(name)
+    path = Path(name.removeprefix("file:"))
     if "\0" not in name and path.is_file():
         return Given(("text from 0" if zero_based else "text", path.read_text(encoding="utf-8-sig")), name)
+    if is_file:
+        raise ValueError(f"graph: there is no file {path}")
     if ":" in name:
         raise ValueError(f"graph: {problem}")
     raise ValueError(f"graph: there is no file of that name, and {problem}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import networkx as nx
@@ -139,3 +140,12 @@ def test_peaks_say_what_is_wrong() -> None:
     ]:
         with pytest.raises(ValueError, match=re.escape(sentence)):
             call()
+
+
+def test_a_file_is_named_as_in_questions(tmp_path: Path) -> None:
+    (tmp_path / "square.txt").write_text("1 2\n2 3\n3 4\n4 1\n")
+    plain = flockproof.spectrum(tmp_path / "square.txt")
+    named = flockproof.spectrum(f"file:{tmp_path / 'square.txt'}")
+    assert [str(e.value) for e in named] == [str(e.value) for e in plain]
+    with pytest.raises(ValueError, match=r"there is no file .*nowhere\.txt"):
+        flockproof.spectrum(f"file:{tmp_path / 'nowhere.txt'}")
