@@ -238,7 +238,8 @@ def _named_files(text: str, folder: Path) -> dict[str, str]:
     """The files that a scenario names: of its law, of its graph."""
 
     def read(name: str) -> str:
-        return _refused(folder / name, lambda: (folder / name).read_text(encoding="utf-8-sig"))
+        text: str = _refused(folder / name, lambda: (folder / name).read_text(encoding="utf-8-sig"))
+        return text
 
     return {name: read(name) for name in _native.named_files(text)}
 
