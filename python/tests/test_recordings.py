@@ -220,5 +220,5 @@ def test_smoothing_is_that_of_scipy() -> None:
     assert [fish["mean_speed"] for fish in found.summary["per_fish"]] == pytest.approx(speeds, rel=1e-7)
     with pytest.raises(ValueError, match="at least 5 frames"):
         flockproof.tracks(data, fps=25, window=3, smoothing="savgol")
-    with pytest.raises(ValueError, match="none of mean, savgol, spline"):
+    with pytest.raises(ValueError, match="there are mean, savgol, spline"):
         flockproof.tracks(data, fps=25, smoothing="kalman")
