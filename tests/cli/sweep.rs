@@ -187,13 +187,18 @@ fn regions_are_drawn_and_listed() {
 #[test]
 fn a_truth_that_changes_within_a_box_is_not_known() {
     let folder = folder("sweep_boxes");
-    let question = "[question]\nid = \"box\"\n[for]\nx = \"[0, 2]\"\n[values]\na = \"x > 1\"\nb = \"not x > 1\"\nc = \"x > 1 or x <= 1\"\n";
-    let path = file(&folder, "box.toml", question.as_bytes());
-    let store = folder.join("store");
-    let swept = flockproof(&["sweep", &path, "--store", store.to_str().expect("UTF-8")]);
-    assert!(swept.status.success(), "{}", String::from_utf8_lossy(&swept.stderr));
-    let json = stdout(&flockproof(&["sweep", "--merge", store.to_str().expect("UTF-8"), "--json"]));
-    let row: serde_json::Value = serde_json::from_str(json.lines().next().expect("a row")).expect("JSON");
-    let unknown = |column: &str| row[column]["unknown"].as_str().is_some_and(|why| why.contains("a point of the box"));
-    assert!(unknown("a") && unknown("b") && row["c"] == true, "{json}");
+    for (place, range) in ["[0, 2]", "any"].into_iter().enumerate() {
+        let question = format!(
+            "[question]\nid = \"box\"\n[for]\nx = \"{range}\"\n[values]\na = \"x > 1\"\nb = \"not x > 1\"\nc = \"x > 1 or x <= 1\"\n"
+        );
+        let path = file(&folder, &format!("box_{place}.toml"), question.as_bytes());
+        let store = folder.join(format!("store_{place}"));
+        let swept = flockproof(&["sweep", &path, "--store", store.to_str().expect("UTF-8")]);
+        assert!(swept.status.success(), "{}", String::from_utf8_lossy(&swept.stderr));
+        let json = stdout(&flockproof(&["sweep", "--merge", store.to_str().expect("UTF-8"), "--json"]));
+        let row: serde_json::Value = serde_json::from_str(json.lines().next().expect("a row")).expect("JSON");
+        let unknown =
+            |column: &str| row[column]["unknown"].as_str().is_some_and(|why| why.contains("a point of the box"));
+        assert!(unknown("a") && unknown("b") && row["c"] == true, "{json}");
+    }
 }

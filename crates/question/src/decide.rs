@@ -82,7 +82,7 @@ impl Question {
                 return Ok(match found.truth {
                     Truth::Unknown(doubt) => Tabulated::Unknown(doubt.why),
                     // One point is enough for that, and elsewhere it may be true.
-                    Truth::False if !bindings.boxes().is_empty() => Tabulated::Unknown(
+                    Truth::False if !bindings.sides().is_empty() => Tabulated::Unknown(
                         "it is false at a point of the box; whether it is everywhere was not asked".to_string(),
                     ),
                     truth => Tabulated::Truth(truth == Truth::True),

@@ -1,7 +1,7 @@
 //! beyond.veerman.worst_cases: how far cars come from each other behind a leader of bounded acceleration, beside the resonance.
 
 use crate::prelude::*;
-use crate::veerman::{complex_gains, imaginary, parts, unit};
+use crate::veerman::{complex_gains, gain_factors, imaginary, parts, unit};
 use models::platoon::{
     Communication, Gains, accelerations, amplitude_one_sided, gain_squared_one_sided, strongest_one_sided_square,
 };
@@ -16,6 +16,8 @@ pub struct WorstVariant {
     gap: i64,
     scale: i64,
     power: u64,
+    /// Where `|1/gamma| > 1`: for `0 < w² < bound |f|`.
+    bound: i64,
 }
 
 impl WorstVariant {
@@ -82,21 +84,22 @@ pub fn worst_cases() -> Record<WorstVariant> {
         "A leader that accelerates by 1 for ever is followed, in the end, at the deviations for which every follower accelerates by 1 too: k (2M - k)/f in system (2), k/f in system (1). \
          A leader that swings with an acceleration of amplitude 1 makes the gaps of system (1) swing with the amplitude |1/gamma|^(k-1)/|f + i w g + w²|, and |1/gamma| > 1 at the frequency at which it is largest. \
          Worst cases themselves are enclosed by flockproof reach.",
-        WorstVariant { lag: 0, gap: 1, scale: 1, power: 0 },
+        WorstVariant { lag: 0, gap: 1, scale: 1, power: 0, bound: 2 },
         examine,
     )
     .stated("completes veerman, Section 6: gains of bounded accelerations beside the resonance", "")
     .clauses(&[
         "Let f, g < 0, let all cars of system (2) with M followers start in their places at the leader's velocity, and let the leader's acceleration be any measurable function with values in \
-         [-1, 1]. Over all of these and all t >= 0 the supremum of |y_k - y_0|, y_k the deviation of car k from its place, is at least k (2M - k)/|f|, and M²/|f| for the last car.",
+         [-1, 1]. Over all of these and all t >= 0 the supremum of |y_k - y_0|, y_k the deviation of car k from its place, k = 1, ..., M, is at least k (2M - k)/|f|, and M²/|f| for the last car.",
         "In the same setting the supremum of |y_k - y_(k-1)| is at least (2 (M - k) + 1)/|f|.",
         "For system (1), in the same setting, the supremum of |y_k - y_0| is at least k/|f|.",
-        "For system (1), in the same setting, the supremum of |y_k - y_(k-1)| is at least |1/gamma|^(k-1)/|f + i w g + w²| for every frequency w > 0, and so grows exponentially with k.",
+        "For system (1), in the same setting, the supremum of |y_k - y_(k-1)| is at least |1/gamma|^(k-1)/|f + i w g + w²| for every frequency w > 0, gamma = (f + w² + i w g)/(f + i w g), and so grows exponentially with k: |1/gamma| > 1 for 0 < w² < 2|f|.",
     ])
     .altered("k (2M - k + 1)/|f|", |v| v.lag = 1)
     .altered("gaps of 2 (M - k + 1)/|f|", |v| v.gap = 2)
     .altered("lags 2k/|f| in system (1)", |v| v.scale = 2)
     .altered("|1/gamma|^k in place of |1/gamma|^(k-1)", |v| v.power = 1)
+    .altered("|1/gamma| > 1 for 0 < w² < 4|f|", |v| v.bound = 4)
 }
 
 fn examine(variant: &WorstVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -118,6 +121,8 @@ fn examine(variant: &WorstVariant, run: &mut Run) -> Result<Outcome, CheckError>
     }
     let gaps = "the oscillation of the first gaps of system (1)";
     results.push(run.identity(&oscillating_gaps(variant), &["f", "g", "w"], gaps).on([4]).checks("step 4"));
+    let sign = "the sign of |1/gamma| - 1 is that of w² (2|f| - w²)";
+    results.push(run.identity(&gain_factors(variant.bound), &["f", "g", "w"], sign).on([4]).checks("step 5"));
     let gains = unit().map(|gain| Interval::from_rational(gain, 80));
     let square = strongest_one_sided_square(&gains)?;
     run.value("growth_per_car_f_g_-1", interval_value(&gain_squared_one_sided(&gains, &square)?.sqrt()?, 12));

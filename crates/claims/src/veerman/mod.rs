@@ -20,6 +20,7 @@ use arithmetic::{Complex, Interval, Rational, Ring, Signed, rational};
 use ledger::Claim;
 use models::platoon::Gains;
 
+pub(super) use one_sided::gain_factors;
 pub(super) use theorem1::scaled_error_is_bounded;
 
 pub(super) fn claims() -> Vec<Box<dyn Claim>> {

@@ -199,7 +199,7 @@ pub struct GainVariant {
 }
 
 /// `(|1/gamma|² - 1) |gamma denominator|² = w² (bound |f| - w²)`.
-fn gain_factors(bound: i64) -> Identity<'static> {
+pub(crate) fn gain_factors(bound: i64) -> Identity<'static> {
     Identity::of(move |[f, g, w]| {
         let y = w.square();
         let gains = Gains { f: f.clone(), g: g.clone() };
