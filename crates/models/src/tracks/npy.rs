@@ -1,6 +1,6 @@
 //! Arrays of NumPy (`.npy`) with positions of shape (frames, fish, 2); NaN where a fish was not seen.
 
-use super::read::{Row, TracksError};
+use super::read::{LARGEST, Row, TracksError, shown};
 use super::{Form, Format, Tracks};
 use arithmetic::Complex;
 
@@ -59,9 +59,6 @@ impl Tracks {
     }
 }
 
-/// Positions beyond this are refused, as in tables.
-const LARGEST: f64 = 1e100;
-
 fn array(what: String) -> TracksError {
     TracksError::Array { what }
 }
@@ -90,7 +87,7 @@ fn header(bytes: &[u8]) -> Result<(Header, &[u8]), TracksError> {
             let what = "it holds objects of Python; flockproof.tracks in Python reads those of idtracker.ai, without running them";
             return Err(array(what.to_string()));
         }
-        other => return Err(array(format!("its numbers are `{}`; floats are needed (<f8 or <f4)", shown(other)))),
+        other => return Err(array(format!("its numbers are `{}`; floats are needed (<f8 or <f4)", shown(other, 40)))),
     };
     let is_fortran = after(text, "fortran_order").is_some_and(|rest| rest.trim_start().starts_with("True"));
     let listed = after(text, "shape").and_then(|rest| Some(rest.split_once('(')?.1.split_once(')')?.0)).unwrap_or("");
@@ -100,13 +97,8 @@ fn header(bytes: &[u8]) -> Result<(Header, &[u8]), TracksError> {
         Some(&[frames, fish, 2]) => {
             Ok((Header { bytes_each, is_big_endian, is_fortran, shape: [frames, fish, 2] }, &bytes[end..]))
         }
-        _ => Err(array(format!("its shape is ({}); (frames, fish, 2) is needed", shown(listed)))),
+        _ => Err(array(format!("its shape is ({}); (frames, fish, 2) is needed", shown(listed, 40)))),
     }
-}
-
-/// The start of a text of the file.
-fn shown(text: &str) -> String {
-    text.chars().filter(|c| !c.is_control()).take(40).collect()
 }
 
 /// What follows a key of the header.

@@ -72,7 +72,7 @@ impl Format {
 }
 
 /// Numbers beyond are refused, so that no square overflows.
-const LARGEST: f64 = 1e100;
+pub(super) const LARGEST: f64 = 1e100;
 /// How far, as a share of the frame step, a step may be from a multiple of it: times are often written with three decimals.
 const JITTER: f64 = 0.1;
 /// The same for a hole of many steps, as a share of its length: the step is known from rounded times only.
