@@ -209,7 +209,7 @@ def simulate(
             scenario = {**scenario, "law": scenario["law"].table()}
         text, told = toml(scenario), callback(progress)
         try:
-            found = _native.simulate(text, _named_files(text, Path()), member, told)
+            found = _native.simulate(text, named_files(text, Path()), member, told)
         except ValueError as error:
             # The lines are of a text that nobody sees.
             raise ValueError(re.sub(r"^line \d+(, column \d+)?: ", "", str(error))) from None
@@ -217,7 +217,7 @@ def simulate(
         path: str | os.PathLike[str] = scenario
         watched = callback(progress)
         text = _refused(path, lambda: Path(path).read_text(encoding="utf-8-sig"))
-        files = _named_files(text, Path(path).parent)
+        files = named_files(text, Path(path).parent)
         found = _refused(path, lambda: _native.simulate(text, files, member, watched))
     else:
         raise TypeError(f"scenario should be a dictionary or a path, but it is `{str(scenario)[:60]}`")
@@ -234,8 +234,8 @@ def simulate(
     )
 
 
-def _named_files(text: str, folder: Path) -> dict[str, str]:
-    """The files that a scenario names: of its law, of its graph."""
+def named_files(text: str, folder: Path) -> dict[str, str]:
+    """The files that a scenario or a system names: of its law, of its graph."""
 
     def read(name: str) -> str:
         text: str = _refused(folder / name, lambda: (folder / name).read_text(encoding="utf-8-sig"))

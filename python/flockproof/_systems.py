@@ -17,7 +17,7 @@ from ._flock import _refused
 from ._numbers import Enclosure, Number
 from ._progress import Progress, callback
 from ._questions import _named
-from ._runs import toml
+from ._runs import named_files, toml
 from ._shown import table
 
 System = Mapping[str, Any] | str | os.PathLike[str]
@@ -138,7 +138,8 @@ def reach(system: System, digits: int = 10, progress: Progress = None) -> Reach:
     else:
         raise TypeError(f"system should be a dictionary or a path, but it is `{str(system)[:60]}`")
     with _named(name):
-        document, words = _native.reach(text, digits, callback(progress))
+        folder = Path() if name is None else Path(name).parent
+        document, words = _native.reach(text, named_files(text, folder), digits, callback(progress))
     return Reach(tuple(_check(found) for found in json.loads(document)["checks"]), bool(floats), words)
 
 

@@ -74,7 +74,7 @@ pub fn verify(
 
 /// A wrong id or paper, with the ids that may be meant.
 fn unknown(ledger: &Ledger, error: LedgerError) -> PyErr {
-    refuse(not_found(ledger, &error))
+    refuse(not_found(ledger, &[], &error))
 }
 
 /// One claim in words.

@@ -19,6 +19,7 @@ use flockproof::reach::{System, answer, decide};
 use flockproof::spectrum::{Eigenvalue, Method, graph_spectrum, matrix_spectrum, named_spectrum};
 use num_bigint::BigInt;
 use pyo3::prelude::*;
+use std::collections::BTreeMap;
 
 /// Digits up to which a resonance takes well under a second.
 const QUICK: u32 = 200;
@@ -371,12 +372,14 @@ fn stored(graph: GraphInput) -> Result<WeightedGraph, String> {
 pub fn reach(
     py: Python<'_>,
     text: String,
+    files: BTreeMap<String, String>,
     digits: &Bound<'_, PyAny>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<(String, String)> {
     let digits = digits_of(digits)?;
     watched(py, progress, move |watch| {
-        let system = System::read(&text).map_err(|error| error.to_string())?;
+        let file = |name: &str| files.get(name).cloned().ok_or_else(|| format!("there is no file `{name}`"));
+        let system = System::read_beside(&text, &file).map_err(|error| error.to_string())?;
         let decided = decide(&system, digits, &**watch).map_err(|error| error.to_string())?;
         Ok::<_, String>((answer::json(&system, &decided, digits).to_string(), answer::text(&system, &decided, digits)))
     })?

@@ -10,6 +10,7 @@ use std::process::ExitCode;
 
 #[derive(clap::Args)]
 #[command(
+    override_usage = "flockproof certify [OPTIONS] --out <DIR>\n       flockproof certify [OPTIONS] --claim <ID> --coq <DIR>",
     after_help = "With --claim and --coq the folder has all that somebody needs who wants to check one claim at home: README.md with the statements of its theorems and \
 what their words mean, the least set of Coq files, and check.sh, which compiles them.\n\n\
 Examples:\n  flockproof certify --out out\n  flockproof certify --claim chazelle.exAB --out out\n  flockproof certify --claim tanner2.thm1a --coq out"
@@ -47,7 +48,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
 /// The theorems about claims with all that they rest on; each claim has a folder of its own where there are several.
 fn write_theorems(folder: &Path, claims: &[String]) -> Result<(), CliError> {
     let ledger = verify::ledger()?;
-    let ids = ledger.select(&[], claims).map_err(|error| verify::use_error(&ledger, error))?;
+    let ids = ledger.select(&[], claims).map_err(|error| verify::use_error(&ledger, &[], error))?;
     let report = ledger.verify(&ids, &Options::default(), |_| {});
     for entry in &report.entries {
         let none = || {

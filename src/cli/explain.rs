@@ -82,12 +82,12 @@ fn found(arguments: &Arguments, ledger: &Ledger) -> Result<Vec<String>, CliError
                 )));
             }
         },
-        Err(error @ LedgerError::NoPaper(..)) => return Err(verify::use_error(ledger, error)),
+        Err(error @ LedgerError::NoPaper(..)) => return Err(verify::use_error(ledger, &arguments.paper, error)),
         Err(error) => error,
     };
     let all = catalogue(ledger);
     match of_place(&all, &arguments.paper, &arguments.id)[..] {
-        [] => Err(verify::use_error(ledger, unknown)),
+        [] => Err(verify::use_error(ledger, &arguments.paper, unknown)),
         ref several if several.len() > 1 && (arguments.json || arguments.html.is_some()) => Err(CliError::Use(
             format!("several claims stand at `{}`, choose one: {}", arguments.id, several.join(", ")),
         )),

@@ -114,7 +114,7 @@ pub fn main(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
 }
 
 fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
-    let given: Vec<std::ffi::OsString> = arguments.into_iter().collect();
+    let given = with_counts(arguments);
     let parsed = help::command().try_get_matches_from(&given).and_then(|matches| Arguments::from_arg_matches(&matches));
     let arguments = match parsed {
         Ok(arguments) => arguments,
@@ -160,6 +160,19 @@ fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
         Command::Completions(arguments) => completions::run(&arguments),
         Command::Man(arguments) => man::run(&arguments),
     })
+}
+
+/// The arguments, with a number after `--tight`, which need not have one, as its value: it may come before the name of a file, too.
+fn with_counts(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> Vec<std::ffi::OsString> {
+    let mut given: Vec<std::ffi::OsString> = Vec::new();
+    for argument in arguments {
+        let number = argument.to_str().filter(|text| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit()));
+        match (given.last_mut(), number) {
+            (Some(last), Some(number)) if *last == "--tight" => last.push(format!("={number}")),
+            _ => given.push(argument),
+        }
+    }
+    given
 }
 
 fn finish(result: Result<ExitCode, CliError>) -> ExitCode {

@@ -42,9 +42,13 @@ pub struct Answered {
     document: Value,
 }
 
-/// Decides the checks of a text.
-pub fn answered(input: &output::Input, digits: u32, progress: &dyn Progress) -> Result<Option<Answered>, String> {
-    let system = System::read(&input.text).map_err(|error| error.to_string())?;
+/// Decides the checks of a system.
+pub fn answered(
+    system: System,
+    input: &output::Input,
+    digits: u32,
+    progress: &dyn Progress,
+) -> Result<Option<Answered>, String> {
     let decided = match decide(&system, digits, progress) {
         Ok(decided) => decided,
         Err(ReachError::Cancelled(_)) => return Ok(None),
@@ -81,27 +85,38 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     certify::check_asked(arguments.certificate.as_deref())?;
     certify::check_asked(arguments.bound.as_deref())?;
     let input = output::read_input(&arguments.file)?;
+    let system = System::read_beside(&input.text, &output::beside(&arguments.file));
+    let system = system.map_err(|error| CliError::file(&arguments.file, error))?;
     let watch = interrupt::Watch::with(progress::spinner("worst cases"));
-    let found = answered(&input, arguments.digits, &watch).map_err(|error| CliError::file(&arguments.file, error))?;
+    let found = answered(system, &input, arguments.digits, &watch);
+    let found = found.map_err(|error| CliError::file(&arguments.file, error))?;
     let Some(found) = found else {
         watch.finish();
         return Ok(interrupt::status(false));
     };
+    // What could not be written is told after the answer, which is there all the same.
+    let (mut written, mut missed) = (Vec::new(), Vec::new());
     if let Some(path) = &arguments.certificate {
         let wanted = found.decided.iter().find(|found| found.verdict == Verdict::False).or(found.decided.first());
-        let text = wanted.and_then(|found_of| certificate(&found.system, found_of.decisive()));
-        let text =
-            text.ok_or_else(|| CliError::Use("--certificate: no motion was found that it could show".to_string()))?;
-        output::write_file(path, text.as_bytes())?;
+        match wanted.and_then(|found_of| certificate(&found.system, found_of.decisive())) {
+            Some(text) => {
+                output::write_file(path, text.as_bytes())?;
+                written.push(path);
+            }
+            None => missed.push("--certificate: no motion was found that it could show".to_string()),
+        }
     }
     if let Some(path) = &arguments.bound {
         match bounded(&found.system, &found.decided, &watch) {
-            Ok(text) => output::write_file(path, text.as_bytes())?,
+            Ok(text) => {
+                output::write_file(path, text.as_bytes())?;
+                written.push(path);
+            }
             Err(Unbounded::Cancelled(_)) => {
                 watch.finish();
                 return Ok(interrupt::status(false));
             }
-            Err(error) => return Err(CliError::Use(format!("--bound: {error}"))),
+            Err(error) => missed.push(format!("--bound: {error}")),
         }
     }
     if let Some(path) = &arguments.plot {
@@ -110,15 +125,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             return Ok(interrupt::status(false));
         };
         output::write_file(path, picture.svg().as_bytes())?;
+        written.push(path);
     }
     watch.finish();
     if arguments.json {
         output::print_json(&found.document)?;
     } else {
         output::print_folded(&answer::text(&found.system, &found.decided, found.digits))?;
-        for path in [&arguments.certificate, &arguments.bound, &arguments.plot].into_iter().flatten() {
+        for path in written {
             output::print(&format!("written: {}\n", path.display()))?;
         }
+    }
+    if !missed.is_empty() {
+        return Err(CliError::Use(missed.join("; ")));
     }
     Ok(ExitCode::from(found.status()))
 }

@@ -57,7 +57,7 @@ fn document(path: Option<&Path>, ledger: &flockproof::ledger::Ledger) -> Result<
     let text = match path {
         Some(path) => output::read_input(path)?.text,
         None => {
-            let ids = ledger.select(&[], &[]).map_err(|error| verify::use_error(ledger, error))?;
+            let ids = ledger.select(&[], &[]).map_err(|error| verify::use_error(ledger, &[], error))?;
             let watch = Watch::with(progress::bar());
             let options = Options { progress: watch.shared(), ..Options::default() };
             let report = ledger.verify(&ids, &options, |_| {});

@@ -49,14 +49,15 @@ pub fn ledger() -> Result<Ledger, CliError> {
     flockproof::claims::ledger().map_err(|error| CliError::Use(error.to_string()))
 }
 
-/// A wrong id or paper, with the ids that may be meant.
-pub fn use_error(ledger: &Ledger, error: LedgerError) -> CliError {
-    CliError::Use(not_found(ledger, &error))
+/// A wrong id or paper, with the ids that may be meant, of these papers where some are named.
+pub fn use_error(ledger: &Ledger, papers: &[String], error: LedgerError) -> CliError {
+    CliError::Use(not_found(ledger, papers, &error))
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let ledger = ledger()?;
-    let ids = ledger.select(&arguments.paper, &arguments.claim).map_err(|error| use_error(&ledger, error))?;
+    let papers = &arguments.paper;
+    let ids = ledger.select(papers, &arguments.claim).map_err(|error| use_error(&ledger, papers, error))?;
     if ids.is_empty() {
         let (claims, papers) = (arguments.claim.join(", "), arguments.paper.join(", "));
         return Err(CliError::Use(format!("--claim: {claims} is not a claim of {papers}")));

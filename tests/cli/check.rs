@@ -110,7 +110,7 @@ fn members_are_listed() {
     let text = format!("{QUESTION}property = \"edges <= n\"\n");
     let path = file(&folder, "question.toml", text.as_bytes());
     let replay = folder.to_string_lossy().into_owned();
-    let output = flockproof(&["check", &path, "--json", "--all", "2", "--tight=3", "--replay", &replay]);
+    let output = flockproof(&["check", &path, "--json", "--all", "2", "--tight", "3", "--replay", &replay]);
     assert_eq!(output.status.code(), Some(1), "{output:?}");
     let document: Value = serde_json::from_slice(&output.stdout).expect("JSON");
     assert_eq!(document["controls"]["made"], true);

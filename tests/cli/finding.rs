@@ -59,6 +59,7 @@ fn a_claim_is_found_by_its_place() {
     // A document has one claim.
     assert_refused(&[&theorem[..], &["--json"]].concat(), "choose one: tanner2.thm2_coll, tanner2.thm2_pot");
     assert_refused(&["explain", "Theorem 99"], "Theorem 99");
+    assert_refused(&["explain", "Theorem 1", "--paper", "tanner1"], "in tanner1; `flockproof list tanner1` shows");
     assert_refused(&["explain", "veerman.lem2", "--paper", "paley"], "is not a claim of paley");
     assert_refused(&["explain", "Lemma 2", "--paper", "reynolds"], "there is no paper reynolds");
 }

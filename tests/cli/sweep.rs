@@ -202,3 +202,17 @@ fn a_truth_that_changes_within_a_box_is_not_known() {
         assert!(unknown("a") && unknown("b") && row["c"] == true, "{json}");
     }
 }
+
+/// What is wrong in the words of a question is refused, and is no column of question marks.
+#[test]
+fn misused_names_are_refused() {
+    let folder = folder("sweep_misused");
+    let store = folder.join("store");
+    for (number, (values, said)) in
+        [("lambda(2)", "a graph"), ("peak", "a platoon"), ("sqrt(n, n)", "sqrt")].into_iter().enumerate()
+    {
+        let text = format!("[question]\nid = \"test.misused\"\n[for]\nn = \"1..3\"\n[values]\nx = \"n + {values}\"\n");
+        let question = file(&folder, &format!("{number}.toml"), text.as_bytes());
+        assert_refused(&["sweep", &question, "--store", store.to_str().expect("UTF-8")], said);
+    }
+}

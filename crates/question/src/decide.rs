@@ -59,8 +59,10 @@ impl Question {
     ) -> Result<(Truth, Margin), QuestionError> {
         match self.decide_expression(self.asked()?, bindings, self.most_boxes(members), progress) {
             Ok(decided) => Ok((decided.truth, decided.margin)),
-            Err(QuestionError::At { problem, .. }) => Ok((Truth::unknown(problem.told_there(), None), Margin::ANY)),
-            Err(cancelled) => Err(cancelled),
+            Err(QuestionError::At { problem, .. }) if !problem.is_misuse() => {
+                Ok((Truth::unknown(problem.told_there(), None), Margin::ANY))
+            }
+            Err(error) => Err(error),
         }
     }
 
@@ -68,7 +70,7 @@ impl Question {
     /// the reason.
     ///
     /// # Errors
-    /// [`QuestionError::Cancelled`].
+    /// [`QuestionError`] where the words of the question are wrong for every member, or it was cancelled.
     pub fn values(
         &self,
         bindings: &Bindings,
@@ -97,7 +99,7 @@ impl Question {
             })
         };
         let value = |asked: &Asked| match measured(asked) {
-            Err(QuestionError::At { problem, .. }) => {
+            Err(QuestionError::At { problem, .. }) if !problem.is_misuse() => {
                 Ok((asked.name.clone(), Tabulated::Unknown(problem.told_there())))
             }
             found => Ok((asked.name.clone(), found?)),

@@ -186,6 +186,15 @@ impl Problem {
         }
     }
 
+    /// Whether it lies in the words of the question, so that it is there for every member.
+    pub(crate) fn is_misuse(&self) -> bool {
+        match self {
+            Problem::Where { problem, .. } => problem.is_misuse(),
+            Problem::Expression(_) | Problem::Arguments { .. } | Problem::NoSubject { .. } | Problem::Static(_) => true,
+            _ => false,
+        }
+    }
+
     pub(crate) fn expected(expected: impl Into<String>, found: impl Into<String>) -> Self {
         expressions::Problem::expected(expected, found).into()
     }

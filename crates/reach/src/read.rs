@@ -8,7 +8,7 @@ use arithmetic::{Rational, shown};
 use models::platoon::{Communication, CommunicationGraph, Gains, Line, Parameter};
 use num_traits::{Signed, Zero};
 use scenario::source::{Entry, Section, Source};
-use scenario::{ConfigError, Problem};
+use scenario::{ConfigError, Problem, with_graph};
 
 /// Most states, constant inputs included.
 const STATES: usize = 200;
@@ -20,11 +20,20 @@ const TURNS: usize = 1000;
 type Read<T> = Result<T, ConfigError>;
 
 impl System {
-    /// Reads a system.
+    /// Reads a system that names no file.
     ///
     /// # Errors
     /// [`ConfigError`] with the line at fault.
     pub fn read(text: &str) -> Result<System, ConfigError> {
+        System::read_beside(text, &|_| Err("no files are read here".to_string()))
+    }
+
+    /// Reads a system; `files` gives the text of a file by its name, for a platoon whose graph is `file:NAME`.
+    ///
+    /// # Errors
+    /// [`ConfigError`] with the line at fault.
+    pub fn read_beside(text: &str, files: &dyn Fn(&str) -> Result<String, String>) -> Result<System, ConfigError> {
+        let text = &with_graph(text, files)?;
         let source = Source::parse(text)?;
         let top = source.top();
         top.allow(&["system", "platoon", "mode", "switching", "run", "check"], "")?;
@@ -117,11 +126,7 @@ fn on_a_line(section: &Section, gains: &Gains<Rational>) -> Read<CommunicationGr
     let mut line = Line::default().with(Parameter::F, vec![gains.f.clone()]).with(Parameter::G, vec![gains.g.clone()]);
     for parameter in [Parameter::Ahead, Parameter::Behind] {
         if let Some(entry) = section.get(parameter.name()) {
-            let numbers = match entry.items("a number or a list of numbers") {
-                Ok(items) => items.iter().map(Entry::exact).collect::<Read<_>>()?,
-                Err(_) => vec![entry.exact()?],
-            };
-            line = line.with(parameter, numbers);
+            line = line.with(parameter, entry.one_or_each()?);
         }
     }
     let refused = |error: &dyn std::fmt::Display| section.problem(Problem::Range(format!("a platoon, but {error}")));

@@ -159,12 +159,15 @@ fn cut(text: &str, width: usize) -> String {
     format!("{}...", short.trim_end())
 }
 
-/// A wrong id or paper in one sentence, with the ids that may be meant.
-pub fn not_found(ledger: &Ledger, error: &LedgerError) -> String {
+/// A wrong id or paper in one sentence, with the ids that may be meant, of these papers where some are named.
+pub fn not_found(ledger: &Ledger, papers: &[String], error: &LedgerError) -> String {
     const MOST: usize = 8;
-    let close = match error {
-        LedgerError::Unknown(id) => nearest_ids(ledger.ids(), id, MOST),
-        _ => Vec::new(),
-    };
-    if close.is_empty() { error.to_string() } else { format!("{error}; the nearest are {}", close.join(", ")) }
+    let LedgerError::Unknown(id) = error else { return error.to_string() };
+    let of_papers = ledger.select(papers, &[]).unwrap_or_default();
+    let close = nearest_ids(of_papers.iter().map(String::as_str), id, MOST);
+    match (close.is_empty(), papers.join(" ")) {
+        (false, _) => format!("{error}; the nearest are {}", close.join(", ")),
+        (true, papers) if papers.is_empty() => error.to_string(),
+        (true, papers) => format!("{error} in {papers}; `flockproof list {papers}` shows those that there are"),
+    }
 }

@@ -1,9 +1,9 @@
 //! What a scenario has in files of their own: its law, `law = "FILE"` in the place of the tables `[law]` and `[law.*]`, and its graph, `kind = "file:FILE"` in
-//! the place of a text.
+//! the place of a text; also the graph of a platoon, `graph = "file:FILE"`.
 
 use super::document::{line_of, parse_toml};
 use super::error::{ConfigError, Problem};
-use super::source::{Entry, Source};
+use super::source::{Entry, Section, Source};
 use algebra::graph::AnyGraph;
 
 /// A scenario with its law in one text. Lines of the scenario keep their numbers; those of the law come after them.
@@ -47,36 +47,44 @@ fn law_entry(source: &Source) -> Option<Entry<'_>> {
     source.top().get("law").filter(|entry| !entry.is_table())
 }
 
-/// The name of the file that has the graph.
-fn graph_file(source: &Source) -> Option<String> {
-    let entry = source.section("graph").ok()??.get("kind")?;
-    entry.word().ok()?.strip_prefix("file:").map(ToString::to_string)
+/// Where a file may name a graph: of a scenario, and of a platoon whose worst cases are asked for.
+const GRAPHS: [(&str, &str); 2] = [("graph", "kind"), ("platoon", "graph")];
+
+/// The graph of a file: the table and the key where it is named, and the name.
+fn graph_file<'s>(source: &'s Source) -> Option<(Section<'s>, &'static str, String)> {
+    GRAPHS.into_iter().find_map(|(table, key)| {
+        let section = source.section(table).ok()??;
+        let name = section.get(key)?.word().ok()?.strip_prefix("file:")?.to_string();
+        Some((section, key, name))
+    })
 }
 
-/// The files that a scenario names, as far as it can be read: of its law, of its graph.
+/// The files that a scenario or a system names, as far as it can be read: of its law, of its graph.
 pub fn named_files(text: &str) -> Vec<String> {
     let Ok(source) = Source::parse(text) else { return Vec::new() };
     let law = law_entry(&source).and_then(|entry| entry.word().ok().map(ToString::to_string));
-    law.into_iter().chain(graph_file(&source)).collect()
+    law.into_iter().chain(graph_file(&source).map(|(.., name)| name)).collect()
 }
 
-/// The scenario with its graph as a text in the place of a file.
-fn with_graph(text: &str, read: &dyn Fn(&str) -> Result<String, String>) -> Result<String, ConfigError> {
+/// The text of a scenario or a system with its graph as a text in the place of a file; `read` gives the text of a file.
+///
+/// # Errors
+/// [`ConfigError`], also where the file is not there or has not one graph.
+pub fn with_graph(text: &str, read: &dyn Fn(&str) -> Result<String, String>) -> Result<String, ConfigError> {
     let source = Source::parse(text)?;
-    let (Some(name), Some(section)) = (graph_file(&source), source.section("graph")?) else {
+    let Some((section, key, name)) = graph_file(&source) else {
         return Ok(text.to_string());
     };
-    let refused = |why: String| {
-        section.need("kind", "").map_or_else(|error| error, |entry| entry.problem(Problem::GraphFile(why)))
-    };
+    let refused =
+        |why: String| section.need(key, "").map_or_else(|error| error, |entry| entry.problem(Problem::GraphFile(why)));
     let file = read(&name).map_err(refused)?;
     let mut graphs = AnyGraph::read_file(&file, false).map_err(|error| refused(format!("{name}: {error}")))?;
     let (Some(graph), true) = (graphs.pop(), graphs.is_empty()) else {
         return Err(refused(format!("{name}: there are several graphs in it, where one is expected")));
     };
-    let span = section.key_and_value("kind").unwrap_or_default();
+    let span = section.key_and_value(key).unwrap_or_default();
     let (before, after) = (text.get(..span.start).unwrap_or(text), text.get(span.end..).unwrap_or_default());
-    Ok(format!("{before}kind = \"{graph}\"{after}"))
+    Ok(format!("{before}{key} = \"{graph}\"{after}"))
 }
 
 /// The lines of the tables `[law]` and `[law.*]`, the other lines empty.

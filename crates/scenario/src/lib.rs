@@ -40,7 +40,7 @@ pub use document::{NotToml, line_of, parse_toml};
 pub use ensemble::Ensemble;
 pub use error::{ConfigError, Problem, RunError};
 pub use exact::ExactMotion;
-pub use law_file::{WithLaw, named_files, with_law};
+pub use law_file::{WithLaw, named_files, with_graph, with_law};
 pub use model::Model;
 pub use observables::{Found, Observable, QUANTITIES, Quantity, Value, measure, observables_as_markdown};
 pub use own::{OwnMotion, OwnSteps, law_problem, own_law, read_law};

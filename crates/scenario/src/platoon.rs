@@ -11,9 +11,7 @@ use super::source::{Section, Source};
 use super::start::{Needs, Start, float};
 use super::view::{Law as Measured, Links, Rows, View};
 use arithmetic::{ArithmeticError, Rational, rational};
-use models::platoon::{
-    Communication, CommunicationGraph, Gains, Line, LineError, Parameter, Platoon as Steered, read_numbers,
-};
+use models::platoon::{Communication, CommunicationGraph, Gains, Line, LineError, Parameter, Platoon as Steered};
 
 /// How the leader moves: `x_1(t) = place + speed t + amplitude cos(frequency t)`.
 struct Leader {
@@ -187,13 +185,7 @@ fn line(law: &Section) -> Result<Line, ConfigError> {
     let mut line = Line::default();
     for (name, parameter) in Parameter::NAMES {
         let Some(entry) = law.get(name) else { continue };
-        // A text may be a list, too, as on the command line and in questions.
-        let numbers = match entry.word() {
-            _ if entry.is_list() => entry.exact_numbers()?,
-            Ok(text) if text.contains(',') || text.contains(':') => entry.all_finite(read_numbers(text))?,
-            _ => vec![entry.finite()?],
-        };
-        line = line.with(parameter, numbers);
+        line = line.with(parameter, entry.one_or_each()?);
     }
     Ok(line)
 }

@@ -4,6 +4,7 @@ use super::document::{line_of, parse_toml};
 use super::error::{ConfigError, Problem};
 use super::path::{Path, Step};
 use arithmetic::{NumberError, Rational, parse_rational, shown};
+use models::platoon::read_numbers;
 use num_traits::ToPrimitive;
 use std::ops::Range;
 use toml::Spanned;
@@ -385,6 +386,15 @@ impl<'a> Entry<'a> {
     /// A list of such numbers.
     pub fn exact_numbers(&self) -> Result<Vec<Rational>, ConfigError> {
         self.items("a list of numbers")?.iter().map(Entry::finite).collect()
+    }
+
+    /// A number for all followers of a platoon, or a list of one for each; a text may be a list, too, as on the command line and in questions.
+    pub fn one_or_each(&self) -> Result<Vec<Rational>, ConfigError> {
+        match self.word() {
+            _ if self.is_list() => self.exact_numbers(),
+            Ok(text) if text.contains(',') || text.contains(':') => self.all_finite(read_numbers(text)),
+            _ => Ok(vec![self.finite()?]),
+        }
     }
 
     /// A vector of the plane.

@@ -72,7 +72,7 @@ fn asked(claims: &[String]) -> Result<Vec<Theorem>, CliError> {
         return Ok(theorems().to_vec());
     }
     let ledger = verify::ledger()?;
-    ledger.select(&[], claims).map_err(|error| verify::use_error(&ledger, error))?;
+    ledger.select(&[], claims).map_err(|error| verify::use_error(&ledger, &[], error))?;
     let mut found: Vec<Theorem> = Vec::new();
     for id in claims {
         let own = proofs_of(id).map(|(theorem, _)| theorem.clone()).filter(|theorem| !found.contains(theorem));

@@ -3,6 +3,7 @@
 use super::super::{CliError, check, flock, help, output, pattern, reach, resonance, simulate, spectrum};
 use flockproof::arithmetic::Progress;
 use flockproof::question::Question;
+use flockproof::reach::System;
 use flockproof::report::{digest, shown};
 use serde_json::{Map, Value, json};
 
@@ -159,8 +160,9 @@ const WORST: u32 = 10;
 
 fn of_system(text: &str, progress: &dyn Progress) -> Result<Answered, CliError> {
     let form = Form::read(text)?;
-    let found = reach::answered(&input(form.text("system", TEXT)?), WORST, progress)
-        .map_err(|error| refused(help::plain(&error)))?;
+    let input = input(form.text("system", TEXT)?);
+    let system = System::read(&input.text).map_err(|error| refused(help::plain(&error.to_string())))?;
+    let found = reach::answered(system, &input, WORST, progress).map_err(|error| refused(help::plain(&error)))?;
     let shown = found.and_then(|found| found.shown(progress));
     let (document, shown) = shown.ok_or_else(|| refused("interrupted"))?;
     Ok(Answered { document, shown })

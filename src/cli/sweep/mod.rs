@@ -14,6 +14,7 @@ use std::process::ExitCode;
 
 #[derive(clap::Args)]
 #[command(
+    override_usage = "flockproof sweep [OPTIONS] --store <DIR> <QUESTION.toml>\n       flockproof sweep [OPTIONS] --merge <DIR>",
     after_help = "A row for each member of the family. The folder gets table.csv and table.jsonl, with about.txt, which tells where they \
 come from; finished members are kept as they are finished, so that a stopped sweep goes on with --resume.\n\n\
 Examples:\n  flockproof sweep question.toml --store out --resume\n  \

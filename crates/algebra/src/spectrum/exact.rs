@@ -3,8 +3,8 @@
 use super::enclosed::{bits, least_top, order};
 use super::smith::complex_roots;
 use super::{Eigenvalue, Polynomial, RealRoot};
-use crate::matrix::{CharacteristicPolynomial, MatrixError, RationalMatrix};
-use arithmetic::{Complex, Interval, rational};
+use crate::matrix::{CharacteristicPolynomial, MatrixError, RationalMatrix, transfer_function};
+use arithmetic::{Complex, Interval, Rational, rational};
 use num_traits::Signed;
 
 /// The different eigenvalues of a rational matrix with their multiplicities, to `digits` significant digits, if all are
@@ -18,13 +18,22 @@ pub fn real_spectrum(matrix: &RationalMatrix, digits: u32) -> Result<Option<Vec<
     Ok(factors.real_roots(digits))
 }
 
+/// Order from which residues modulo many primes are quicker than rational arithmetic.
+const BY_RESIDUES: usize = 12;
+
 impl RationalMatrix {
     /// The primitive multiple of the characteristic polynomial `det(xI - A)`.
     ///
     /// # Errors
     /// [`MatrixError::NotSquare`].
     pub fn primitive_characteristic(&self) -> Result<Polynomial, MatrixError> {
-        Ok(Polynomial::from_rationals(&self.characteristic_polynomial()?.coefficients()))
+        let n = self.rows();
+        if n < BY_RESIDUES {
+            return Ok(Polynomial::from_rationals(&self.characteristic_polynomial()?.coefficients()));
+        }
+        // Without inputs the transfer function is its denominator.
+        let found = transfer_function(&self.to_rows(), &vec![Vec::new(); n], &vec![Rational::ZERO; n], &[])?;
+        Ok(Polynomial::new(found.denominator))
     }
 }
 

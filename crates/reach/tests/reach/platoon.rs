@@ -292,3 +292,29 @@ fn what_is_no_platoon_is_refused() {
     let unstable = read(&platoon("followers = 2\nf = 1\ng = -1\nacceleration = [-1, 1]", "\"inf\"", "lag1 <= 1"));
     assert!(matches!(decide(&unstable, 8, &Unwatched), Err(ReachError::Unstable { .. })));
 }
+
+/// A graph stands in a file, whose vertex `leader` leads, and weights in a text as on the command line.
+#[test]
+fn graphs_stand_in_files_and_weights_in_texts() {
+    let gains = "f = -1\ng = -1\nacceleration = [-1, 1]";
+    let text = |keys: &str| platoon(&format!("{keys}\n{gains}"), "9", "lag1 <= 1");
+    let files = |name: &str| match name {
+        "net" => Ok("a b\nb leader\n".to_string()),
+        _ => Err(format!("no {name}")),
+    };
+    let lag = |system: &System| {
+        let found = decide(system, 12, &Unwatched).expect("an answer");
+        (found[0].parts[0].lo.clone(), found[0].parts[0].hi.clone())
+    };
+    let of_file = System::read_beside(&text("graph = \"file:net\""), &files).expect("a system");
+    // The leader first, then a, which tracks b, and b, which tracks both.
+    let written = read(&text("tracks = [[2], [0, 1]]"));
+    assert_eq!(lag(&of_file), lag(&written));
+    let error = System::read_beside(&text("graph = \"file:other\""), &files).expect_err("no file").to_string();
+    assert!(error.contains("line 2: `platoon.graph`") && error.contains("no other"), "{error}");
+    let error = System::read(&text("graph = \"file:net\"")).expect_err("no files").to_string();
+    assert!(error.contains("no files are read here"), "{error}");
+    let each = read(&text("followers = 3\nahead = \"1/2, 2/3, 1\"\nbehind = \"each:1/2,1/3,0\""));
+    let listed = read(&text("followers = 3\nahead = [\"1/2\", \"2/3\", 1]\nbehind = [\"1/2\", \"1/3\", 0]"));
+    assert_eq!(lag(&each), lag(&listed));
+}

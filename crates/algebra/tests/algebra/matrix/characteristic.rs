@@ -2,6 +2,7 @@
 
 use super::rational_matrix;
 use algebra::matrix::RationalMatrix;
+use algebra::spectrum::Polynomial;
 use arithmetic::{Rational, rational};
 use num_traits::Zero;
 use proptest::prelude::*;
@@ -22,6 +23,18 @@ proptest! {
         prop_assert_eq!(value(&polynomial.coefficients(), &x), shifted.determinant().unwrap());
         prop_assert_eq!(polynomial.degree(), a.rows());
         prop_assert_eq!(polynomial.multiplicity(&x) > 0, shifted.determinant().unwrap().is_zero());
+    }
+
+    /// The primitive multiple, which larger matrices have by residues modulo primes, against the rational polynomial; also of matrices with repeated rows and zero blocks.
+    #[test]
+    fn the_primitive_multiple_is_one(a in (10usize..16).prop_flat_map(|n| rational_matrix(n, n)), kept in 0usize..10) {
+        let n = a.rows();
+        let zeroed = |i: usize, j: usize| if kept < 5 && (i > kept || j > kept) { rational(0, 1) } else { a.entry(i % (n - kept / 2), j) };
+        let rows: Vec<Vec<Rational>> = (0..n).map(|i| (0..n).map(|j| zeroed(i, j)).collect()).collect();
+        let matrix = RationalMatrix::from_rows(&rows).unwrap();
+        let rational = Polynomial::from_rationals(&matrix.characteristic_polynomial().unwrap().coefficients());
+        let primitive = matrix.primitive_characteristic().unwrap();
+        prop_assert_eq!(primitive.coefficients(), rational.coefficients());
     }
 
     /// The counts for a symmetric matrix against floating-point eigenvalues, away from ties.
