@@ -38,7 +38,7 @@ pub fn bode(curves: &Curves) -> Picture {
     for (k, name) in curves.names.iter().enumerate() {
         let line = |value: &dyn Fn(&Sample) -> f64| curves.samples.iter().map(|s| (s.w, value(s))).collect::<Vec<_>>();
         above = above.series(Series::line(literal(name), line(&|s| decibels(s.amplitudes[k]))));
-        below = below.series(Series::line("", line(&|s| turn * s.phases[k])));
+        below = below.series(Series::line(literal(name), line(&|s| turn * s.phases[k])));
     }
     if !curves.peaks.is_empty() {
         let marks = curves.peaks.iter().map(|(w, amplitude)| (*w, decibels(*amplitude)));

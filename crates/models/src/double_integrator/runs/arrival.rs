@@ -52,6 +52,27 @@ pub(super) fn rounding(state: &State<f64>, (i, j): Pair, radius: f64) -> f64 {
     16.0 * f64::EPSILON * radius * (size(i) + size(j) + radius)
 }
 
+/// A pair that is watched through a step.
+struct Watched {
+    pair: Pair,
+    /// What rounding alone can change in `|r|² - R²`, and what the dense output may be off by.
+    slack: f64,
+    gate: f64,
+    /// [`Watch::side`] at the beginning of the part that is looked at.
+    side: (f64, f64),
+}
+
+/// One of the parts of a step.
+struct Part<'a> {
+    number: usize,
+    from: f64,
+    to: f64,
+    /// The state at its end by the dense output.
+    dense: &'a [f64],
+    /// The same of full order, which all pairs share, once one of them has asked for it.
+    full: Option<Vec<f64>>,
+}
+
 /// A time by which a pair has arrived, and one before it.
 struct Bracket {
     pair: Pair,
@@ -88,12 +109,26 @@ impl Watch<'_> {
         let nodes: Vec<(f64, Vec<f64>)> =
             (0..=PARTS).map(|k| (time(k), solution.interpolate(field, time(k)))).collect();
         let reach = self.reach(&nodes);
+        let pairs = (0..self.count).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let watched = pairs.filter(|&(i, j)| {
+            !self.staying.contains(&(i, j)) && self.can_arrive(&nodes[0].1, (i, j), reach[i] + reach[j])
+        });
+        let state = State::from_list(self.count, &nodes[0].1);
+        let mut watched: Vec<Watched> = watched
+            .map(|pair| Watched {
+                pair,
+                slack: state.as_ref().map_or(0.0, |state| rounding(state, pair, self.radius)),
+                gate: self.gate(&nodes[0].1, pair),
+                side: self.of_list(&nodes[0].1, pair),
+            })
+            .collect();
+        // The first part in which a pair arrives has the first arrival.
         let mut found = Vec::new();
-        for j in 0..self.count {
-            for i in 0..j {
-                if !self.staying.contains(&(i, j)) && self.can_arrive(&nodes[0].1, (i, j), reach[i] + reach[j]) {
-                    found.extend(self.scan(solution, field, &nodes, (i, j)));
-                }
+        for (number, ends) in nodes.windows(2).enumerate() {
+            let mut part = Part { number, from: ends[0].0, to: ends[1].0, dense: &ends[1].1, full: None };
+            found.extend(watched.iter_mut().filter_map(|pair| self.scan(solution, field, &mut part, pair)));
+            if !found.is_empty() {
+                break;
             }
         }
         // First by the dense output, then at full order those that are close to the first.
@@ -143,43 +178,42 @@ impl Watch<'_> {
         }
     }
 
+    /// Whether a pair arrives in a part of the step; if not, its side is that at the end afterwards.
     fn scan(
         &self,
         solution: &mut Integrator,
         field: &mut impl VectorField,
-        nodes: &[(f64, Vec<f64>)],
-        pair: Pair,
+        part: &mut Part,
+        watched: &mut Watched,
     ) -> Option<Bracket> {
-        let slack = State::from_list(self.count, &nodes[0].1).map_or(0.0, |state| rounding(&state, pair, self.radius));
-        let gate = self.gate(&nodes[0].1, pair);
+        let Watched { pair, slack, gate, side: (value, rate) } = *watched;
+        let (from, to) = (part.from, part.to);
+        let (dense, rate_after) = self.of_list(part.dense, pair);
+        let after = match dense.abs() < gate && part.number + 1 < PARTS {
+            true => self.of_list(part.full.get_or_insert_with(|| solution.within(field, to)), pair).0,
+            false => dense,
+        };
         let mut exact = |solution: &mut Integrator, t: f64, value: f64| {
             if value.abs() < gate { self.of_list(&solution.within(field, t), pair).0 } else { value }
         };
-        let (mut value, mut rate) = self.of_list(&nodes[0].1, pair);
-        for (k, window) in nodes.windows(2).enumerate() {
-            let ((from, _), (to, end)) = (&window[0], &window[1]);
-            let (from, to) = (*from, *to);
-            let (dense, rate_after) = self.of_list(end, pair);
-            let after = if k + 1 == PARTS { dense } else { exact(solution, to, dense) };
-            let fresh = k == 0 && self.fresh.contains(&pair);
-            if after < -slack {
-                // A pair that leaves R first, and is back: from where it is away.
-                let halves = (1..40).map(|m| from + (to - from) * 0.5f64.powi(m));
-                let away =
-                    halves.filter(|_| fresh).find(|&t| exact(solution, t, self.on_dense(solution, t, pair).0) > slack);
-                return Some(Bracket { pair, from: away.unwrap_or(from), to, touches: false });
-            }
-            // Where the tangents at both ends meet there is a lower bound, as long as the distance bends one way.
-            let lowest = || value + rate * (after - value - 2.0 * rate_after * (to - from)) / (rate - rate_after);
-            if !fresh && rate < 0.0 && rate_after >= 0.0 && lowest() <= gate.max(slack) {
-                let nearest = root(from, to, true, |t| self.on_dense(solution, t, pair).1);
-                let least = exact(solution, nearest, self.on_dense(solution, nearest, pair).0);
-                if least <= slack {
-                    return Some(Bracket { pair, from, to: nearest, touches: least >= -slack });
-                }
-            }
-            (value, rate) = (after, rate_after);
+        let fresh = part.number == 0 && self.fresh.contains(&pair);
+        if after < -slack {
+            // A pair that leaves R first, and is back: from where it is away.
+            let halves = (1..40).map(|m| from + (to - from) * 0.5f64.powi(m));
+            let away =
+                halves.filter(|_| fresh).find(|&t| exact(solution, t, self.on_dense(solution, t, pair).0) > slack);
+            return Some(Bracket { pair, from: away.unwrap_or(from), to, touches: false });
         }
+        // Where the tangents at both ends meet there is a lower bound, as long as the distance bends one way.
+        let lowest = || value + rate * (after - value - 2.0 * rate_after * (to - from)) / (rate - rate_after);
+        if !fresh && rate < 0.0 && rate_after >= 0.0 && lowest() <= gate.max(slack) {
+            let nearest = root(from, to, true, |t| self.on_dense(solution, t, pair).1);
+            let least = exact(solution, nearest, self.on_dense(solution, nearest, pair).0);
+            if least <= slack {
+                return Some(Bracket { pair, from, to: nearest, touches: least >= -slack });
+            }
+        }
+        watched.side = (after, rate_after);
         None
     }
 }
