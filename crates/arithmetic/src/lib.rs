@@ -19,6 +19,22 @@
 //!
 //! Generic code asks for the weakest trait that will do: [`Ring`], [`Field`], [`Signed`], [`Number`] (also functions, which may have no value in the
 //! scalar), [`Real`] (functions that have one); [`Enclosure`] is what intervals and balls have in common.
+//!
+//! A sum without rounding, and the square root of two between bounds that are proved:
+//!
+//! ```
+//! use flockproof_arithmetic::{ArithmeticError, Interval, Number, Rational, rational};
+//!
+//! let tenths: Rational = (0..10).map(|_| rational(1, 10)).sum();
+//! assert_eq!(tenths, rational(1, 1));
+//! assert_ne!((0..10).map(|_| 0.1).sum::<f64>(), 1.0);
+//!
+//! let root = Interval::from_rational(&rational(2, 1), 100).sqrt()?;
+//! let (lo, hi) = root.to_rationals();
+//! assert!(&lo * &lo < rational(2, 1) && rational(2, 1) < &hi * &hi);
+//! assert!(&hi - &lo < rational(1, 10).pow(25));
+//! # Ok::<(), ArithmeticError>(())
+//! ```
 
 /// Crates that stand in signatures.
 pub use {num_bigint, num_rational, num_traits, rand_chacha};

@@ -2,6 +2,20 @@
 //!
 //! Nothing is promised of the results: who uses them finds bounds of their own. The crate is here so that faer's generic algorithms, a fifth of
 //! what the spectra are compiled from, are compiled once and for the kinds of numbers that are used.
+//!
+//! ```
+//! use flockproof_dense::{Mat, product, symmetric_eigen};
+//!
+//! // The Laplacian of two joined vertices: its eigenvalues are 0 and 2, but for rounding.
+//! let laplacian = Mat::from_fn(2, 2, |i, j| if i == j { 1.0 } else { -1.0 });
+//! let mut values = symmetric_eigen(laplacian.as_ref()).unwrap().values;
+//! values.sort_by(f64::total_cmp);
+//! assert!(values[0].abs() < 1e-14 && (values[1] - 2.0).abs() < 1e-14);
+//!
+//! // Shapes that do not fit give NaN and no panic.
+//! let row: Mat<f64> = Mat::zeros(1, 3);
+//! assert!(product(laplacian.as_ref(), row.as_ref())[(0, 0)].is_nan());
+//! ```
 
 pub use faer::{self, Mat, MatMut, MatRef, c64};
 

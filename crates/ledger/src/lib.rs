@@ -3,6 +3,30 @@
 //! A claim is data (the statement as printed, altered variants that must fail, a corrected variant where there is one)
 //! plus one check, that is run on every variant alike. The verdict is computed from what the check
 //! says, never written down: see [`Ledger::verify`].
+//!
+//! ```
+//! # use arithmetic as flockproof_arithmetic;
+//! use flockproof_arithmetic::rational;
+//! use flockproof_ledger::{Ledger, Options, Record, Verdict};
+//!
+//! // "The sum of the first n odd numbers is n^exponent"; a control alters the exponent.
+//! let claim = Record::new("mine.odd_numbers", "(n + 1)^2 - n^2 = 2n + 1.", 2, |exponent, run| {
+//!     let mut sum = rational(0, 1);
+//!     run.exhaustive("the sums", "added up exactly", 1..=20, |n| {
+//!         sum += rational(2 * n - 1, 1);
+//!         let claimed = rational(n, 1).pow(*exponent);
+//!         Ok((sum != claimed).then(|| format!("n = {n}: the sum is {sum}, not {claimed}")))
+//!     })
+//! })
+//! .stated("school", "1 + 3 + ... + (2n - 1) = n^2 for every n up to 20.")
+//! .control("the cube", 3);
+//!
+//! let mut ledger = Ledger::new();
+//! ledger.register(claim).unwrap();
+//! let report = ledger.verify(&["mine.odd_numbers".to_string()], &Options::default(), |_| {});
+//! assert_eq!(report.entries[0].verdict, Verdict::Holds);
+//! assert_eq!(report.entries[0].controls.refuted, 1);
+//! ```
 
 mod claim;
 mod clauses;

@@ -3,6 +3,20 @@
 //!
 //! A model is a [`VectorField`]: it fills in `dy/dt` at a state. Results do not depend on the number of threads: work is cut into
 //! chunks of fixed size, and sums over chunks are taken in their order. Nothing here proves anything.
+//!
+//! Half a turn of an oscillator by the method of Dormand and Prince of order eight:
+//!
+//! ```
+//! use flockproof_motion::{Tolerance, integrate};
+//!
+//! let mut oscillator = |_: f64, state: &[f64], rate: &mut [f64]| {
+//!     rate[0] = state[1];
+//!     rate[1] = -state[0];
+//! };
+//! let tolerance = Tolerance { relative: 1e-12, absolute: 1e-12 };
+//! let states = integrate(&mut oscillator, 0.0, &[1.0, 0.0], &[std::f64::consts::PI], tolerance).unwrap();
+//! assert!((states[0][0] + 1.0).abs() < 1e-10 && states[0][1].abs() < 1e-10);
+//! ```
 
 mod cells;
 mod descent;

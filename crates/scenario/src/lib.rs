@@ -2,6 +2,30 @@
 //!
 //! The laws are those of the models' modules; here they are only chosen, integrated and measured. Observables are functions of a
 //! state, apart from the integration. `notes/simulate.md` lists keys, defaults and observables.
+//!
+//! ```
+//! # use arithmetic as flockproof_arithmetic;
+//! use flockproof_arithmetic::Unwatched;
+//! use flockproof_scenario::{End, Scenario, Value};
+//!
+//! let text = r#"
+//!     model = "phase"
+//!     [graph]
+//!     kind = "complete"
+//!     [state]
+//!     phases = ["0", "1/2", "1"]
+//!     [law]
+//!     K1 = -1
+//!     [run]
+//!     until = 40
+//!     observables = ["order"]
+//! "#;
+//! // Attracted phases agree: the first order parameter tends to 1.
+//! let outcome = Scenario::read(text).unwrap().run(&Unwatched);
+//! assert_eq!(outcome.end, End::Finished);
+//! let Value::List(order) = &outcome.rows.last().unwrap().observables[0].value else { panic!("a list") };
+//! assert!((order[0] - 1.0).abs() < 1e-6);
+//! ```
 
 mod agents;
 mod alignment;
