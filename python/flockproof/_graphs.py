@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Hashable, Sequence
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,9 @@ from ._numbers import ExactMatrix, exact_matrix, float_seen, holds_floats, over_
 #: What the native half takes: order, tails, heads, weights over a denominator; or "name", "text" or "text from 0"
 #: and a text.
 Native = tuple[int, list[int], list[int], list[int], int] | tuple[str, str]
+
+#: What a text is whose vertices are counted from 1, and from 0.
+TEXTS = ("text", "text from 0")
 
 FLOATS = "the weights are floats, which stand for their exact values"
 
@@ -30,8 +34,8 @@ class Given:
             float_seen(FLOATS)
 
     def root(self, root: Any, argument: str = "root") -> int | None:
-        """The number of a vertex, from 1."""
-        if root is None or self.labels is None:
+        """The number of a vertex, from 1; in a file it may stand by itself."""
+        if root is None or self.labels is None or (self.native[0] in TEXTS and isinstance(root, int)):
             return root  # type: ignore[no-any-return]
         try:
             return self.labels.index(root) + 1
@@ -66,21 +70,33 @@ def given(graph: Any, zero_based: bool = False) -> Given:
     raise TypeError(f"graph: `{str(graph)[:60]}` is none of {kinds}")
 
 
-def networkx_graph(order: int, edges: Sequence[tuple[int, int]], directed: bool) -> Any:
-    """The graph of networkx on the vertices 1 to ``order``."""
+#: An edge or an arc from 1, with its weight where the graph has other ones than 1.
+Edge = tuple[int, int] | tuple[int, int, int | Fraction]
+
+
+def networkx_graph(order: int, edges: Sequence[Edge], directed: bool) -> Any:
+    """The graph of networkx on the vertices 1 to ``order``; weights stand in ``weight``."""
     networkx = needed("networkx", "graphs")
     graph = networkx.DiGraph() if directed else networkx.Graph()
     graph.add_nodes_from(range(1, order + 1))
-    graph.add_edges_from(edges)
+    for i, j, *weight in edges:
+        graph.add_edge(i, j, **({"weight": weight[0]} if weight else {}))
     return graph
 
 
-def read_member(text: str) -> tuple[int, list[tuple[int, int]], bool]:
-    """Order, edges or arcs from 1, and whether they are arcs, of graph6 or ``arcs:N:..``."""
+def read_member(text: str) -> tuple[int, list[Edge], bool]:
+    """Order, edges or arcs from 1, and whether they are arcs, of graph6, ``edges:N:..`` or ``arcs:N:..``."""
     if text.startswith(("arcs:", "edges:")):
         kind, count, listed = text.split(":")
-        pairs = [edge.split("*")[0].split("-") for edge in listed.split(",") if edge]
-        return int(count), [(int(i), int(j)) for i, j in pairs], kind == "arcs"
+        weighted = "*" in listed
+
+        def one(edge: str) -> Edge:
+            ends, _, weight = edge.partition("*")
+            i, j = (int(vertex) for vertex in ends.split("-"))
+            number = Fraction(weight or 1)
+            return (i, j, int(number) if number.denominator == 1 else number) if weighted else (i, j)
+
+        return int(count), [one(edge) for edge in listed.split(",") if edge], kind == "arcs"
     sixes = [ord(sign) - 63 for sign in text]
     order, start = sixes[0], 1
     if order == 63:
@@ -100,7 +116,8 @@ def _named_or_file(graph: str | bytes, zero_based: bool) -> Given:
         return Given(("name", name), name)
     path = Path(name.removeprefix("file:"))
     if "\0" not in name and path.is_file():
-        return Given(("text from 0" if zero_based else "text", path.read_text(encoding="utf-8-sig")), name)
+        text = path.read_text(encoding="utf-8-sig")
+        return Given((TEXTS[zero_based], text), name, _native.graph_labels(text, zero_based))
     if is_file:
         raise ValueError(f"graph: there is no file {path}")
     if ":" in name:

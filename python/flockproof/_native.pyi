@@ -23,6 +23,7 @@ __all__ = [
     "flock_settle",
     "fuzz_summary",
     "graphs",
+    "graph_labels",
     "graph_name_problem",
     "invariants",
     "judge",
@@ -70,6 +71,7 @@ def platoon_poles(
     followers: Any, parameters: Sequence[tuple[str, Sequence[Any]]]
 ) -> list[tuple[_Ends, _Ends | None, int]]: ...
 def theorem_1(followers: int, f: Any, g: Any, digits: int) -> tuple[str, str]: ...
+def graph_labels(text: str, zero_based: bool) -> list[str] | None: ...
 def graph_name_problem(name: str) -> str | None: ...
 def spectrum(
     graph: Any, kind: str, root: Any | None, digits: Any | None

@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from . import _native
 from ._flock import _footprint, _refused
-from ._graphs import given
+from ._graphs import TEXTS, given
 from ._numbers import (
     Enclosure,
     ExactMatrix,
@@ -224,8 +224,9 @@ def peak(
     f, g
         Gains of the positions (1/s^2) and of the velocities (1/s), below 0: one, or one for each follower in order.
     leader, car
-        The vertices that lead and that is looked at, as the graph names them; for names, files and matrices their
-        numbers from 1. Left out: the first one, and the last one of the others.
+        The vertices that lead and that is looked at, as the graph names them; for names, files without names and
+        matrices their numbers from 1. Left out: the one called ``leader`` in a file, or the first one, and the last one
+        of the others.
     digits
         Significant digits, up to 10 000.
     zero_based
@@ -252,6 +253,8 @@ def peak(
     """
     read = given(graph, bool(zero_based))
     gains = (_listed(f), _listed(g))
+    if leader is None and read.native[0] in TEXTS and "leader" in (read.labels or []):
+        leader = "leader"
     vertices = (read.root(leader, "leader"), read.root(car, "car"))
     found = _native.peak(read.native, gains, vertices, digits)
     told = floats_among(**{f"{name}[{k}]": x for name, own in zip("fg", gains, strict=True) for k, x in enumerate(own)})

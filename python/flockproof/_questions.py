@@ -197,9 +197,9 @@ def _members(listed: Mapping[str, Any] | None) -> tuple[Member, ...]:
 def _measure(function: Callable[[Any], Any]) -> Callable[..., tuple[str, int, int, str]]:
     """A function of a graph as the native half calls it."""
 
-    def measured(order: int, edges: list[tuple[int, int]], directed: bool) -> tuple[str, int, int, str]:
+    def measured(member: str) -> tuple[str, int, int, str]:
         try:
-            value = function(networkx_graph(order, edges, directed))
+            value = function(networkx_graph(*read_member(member)))
             if value is None:
                 return "missing", 0, 1, "the function gave None"
             number = exact(int(value) if isinstance(value, bool) else value)
@@ -226,7 +226,8 @@ def graphs(family: str, *numbers: int, edges: bool = False) -> Iterator[Any]:
     Returns
     -------
     iterator
-        Graphs of networkx on the vertices 1 to n, or (order, list of edges); directed ones of ``digraphs``.
+        Graphs of networkx on the vertices 1 to n, or (order, list of edges); directed ones of ``digraphs``. Weights
+        stand in ``weight``, or as third of an edge, where a graph has other ones than 1.
 
     Raises
     ------

@@ -284,6 +284,12 @@ pub fn graph_name_problem(name: &str) -> Option<String> {
     name.parse::<AnyGraph>().err().map(|error| error.to_string())
 }
 
+/// The names of the vertices in the text of a file, where they are no numbers.
+#[pyfunction]
+pub fn graph_labels(text: &str, zero_based: bool) -> Option<Vec<String>> {
+    read_graph_file(text, zero_based).ok()?.labels
+}
+
 type Part = (Ends, Option<Ends>, usize, Option<Ratio>);
 
 /// Order, method, reason, and the eigenvalues.

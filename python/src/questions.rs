@@ -42,15 +42,18 @@ pub fn question_needs(text: &str, files: Contents) -> Option<String> {
     missing.into_inner()
 }
 
-/// A function of a graph of Python's, called with the order, the edges or arcs from 1, and whether they are arcs; it gives `exact`, `float` or `missing`, a
+/// A graph in graph6, or as `edges:N:..` or `arcs:N:..` with its weights and loops.
+fn member(graph: &AnyGraph) -> String {
+    let plain = graph.simple().filter(|_| graph.is_unweighted() && graph.first_loop().is_none());
+    plain.and_then(|graph| graph.graph6()).unwrap_or_else(|| graph.unnamed().to_string())
+}
+
+/// A function of a graph of Python's, called with the text of [`member`]; it gives `exact`, `float` or `missing`, a
 /// numerator, a denominator, and why there is no value.
 fn given(name: String, function: Py<PyAny>) -> Given {
     let measure = move |graph: &AnyGraph| {
-        let directed = graph.is_directed();
-        let arcs: Vec<(usize, usize)> =
-            graph.arcs().into_iter().filter(|(i, j)| directed || i <= j).map(|(i, j)| (i + 1, j + 1)).collect();
         let found = Python::attach(|py| {
-            let value = function.bind(py).call1((graph.order(), arcs, directed))?;
+            let value = function.bind(py).call1((member(graph),))?;
             value.extract::<(String, BigInt, BigInt, String)>()
         });
         match found {
@@ -88,7 +91,7 @@ pub fn check(
     watched(py, progress, work)?.map_err(refuse)
 }
 
-/// The graphs of a family such as `connected(8)`, one after the other: in graph6, directed ones as `arcs:N:..`.
+/// The graphs of a family such as `connected(8)`, one after the other: in graph6, those with arcs, weights or loops as `arcs:N:..` or `edges:N:..`.
 #[pyfunction]
 pub fn graphs(py: Python<'_>, family: String, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
     let work = move |watch: &Arc<super::watch::Watch>| {
@@ -98,9 +101,7 @@ pub fn graphs(py: Python<'_>, family: String, progress: Option<&Bound<'_, PyAny>
         let found = (0..question.cases(&**watch).map_err(|error| error.to_string())?).map(|number| {
             let case = question.case(number, &**watch).map_err(|error| error.to_string())?;
             match case.as_ref().and_then(|case| case.get("graph")) {
-                Some(Value::Graph(graph)) => {
-                    Ok(graph.simple().and_then(|g| g.graph6()).unwrap_or_else(|| graph.to_string()))
-                }
+                Some(Value::Graph(graph)) => Ok(member(graph)),
                 _ => Err("it is no family of graphs".to_string()),
             }
         });

@@ -11,14 +11,14 @@ use crate::made;
 use crate::names::{Subject, quantity_of};
 use crate::number::Number;
 use crate::outcome::{Decided, Judged, Outcome};
-use crate::point::FIRST_BITS;
+use crate::point::{FIRST_BITS, MOST_BITS};
 use crate::question::{Asked, Expression, Question};
 use crate::shrink::Shrunk;
 use crate::states;
 use crate::subject::platoon::signs;
 use crate::syntax::Kind;
 use crate::timeline::Measured;
-use crate::truth::{Margin, Truth};
+use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::Progress;
 use arithmetic::threads::side_by_side;
 
@@ -90,8 +90,16 @@ impl Question {
                     truth => Tabulated::Truth(truth == Truth::True),
                 });
             }
-            let evaluator = Evaluator { case: &case, precision: 2 * FIRST_BITS, moment: None, piece: None };
-            Ok(match evaluator.measured(&expression.node) {
+            let at =
+                |precision| Evaluator { case: &case, precision, moment: None, piece: None }.measured(&expression.node);
+            let found = match at(2 * FIRST_BITS) {
+                // Bits that will tell, where that is known.
+                Err(Failure::Open(Doubt { bits: Some(needed), .. })) if needed <= MOST_BITS => {
+                    at(u32::try_from(needed.next_power_of_two() * 2).unwrap_or(2 * FIRST_BITS))
+                }
+                found => found,
+            };
+            Ok(match found {
                 Ok(Measured::Number(number)) => Tabulated::Number(number),
                 Ok(Measured::Truth(truth)) => Tabulated::Truth(truth),
                 Err(Failure::Open(doubt)) => Tabulated::Unknown(doubt.why),

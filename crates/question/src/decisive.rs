@@ -5,11 +5,11 @@ use crate::case::Case;
 use crate::error::QuestionError;
 use crate::evaluate::Evaluator;
 use crate::failure::Failure;
-use crate::point::FIRST_BITS;
+use crate::point::{FIRST_BITS, MOST_BITS};
 use crate::question::{Expression, Question};
 use crate::syntax::{Kind, Node};
 use crate::timeline::Piece;
-use crate::truth::{Margin, Truth};
+use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::Progress;
 
 /// Bits that are tried: eigenvalues of which there are closed forms or rational ones show themselves above those that floating point has.
@@ -38,12 +38,19 @@ impl Question {
         progress: &dyn Progress,
     ) -> Result<Option<Decisive>, QuestionError> {
         let case = Case::new(self, at.clone(), progress);
-        for precision in BITS {
+        let mut all = BITS.to_vec();
+        let mut next = 0;
+        while let Some(&precision) = all.get(next) {
             progress.checkpoint()?;
+            next += 1;
             let evaluator = Evaluator { case: &case, precision, moment: None, piece: None };
             match found(&evaluator, &property.node, wanted) {
                 Ok(Some(found)) => return Ok(Some(found)),
                 Err(Failure::Cancelled) => progress.checkpoint()?,
+                // A tie is known where so many bits agree.
+                Err(Failure::Open(Doubt { bits: Some(needed), .. })) if needed <= MOST_BITS && next == all.len() => {
+                    all.extend(u32::try_from(needed.next_power_of_two() * 2).ok().filter(|bits| *bits > precision));
+                }
                 // It was confirmed before; only its sides cannot be shown.
                 Ok(None) | Err(_) => {}
             }
@@ -131,8 +138,14 @@ fn place_of<'n>(
     is_one_enough: bool,
 ) -> Result<Option<usize>, Failure> {
     let mut least: Option<(usize, f64)> = None;
+    let mut unknown = None;
     for (place, (node, wanted)) in parts.enumerate() {
         let Ok((truth, margin)) = evaluator.judge(node) else { continue };
+        // Another part is not what decides as long as this one is not known.
+        if let Truth::Unknown(doubt) = truth {
+            unknown.get_or_insert(doubt);
+            continue;
+        }
         if truth != Truth::of(wanted) {
             continue;
         }
@@ -144,7 +157,10 @@ fn place_of<'n>(
             least = Some((place, own));
         }
     }
-    Ok(least.map(|(place, _)| place))
+    match unknown {
+        Some(doubt) => Err(Failure::Open(doubt)),
+        None => Ok(least.map(|(place, _)| place)),
+    }
 }
 
 /// How far it is from being otherwise, at least.

@@ -207,10 +207,12 @@ impl Maker<'_> {
                 let Some(Value::Graph(graph)) = given else {
                     return Err(refuse(format!("`{name}` takes the name of a graph that is bound before")));
                 };
-                let AnyGraph::Simple(graph) = graph.as_ref() else {
-                    return Err(refuse(format!("`{name}` takes an undirected graph whose links all have weight 1")));
+                let simple = graph.simple().filter(|_| graph.is_unweighted() && graph.first_loop().is_none());
+                let Some(simple) = simple else {
+                    let needed = "an undirected graph without loops whose links all have weight 1";
+                    return Err(refuse(format!("`{name}` takes {needed}")));
                 };
-                let changed = changed_by_one_link(graph, name == "with_link").into_iter();
+                let changed = changed_by_one_link(&simple, name == "with_link").into_iter();
                 Ok(Members::Listed(changed.map(|g| Value::Graph(Arc::new(AnyGraph::Simple(g)))).collect()))
             }
             "joined" => {

@@ -76,7 +76,7 @@ pub(crate) fn controls(
     Ok(made)
 }
 
-/// The hypotheses that no member of a finite family meets, in sentences.
+/// The hypotheses that no member of a family, or point of its boxes, meets, in sentences.
 pub(crate) fn unmet(
     question: &Question,
     property: &Expression,
@@ -84,10 +84,12 @@ pub(crate) fn unmet(
     progress: &dyn Progress,
 ) -> Result<Vec<String>, QuestionError> {
     let mut never_met = Vec::new();
-    if outcome.boxed || outcome.truth != Truth::True || question.law().is_some() {
+    // A motion would be enclosed anew for each.
+    let moves = question.subjects().contains(&Subject::Motion);
+    if outcome.boxed && moves || outcome.truth != Truth::True || question.law().is_some() {
         return Ok(never_met);
     }
-    for (hypothesis, _) in implications(&property.node) {
+    for hypothesis in hypotheses(&property.node) {
         let never = Expression::like(property, like(property, Kind::Not(Box::new(hypothesis.clone()))));
         let found = over_family(question, &never, progress);
         let holds = match found {
@@ -95,9 +97,9 @@ pub(crate) fn unmet(
             found => found.is_ok_and(|found| found.truth == Truth::True),
         };
         if holds {
-            never_met.push(format!(
-                "No member of the family meets the hypothesis {hypothesis}, so that the property says nothing about it."
-            ));
+            let who = if outcome.boxed { "No point of the family" } else { "No member of the family" };
+            never_met
+                .push(format!("{who} meets the hypothesis {hypothesis}, so that what follows from it says nothing."));
         }
     }
     Ok(never_met)
@@ -108,6 +110,22 @@ fn implications(node: &Node) -> Vec<(&Node, &Node)> {
     match &node.kind {
         Kind::And(list) => list.iter().flat_map(implications).collect(),
         Kind::Implies(hypothesis, conclusion) => vec![(hypothesis, conclusion)],
+        _ => Vec::new(),
+    }
+}
+
+/// The hypotheses of a property; of one within a conclusion with those before it.
+fn hypotheses(node: &Node) -> Vec<Node> {
+    match &node.kind {
+        Kind::And(list) => list.iter().flat_map(hypotheses).collect(),
+        Kind::Implies(hypothesis, conclusion) => {
+            let and = |inner: Node| {
+                let at = inner.at;
+                Node { kind: Kind::And(vec![hypothesis.as_ref().clone(), inner]), at }
+            };
+            let inner = hypotheses(conclusion).into_iter().map(and);
+            std::iter::once(hypothesis.as_ref().clone()).chain(inner).collect()
+        }
         _ => Vec::new(),
     }
 }

@@ -15,7 +15,7 @@ use arithmetic::Progress;
 pub(crate) const FIRST_BITS: u32 = 64;
 
 /// Most bits where it is known that they decide.
-const MOST_BITS: u64 = 1 << 16;
+pub(crate) const MOST_BITS: u64 = 1 << 16;
 
 /// Most bits where it is not known whether any number of them decides.
 const MOST_HOPEFUL_BITS: u64 = 1 << 11;

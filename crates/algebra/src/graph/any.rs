@@ -124,6 +124,33 @@ impl AnyGraph {
         }
     }
 
+    /// The vertex, from 0, of a loop, if there is one.
+    pub fn first_loop(&self) -> Option<usize> {
+        match self {
+            AnyGraph::Simple(_) => None,
+            _ => self.arcs().into_iter().find(|(i, j)| i == j).map(|(i, _)| i),
+        }
+    }
+
+    /// Whether all weights are 1.
+    pub fn is_unweighted(&self) -> bool {
+        match self {
+            AnyGraph::Simple(_) => true,
+            AnyGraph::Weighted(graph) | AnyGraph::Directed(graph) | AnyGraph::Named(_, graph) => {
+                graph.adjacency().entries().all(|(_, _, weight)| weight.is_one())
+            }
+        }
+    }
+
+    /// The same edges or arcs with their weights, without the name of the graph.
+    pub fn unnamed(&self) -> Self {
+        match self {
+            AnyGraph::Named(name, graph) if name.is_directed() => AnyGraph::Directed(graph.clone()),
+            AnyGraph::Named(_, graph) => AnyGraph::Weighted(graph.clone()),
+            other => other.clone(),
+        }
+    }
+
     /// The graph without weights and loops; `None` where it is directed.
     pub fn simple(&self) -> Option<Graph> {
         match self {

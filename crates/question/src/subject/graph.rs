@@ -13,7 +13,7 @@ use algebra::graph::{AnyGraph, Graph, LaplacianKind};
 use algebra::matrix::SparseMatrix;
 use arithmetic::RealNumber as Number;
 use arithmetic::{Progress, Rational};
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 use spectra::Spectra;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -124,10 +124,18 @@ impl<'q> GraphSubject<'q> {
         }
     }
 
-    /// Quantities of graphs without arcs, weights and loops left out.
+    /// Quantities of graphs without arcs and loops; what depends on weights is of graphs without other ones than 1.
     fn measure_undirected(&self, name: &str, arguments: &[Number], precision: u32) -> Found {
         let graph = self.simple.get_or_init(|| self.graph.simple()).as_ref();
         let graph = graph.ok_or_else(|| refused(format!("`{name}` is of undirected graphs")))?;
+        if let Some(vertex) = self.graph.first_loop() {
+            let why = format!("`{name}` is of graphs without loops, and vertex {} has one", vertex + 1);
+            return Err(refused(why));
+        }
+        let weighted = ["automorphisms", "cheeger", "isoperimetric_number"];
+        if weighted.contains(&name) {
+            self.need_no_weights(name)?;
+        }
         let progress = self.progress;
         let found = |number: Option<usize>, most: usize| match number {
             Some(n) => count(n),
@@ -157,11 +165,16 @@ impl<'q> GraphSubject<'q> {
                 known_exact(graph.isoperimetric_number(progress)?, "the isoperimetric number of a single vertex")
             }
             _ => {
-                if self.graph.weighted().adjacency().entries().any(|(_, _, weight)| !weight.is_one()) {
-                    return Err(refused(format!("`{name}` is of graphs whose edges all have weight 1")));
-                }
+                self.need_no_weights(name)?;
                 self.measure_unweighted(graph, name, arguments, precision)
             }
+        }
+    }
+
+    fn need_no_weights(&self, name: &str) -> Result<(), Failure> {
+        match self.graph.is_unweighted() {
+            true => Ok(()),
+            false => Err(refused(format!("`{name}` is of graphs whose edges all have weight 1"))),
         }
     }
 

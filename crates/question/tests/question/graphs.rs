@@ -281,3 +281,57 @@ fn functions_of_graphs_are_given() {
         assert!(found.is_err(), "{name}");
     }
 }
+
+/// What takes no account of loops or weights refuses them, rather than speak of another graph.
+#[test]
+fn loops_and_weights_are_refused_where_they_would_be_dropped() {
+    for quantity in [
+        "girth",
+        "edge_connectivity",
+        "vertex_connectivity",
+        "clique_number",
+        "independence_number",
+        "chromatic_number",
+        "matching_number",
+        "automorphisms",
+        "cheeger",
+        "isoperimetric_number",
+        "spanning_trees",
+    ] {
+        let text = asked("graph = \"edges:3:1-1*1,1-2,2-3,1-3\"", &format!("{quantity} >= 0"), "n < 0");
+        let error = refusal(&text);
+        assert!(error.contains("graphs without loops, and vertex 1 has one"), "{quantity}: {error}");
+    }
+    for truth in ["tree", "bipartite", "regular", "planar"] {
+        let error = refusal(&asked("graph = \"edges:3:1-2,3-3*1,2-3\"", truth, "n < 0"));
+        assert!(error.contains("vertex 3 has one"), "{truth}: {error}");
+    }
+    for quantity in ["automorphisms", "cheeger", "isoperimetric_number", "kirchhoff_index"] {
+        let error = refusal(&asked("graph = \"edges:3:1-2*2,2-3\"", &format!("{quantity} > 0"), "n < 0"));
+        assert!(error.contains("edges all have weight 1"), "{quantity}: {error}");
+    }
+}
+
+/// Families around a graph take one by any of its names.
+#[test]
+fn graphs_with_names_have_neighbours() {
+    for name in ["ring:5", "edges:5:1-2,2-3,3-4,4-5,1-5", "path:5", "petersen"] {
+        let family = format!("g = \"{name}\"\ngraph = \"with_link(g)\"");
+        assert_eq!(answer(&asked(&family, "tree or edges >= 4", "edges < 4")).verdict, Holds, "{name}");
+    }
+    let error = refusal(&asked("g = \"edges:3:1-2*2,2-3\"\ngraph = \"with_link(g)\"", "edges > 0", "edges < 0"));
+    assert!(error.contains("weight 1"), "{error}");
+}
+
+/// A tie of two irrational eigenvalues takes many bits to be known: what is shown beside the counterexample is the inequality that fails all the same.
+#[test]
+fn the_inequality_that_fails_is_shown_where_it_is_a_tie() {
+    for (graph, property, shown) in [
+        ("ring:5", "edges = 5 implies lambda(2) < lambda(3)", "lambda(2) < lambda(3)"),
+        ("ring:5", "diameter = 2 and radius = 2 implies lambda(2) > lambda(3)", "lambda(2) > lambda(3)"),
+        ("ring:7", "n = 8 or lambda(2) < lambda(3)", "lambda(2) < lambda(3)"),
+    ] {
+        let found = answer(&asked(&format!("graph = \"{graph}\""), property, "edges < 0"));
+        assert_eq!((found.verdict, found.decisive.map(|own| own.inequality)), (False, Some(shown.to_string())));
+    }
+}

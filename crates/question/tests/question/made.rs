@@ -53,6 +53,19 @@ fn a_hypothesis_is_left_out_and_looked_for() {
         assert!(never.why.contains("No member of the family meets the hypothesis max_degree > n"), "{}", never.why);
     }
     assert!(!needed.why.contains("meets the hypothesis"));
+    for (range, property, said) in [
+        (
+            "n = \"1..3\"",
+            "n = 2 implies (n = 100 implies n > 1000)",
+            "No member of the family meets the hypothesis n = 2 and n = 100",
+        ),
+        ("n = \"[0, 1]\"", "n > 2 implies n < 0", "No point of the family meets the hypothesis n > 2"),
+        ("n = \"any\"", "n > 1 and n < 0 implies n = 3", "No point of the family meets the hypothesis n > 1 and n < 0"),
+    ] {
+        let never = answer(&without(range, property));
+        assert_eq!(never.verdict, Verdict::Holds, "{range}");
+        assert!(never.why.contains(said), "{}", never.why);
+    }
     let nowhere = answer(&without(CONNECTED, "edges > 100"));
     assert_eq!((nowhere.verdict, nowhere.controls.len()), (Verdict::False, 0));
     assert!(nowhere.why.contains("every member"), "{}", nowhere.why);
