@@ -104,8 +104,12 @@ def crates() -> str:
             continue
         source = Path(library["src_path"]).read_text(encoding="utf-8")
         lines = [line[3:].removeprefix(" ") for line in source.splitlines() if line.startswith("//!")]
-        # Links to items are for rustdoc.
-        words = re.sub(r"\[(`[^`]+`)\](?:\([^)]*\))?", r"\1", "\n".join(lines))
+        # Examples as rustdoc shows them, without the lines that it hides; links to items are for rustdoc.
+        parts = "\n".join(lines).split("```")
+        shown = [re.sub(r"(?m)^# .*\n", "", part) for part in parts[1::2]]
+        parts[1::2] = ["rust" + part if part.startswith("\n") else part for part in shown]
+        parts[::2] = [re.sub(r"\[(`[^`]+`)\](?:\([^)]*\))?", r"\1", part) for part in parts[::2]]
+        words = "```".join(parts)
         page = f"rust/{library['name'].replace('-', '_')}/index.html"
         text += f"\n## {package['name']}\n\n{package['description']}\n\n{words}\n\nAll items: {beside(page, page)}\n"
     return text

@@ -11,6 +11,7 @@ from ._flock import Flock, Run, Settlement, Switch
 from ._ledger import Claim, Claims, Controls, Entry, Evidence, Ledger, Text, explain, ledger, verify
 from ._native import __version__
 from ._numbers import Enclosure, ExactMatrix, Undecided, exact
+from ._patterns import Pattern, Patterns, pattern
 from ._platoon import Platoon, Response
 from ._queries import (
     Eigenvalue,
@@ -53,6 +54,8 @@ __all__ = [
     "Law",
     "Ledger",
     "Member",
+    "Pattern",
+    "Patterns",
     "Peak",
     "Platoon",
     "Prefix",
@@ -80,6 +83,7 @@ __all__ = [
     "graphs",
     "invariants",
     "ledger",
+    "pattern",
     "peak",
     "reach",
     "require",

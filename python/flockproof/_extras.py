@@ -15,7 +15,7 @@ EXTRAS = {
     "pandas": ("pandas",),
     "parquet": ("pyarrow",),
     "plot": ("matplotlib",),
-    "recordings": ("h5py", "h5netcdf", "xarray"),
+    "recordings": ("h5py", "h5netcdf", "scipy", "xarray"),
     "strategies": ("hypothesis",),
     "sweep": ("dask", "distributed"),
 }

@@ -201,8 +201,8 @@ def fit(
         tuple(control),
         count,
         recording.horizon,
-        f"windows of {horizon} frames one after the other, velocities over {smoothing} frames; each part of the state in "
-        f"units of its change over a window: {', '.join(f'{name} {scale:.4g}' for name, scale in scales.items())}",
+        f"windows of {horizon} frames one after the other, velocities over {smoothing} frames; each part of the state "
+        f"in units of its change over a window: {', '.join(f'{name} {scale:.4g}' for name, scale in scales.items())}",
     )
 
 

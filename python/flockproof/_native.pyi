@@ -22,12 +22,13 @@ __all__ = [
     "flock_run",
     "flock_settle",
     "fuzz_summary",
-    "graphs",
     "graph_labels",
     "graph_name_problem",
+    "graphs",
     "invariants",
     "judge",
     "named_files",
+    "pattern",
     "peak",
     "platoon_matrices",
     "platoon_peak",
@@ -36,6 +37,7 @@ __all__ = [
     "question_needs",
     "ratio",
     "reach",
+    "reach_tube",
     "read_sequence",
     "resonance",
     "simulate",
@@ -70,6 +72,12 @@ def platoon_matrices(
 def platoon_poles(
     followers: Any, parameters: Sequence[tuple[str, Sequence[Any]]]
 ) -> list[tuple[_Ends, _Ends | None, int]]: ...
+def pattern(
+    particles: Any, gains: Sequence[Any], omega0: Any, spacing: Any, progress: _Progress
+) -> list[tuple[int, str, int, _Ends | None, int | None]]: ...
+def reach_tube(
+    text: str, files: dict[str, str], check: int, samples: int
+) -> list[tuple[float, float, float]]: ...
 def theorem_1(followers: int, f: Any, g: Any, digits: int) -> tuple[str, str]: ...
 def graph_labels(text: str, zero_based: bool) -> list[str] | None: ...
 def graph_name_problem(name: str) -> str | None: ...

@@ -150,9 +150,7 @@ class Platoon:
         floats = bool(self.from_floats)
         parts = _native.platoon_poles(self.followers, self._parameters)
         return [
-            Eigenvalue(
-                Enclosure._of(re, floats), multiplicity, None, None if im is None else Enclosure._of(im, floats)
-            )
+            Eigenvalue(Enclosure._of(re, floats), multiplicity, None, None if im is None else Enclosure._of(im, floats))
             for re, im, multiplicity in parts
         ]
 

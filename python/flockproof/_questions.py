@@ -72,7 +72,8 @@ class Answer:
     margin : Enclosure or None
         The smallest margin of all cases that were looked at; of a counterexample its own.
     inequalities : dict
-        The same of each inequality of the property by itself, under the time operators around it; None where it is not bounded.
+        The same of each inequality of the property by itself, under the time operators around it; None where it is not
+        bounded.
     cases, undecided, controls_refuted, controls_total : int
     controls_made : tuple of str or None
         The controls that the program made, where the question has none.

@@ -1,10 +1,13 @@
-"""Recordings as trackers write them: arrays, pickled dictionaries, HDF5, datasets of `movement`."""
+"""Recordings as trackers write them: arrays, pickled dictionaries, HDF5, tables of MATLAB, datasets of `movement`."""
 
 from __future__ import annotations
 
+import csv
 import io
+import json
 import os
 import pickle
+import re
 import zipfile
 import zlib
 from collections.abc import Mapping, Sequence
@@ -25,8 +28,8 @@ Array = npt.NDArray[np.float64]
 class Recording:
     """Positions of all individuals, shape (frames, individuals, 2), NaN where one was not seen.
 
-    ``times`` in seconds where the file has them; ``fps`` and ``body_length`` where it says so, the latter in the unit of
-    the positions; ``form`` is where it comes from, in words.
+    ``times`` in seconds where the file has them; ``fps``, ``unit`` (of the positions) and ``body_length`` (in that
+    unit) where it says so; ``form`` is where it comes from, and ``rate_from`` where its rate does, in words.
     """
 
     positions: Array
@@ -35,6 +38,8 @@ class Recording:
     times: Array | None = None
     fps: float | None = None
     body_length: float | None = None
+    unit: str | None = None
+    rate_from: str = "in the file"
 
     def __post_init__(self) -> None:
         if self.positions.ndim != 3 or self.positions.shape[2] != 2:
@@ -67,7 +72,7 @@ def read(data: Any, part: str | None, score: float) -> Recording | None:
     path = Path(data)
     ending = path.suffix.lower()
     if path.is_dir():
-        return _trex(sorted(path.glob("*.npz")), path)
+        return _folder(path)
     if ending in (".npy", ".npz", ".pickle", ".pkl"):
         contents = _refused(path, lambda: _arrays(path.read_bytes()))
         return of_array(contents) if isinstance(contents, np.ndarray) else _idtracker(contents)
@@ -77,6 +82,39 @@ def read(data: Any, part: str | None, score: float) -> Recording | None:
         return _movement(needed("xarray", "recordings").open_dataset(path), part, score)
     if ending == ".slp":
         return _movement(_with_movement(path, "SLEAP"), part, score)
+    if ending == ".mat":
+        flies: Recording = _refused(path, lambda: _ctrax(path))
+        return flies
+    return None
+
+
+#: Where rates and lengths come from that lie beside a table.
+ATTRIBUTES = "attributes.json of idtracker.ai"
+METADATA = "in the metadata of DeepLabCut"
+
+
+def attributes(path: Path) -> tuple[float | None, float | None]:
+    """Frame rate and body length that idtracker.ai writes beside its tables."""
+    file = path.with_name("attributes_tidy.json" if path.stem.endswith("_tidy") else "attributes.json")
+    try:
+        said = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None, None
+    if not isinstance(said, Mapping):
+        return None, None
+    return _number(said.get("frames_per_second", 0)), _number(said.get("body_length", 0))
+
+
+def metadata(path: Path) -> float | None:
+    """The frame rate that DeepLabCut writes beside its tables."""
+    for file in sorted(path.parent.glob("*_meta.pickle")):
+        # VIDEO + SCORER + `_meta.pickle` beside VIDEO + SCORER + `.csv`, `_filtered.csv`, `_el.csv` and so on.
+        if path.stem.startswith(file.name.removesuffix("_meta.pickle")):
+            try:
+                found = _unpickled(io.BytesIO(file.read_bytes()))
+                return _number(found["data"]["fps"])
+            except (OSError, ValueError, KeyError, TypeError):
+                continue
     return None
 
 
@@ -150,25 +188,105 @@ def _idtracker(contents: Mapping[str, Any]) -> Recording:
         raise ValueError(f"it has no `trajectories`; it has {', '.join(map(str, contents))[:80]}")
     positions = np.asarray(contents["trajectories"], dtype=float)
     fps, body_length = (_number(contents.get(key, 0)) for key in ("frames_per_second", "body_length"))
-    return Recording(positions, "idtracker.ai", fps=fps, body_length=body_length)
+    labels = np.asarray(contents.get("identities_labels", ()), dtype=object).ravel()
+    names = [name.decode() if isinstance(name, bytes) else str(name) for name in labels]
+    whole = positions.ndim == 3 and len(set(names)) == positions.shape[1]
+    return Recording(
+        positions, "idtracker.ai", names=names if whole else None, fps=fps, body_length=body_length, unit="pixels"
+    )
+
+
+def _folder(folder: Path) -> Recording:
+    """A folder of TRex, or `trajectories_csv` of idtracker.ai."""
+    table = folder / "trajectories.csv"
+    if table.is_file():
+        values = _refused(table, lambda: np.loadtxt(table, skiprows=1, delimiter=",", ndmin=2))
+        if values.shape[1] % 2 == 0:
+            raise ValueError(f"{table}: it has {values.shape[1]} columns, not a time and two for each individual")
+        fps, body_length = attributes(table)
+        places = values[:, 1:].reshape(len(values), -1, 2)
+        times = None if fps else values[:, 0]
+        return Recording(places, "idtracker.ai", times=times, fps=fps, body_length=body_length, unit="pixels")
+    return _trex(sorted([*folder.glob("*.npz"), *folder.glob("*.csv")]), folder)
+
+
+def _ctrax(path: Path) -> Recording:
+    """The tables of Ctrax for MATLAB: flies one after the other in each frame, or `trx`, a record for each fly."""
+    matlab = needed("scipy.io.matlab", "recordings")
+    broken = (NotImplementedError, ValueError, TypeError, LookupError, EOFError, zlib.error, matlab.MatReadError)
+    try:
+        found = matlab.loadmat(path, squeeze_me=True)
+    except broken as error:
+        raise ValueError(f"it is no table of MATLAB up to version 7 (save it with -v7): {error}") from None
+    if "trx" in found:
+        flies = np.atleast_1d(found["trx"])
+        wanted = ("x", "y", "firstframe")
+        if flies.dtype.names is None or not set(wanted) <= set(flies.dtype.names):
+            raise ValueError("its `trx` has no x, y and firstframe, as that of Ctrax")
+        runs: list[tuple[int, Array, Array]] = [
+            (int(fly["firstframe"]), np.atleast_1d(fly["x"]).astype(float), np.atleast_1d(fly["y"]).astype(float))
+            for fly in flies
+        ]
+        first = min(run[0] for run in runs)
+        last = max(run[0] + len(run[1]) for run in runs)
+        places = np.full((last - first, len(runs), 2), np.nan)
+        for k, (start, x, y) in enumerate(runs):
+            places[start - first : start - first + len(x), k] = np.column_stack([x, y])
+        fps = _number(flies[0]["fps"]) if "fps" in flies.dtype.names else None
+        return Recording(places, "Ctrax", fps=fps, unit="pixels")
+    missing = [name for name in ("x_pos", "y_pos", "identity", "ntargets") if name not in found]
+    if missing:
+        raise ValueError(f"it has no `{missing[0]}`, as Ctrax writes it")
+    x, y, identity, counts = (np.atleast_1d(found[name]) for name in ("x_pos", "y_pos", "identity", "ntargets"))
+    if not len(x) == len(y) == len(identity) == counts.sum():
+        raise ValueError("x_pos, y_pos and identity are not as long as the sum of ntargets")
+    names = np.unique(identity)
+    places = np.full((len(counts), len(names), 2), np.nan)
+    frames = np.repeat(np.arange(len(counts)), counts.astype(int))
+    places[frames, np.searchsorted(names, identity)] = np.column_stack([x, y])
+    times = np.atleast_1d(found["timestamps"]).astype(float) if "timestamps" in found else None
+    known = times is not None and len(times) == len(counts)
+    return Recording(
+        places, "Ctrax", names=[f"{name:g}" for name in names], times=times if known else None, unit="pixels"
+    )
+
+
+def _columns(file: Path) -> dict[str, Any]:
+    """The columns of a table of TRex by their names, or the arrays of an .npz."""
+    if file.suffix == ".npz":
+        found = _arrays(file.read_bytes())
+        return found if isinstance(found, dict) else {}
+    with open(file, encoding="utf-8", newline="") as text:
+        rows = list(csv.reader(text))
+    return dict(zip(rows[0], np.array(rows[1:], dtype=object).T, strict=False)) if len(rows) > 1 else {}
 
 
 def _trex(files: Sequence[Path], folder: Path) -> Recording:
-    if not files:
-        raise ValueError(f"{folder}: there is no .npz file in this folder, as TRex writes one for each individual")
     frames: list[Any] = []
+    names, unit = [], None
     for file in files:
-        contents = _refused(file, lambda file=file: _arrays(file.read_bytes()))
-        key = next((key for key in ("X#wcentroid", "X#centroid", "X") if key in contents), None)
+        contents = _refused(file, lambda file=file: _columns(file))
+        # In tables the unit follows in parentheses.
+        plain = {re.sub(r" \(.*\)$", "", name): name for name in contents}
+        key = next((key for key in ("X#wcentroid", "X#centroid", "X") if key in plain and "Y" + key[1:] in plain), None)
+        # Beside the individuals TRex writes their postures and statistics.
         if key is None or "frame" not in contents:
-            raise ValueError(f"{file}: it has no `X#wcentroid` and `frame`, as TRex writes them")
-        x, y = (np.asarray(contents[name], dtype=float) for name in (key, "Y" + key[1:]))
+            continue
+        names.append(file.stem)
+        written = re.search(r" \((.*)\)$", plain[key])
+        unit = f"{written[1]} as TRex calls them" if written else unit
+        x, y = (np.asarray(contents[plain[name]], dtype=float) for name in (key, "Y" + key[1:]))
         missing = ~np.isfinite(x) | ~np.isfinite(y)
         if "missing" in contents:
-            missing |= np.asarray(contents["missing"]).astype(bool)
+            missing |= np.asarray(contents["missing"], dtype=float) != 0
         x, y = np.where(missing, np.nan, x), np.where(missing, np.nan, y)
         time = np.asarray(contents["time"], dtype=float) if "time" in contents else None
-        frames.append((np.asarray(contents["frame"]).astype(int), x, y, time))
+        frames.append((np.asarray(contents["frame"], dtype=float).astype(int), x, y, time))
+    if not frames:
+        raise ValueError(
+            f"{folder}: no .npz or .csv file in this folder has `X#wcentroid`, `Y#wcentroid` and `frame`, as TRex "
+            "writes them for each individual, and there is no trajectories.csv of idtracker.ai"
+        )
     first = min(int(frame.min()) for frame, *_ in frames)
     last = max(int(frame.max()) for frame, *_ in frames)
     positions = np.full((last - first + 1, len(frames), 2), np.nan)
@@ -177,38 +295,54 @@ def _trex(files: Sequence[Path], folder: Path) -> Recording:
         positions[frame - first, k, 0], positions[frame - first, k, 1] = x, y
         if time is not None:
             times[frame - first] = time
-    names = [file.stem for file in files]
     known = np.isfinite(times)
     if known.sum() < 2:
-        return Recording(positions, "TRex", names=names)
+        return Recording(positions, "TRex", names=names, unit=unit)
     # Frames without anybody have no time in the file; the others tell the rate.
     numbers = np.flatnonzero(known)
     rate = float((numbers[-1] - numbers[0]) / (times[known][-1] - times[known][0]))
-    return Recording(positions, "TRex", names=names, fps=rate)
+    return Recording(positions, "TRex", names=names, fps=rate, unit=unit)
 
 
 def _hdf5(path: Path, part: str | None, score: float) -> Recording:
     h5py = needed("h5py", "recordings")
 
-    def opened() -> Recording:
+    def opened() -> Recording | None:
         with h5py.File(path, "r") as file:
             if "tracks" in file and "node_names" in file:
                 return _sleap(file, part, score)
             if "trajectories" in file:
-                return _idtracker({**dict(file.attrs), **{key: file[key][()] for key in file if hasattr(file[key], "shape")}})
-        return _movement(_with_movement(path, "DeepLabCut"), part, score)
+                return _idtracker(
+                    {**dict(file.attrs), **{key: file[key][()] for key in file if hasattr(file[key], "shape")}}
+                )
+        return None
 
-    recording: Recording = _refused(path, opened)
-    return recording
+    recording: Recording | None = _refused(path, opened)
+    if recording is not None:
+        return recording
+    recording = _refused(path, lambda: _movement(_with_movement(path, "DeepLabCut"), part, score))
+    return replace(recording, fps=metadata(path), rate_from=METADATA)
 
 
 def _sleap(file: Any, part: str | None, score: float) -> Recording:
-    """The analysis file: `tracks` of shape (tracks, 2, nodes, frames)."""
-    tracks = np.asarray(file["tracks"], dtype=float).transpose(3, 0, 2, 1)
+    """The analysis file: `tracks` of shape (tracks, 2, nodes, frames), or in the order that it says itself."""
+    tracks = _in_order(file["tracks"], ("track", "xy", "node", "frame"), ("frame", "track", "node", "xy"))
     nodes = [name.decode() if isinstance(name, bytes) else str(name) for name in file["node_names"][()]]
     names = [name.decode() if isinstance(name, bytes) else str(name) for name in file["track_names"][()]]
-    sure = np.asarray(file["point_scores"], dtype=float).transpose(2, 0, 1) if "point_scores" in file else None
-    return Recording(_of_parts(tracks, nodes, sure, part, score), "SLEAP", names=names or None)
+    sure = None
+    if "point_scores" in file:
+        sure = _in_order(file["point_scores"], ("track", "node", "frame"), ("frame", "track", "node"))
+    return Recording(_of_parts(tracks, nodes, sure, part, score), "SLEAP", names=names or None, unit="pixels")
+
+
+def _in_order(data: Any, usual: Sequence[str], wanted: Sequence[str]) -> Array:
+    """An array of SLEAP with its dimensions in the wanted order; newer files name theirs."""
+    dims = json.loads(data.attrs["dims"]) if "dims" in data.attrs else list(usual)
+    if sorted(dims) != sorted(wanted):
+        raise ValueError(
+            f"it has an array with the dimensions {', '.join(map(str, dims))}; {', '.join(wanted)} are needed"
+        )
+    return np.asarray(data, dtype=float).transpose([dims.index(name) for name in wanted])
 
 
 def _of_parts(places: Array, parts: Sequence[str], sure: Array | None, part: str | None, score: float) -> Array:
@@ -226,8 +360,10 @@ def _of_parts(places: Array, parts: Sequence[str], sure: Array | None, part: str
 
 
 def _with_movement(path: Path, software: str) -> Any:
-    load = needed("movement.io.load_poses", "movement")
-    return load.from_file(path, source_software=software)
+    load = needed("movement.io", "movement")
+    if hasattr(load, "load_dataset"):
+        return load.load_dataset(path, source_software=software)
+    return load.load_poses.from_file(path, source_software=software)
 
 
 def _is_dataset(data: Any) -> bool:
@@ -242,7 +378,9 @@ def _movement(data: Any, part: str | None, score: float) -> Recording:
     names = {"keypoints": next((d for d in ("keypoints", "keypoint") if d in position.dims), None)}
     names["individuals"] = next((d for d in ("individuals", "individual") if d in position.dims), None)
     if names["individuals"] is None or "time" not in position.dims or "space" not in position.dims:
-        raise ValueError(f"`position` has the dimensions {', '.join(map(str, position.dims))}; time, space, individuals are needed")
+        raise ValueError(
+            f"`position` has the dimensions {', '.join(map(str, position.dims))}; time, space, individuals are needed"
+        )
     if position.sizes["space"] != 2:
         raise ValueError("`position` is not in the plane")
     individuals = [str(name) for name in position[names["individuals"]].values]
@@ -257,7 +395,10 @@ def _movement(data: Any, part: str | None, score: float) -> Recording:
     elif part is not None:
         raise ValueError(f"there is no body part `{part}`; the dataset has none")
     form = f"movement ({data.attrs['source_software']})" if data.attrs.get("source_software") else "movement"
-    recording = Recording(places, form, names=individuals, fps=_number(data.attrs.get("fps", 0)))
+    unit = str(data.attrs.get("space_unit") or position.attrs.get("units") or "") or None
+    if unit is None and data.attrs.get("source_software") in ("DeepLabCut", "SLEAP"):
+        unit = "pixels"
+    recording = Recording(places, form, names=individuals, fps=_number(data.attrs.get("fps", 0)), unit=unit)
     in_seconds = str(data.attrs.get("time_unit", "frames")) == "seconds"
     times = np.asarray(position["time"].values, dtype=float)
     return replace(recording, times=times, fps=None) if in_seconds else recording

@@ -151,7 +151,10 @@ class Simulation:
     def _repr_html_(self) -> str:
         last = self.t[-1] if len(self.t) else 0
         head = f"{self.model}: {len(self.t)} times up to {last:g}, {len(self.events)} events"
-        rows = [(name, str(array.shape), "") for name, array in self.states.items()]
+        rows = [
+            (f"{name} (radians)" if name == "phases" else name, str(array.shape), "")
+            for name, array in self.states.items()
+        ]
         for name, array in self.observables.items():
             ends = f"{array[0]:.6g} to {array[-1]:.6g}" if array.ndim == 1 and len(array) else ""
             rows.append((name, str(array.shape), ends))
@@ -349,7 +352,13 @@ class Tracks:
     def _repr_html_(self) -> str:
         s, left = self.summary, self.summary["left_out"]
         head = f"{s['source']}: {s['fish']} fish, {s['frames']} frames of {s['step']:g} s, {left['used']} of them used"
-        means = [(name, f"{value:.6g}") for name, value in s["means"].items() if isinstance(value, (int, float))]
+        unit = s["declaration"]["unit"] or "unit of the file"
+        units = {"momentum": f" ({unit}/s)", "nearest_distance": f" ({unit})"}
+        means = [
+            (name + units.get(name, ""), f"{value:.6g}")
+            for name, value in s["means"].items()
+            if isinstance(value, (int, float))
+        ]
         few = ["few frames"] if s["few_frames"]["means"] else []
         return told(head, few) + table(("mean over these frames", "value"), means)
 
@@ -386,11 +395,12 @@ def tracks(
     Parameters
     ----------
     data
-        A DataFrame (pandas, polars) or dictionary with the columns ``t`` (s, or dates), ``id``, ``x``, ``y``, or the path of
-        such a CSV file; an array of shape (frames, individuals, 2) with ``fps``, NaN where one was not seen; what
-        trackers write: idtracker.ai (CSV, .npy, .npz, .h5), SLEAP (CSV, .h5), DeepLabCut (CSV), a folder of TRex; a
-        dataset of movement or its .nc file, and through movement .slp and DeepLabCut's .h5. Pickles are read without
-        running them. Frame rate and body length come from the file where it has them.
+        A DataFrame (pandas, polars) or dictionary with the columns ``t`` (s, or dates), ``id``, ``x``, ``y``, or the
+        path of such a CSV file; an array of shape (frames, individuals, 2) with ``fps``, NaN where one was not seen;
+        what trackers write: idtracker.ai (CSV, .npy, .npz, .h5, or the folder trajectories_csv), SLEAP (CSV, .h5),
+        DeepLabCut (CSV), a folder of TRex (.npz or CSV), Ctrax (.mat or CSV), a table of trackpy; a dataset of movement
+        or its .nc file, and through movement .slp and DeepLabCut's .h5. Pickles are read without running them. Frame
+        rate, unit and body length come from the file, or from one that the tracker writes beside it, where it has them.
     columns
         Other names of those columns: ``{"frame": "t", "particle": "id"}``.
     fps
@@ -406,7 +416,8 @@ def tracks(
         Frames count in which at least so many fish have a heading; left out: all.
     smoothing
         Before velocities are taken: ``"mean"`` (moving average), ``"savgol"`` (cubics by least squares, Savitzky and
-        Golay) or ``"spline"`` (smoothing spline; an oscillation with a period of the window keeps half of its amplitude).
+        Golay) or ``"spline"`` (smoothing spline; an oscillation with a period of the window keeps half of its
+        amplitude).
     window
         Frames that are smoothed over, odd; left out: closest to 5 s.
     smooth_positions
@@ -419,16 +430,20 @@ def tracks(
         Blind spot behind each fish in degrees.
     still
         A fish that is no faster has no heading.
-    plain_nearest, nearest, ids
-        As the options of the command line.
+    plain_nearest
+        For n = 1 always the nearest neighbour, also in the zone of repulsion.
+    nearest
+        Other numbers of nearest neighbours for which ``W_1`` is computed.
+    ids
+        Only the individuals with these names, as texts; left out: all.
     delays
         Delays between the headings of each pair, up to so many seconds: who turns first; left out: none.
     null
         Circular time shifts for each of the two null models.
     at, pictures
-        Whether SVG and PNG pictures are made, and the time of the snapshot.
+        The time of the snapshot (s), and whether SVG and PNG pictures are made.
     seed
-        Of the null models.
+        Of the null models; any text.
     progress
         Called with (stage, done, total), or True.
 
@@ -457,12 +472,25 @@ def tracks(
     """
     float_seen("measured trajectories are floats")
     recording = _recordings.read(data, part, score)
+    unit, times_from = None, "the file" if fps is None else "frames, and their rate is chosen"
+    length, length_from = body_length, "chosen"
     if recording is None:
         text, source = _trajectories(data)
+        if isinstance(data, (str, os.PathLike)):
+            header = text.partition("\n")[0].strip().split(",")
+            if fps is None and header[0] == "scorer":
+                fps = _recordings.metadata(Path(data))
+                times_from = "the file" if fps is None else f"frames, and their rate is {_recordings.METADATA}"
+            if length is None and ({"x1", "y1"} <= set(header) or {"time", "individual"} <= set(header)):
+                length, length_from = _recordings.attributes(Path(data))[1], _recordings.ATTRIBUTES
     else:
         source = Path(data).name if isinstance(data, (str, os.PathLike)) else recording.form
+        if fps is None and recording.fps is not None:
+            times_from = f"frames, and their rate is {recording.rate_from}"
         fps = _rate(recording, fps, source)
-        body_length = recording.body_length if body_length is None else body_length
+        if length is None and recording.body_length is not None:
+            length, length_from = recording.body_length, "the file"
+        unit = recording.unit
         text, _ = _trajectories(recording.table())
         source, part, score = f"{source} ({recording.form})" if source != recording.form else source, None, 0.0
     chosen = {
@@ -476,7 +504,10 @@ def tracks(
         "smoothing": smoothing,
         "window": window,
         "smooth_positions": bool(smooth_positions),
-        "body_length": 5.3 if body_length is None else body_length,
+        "body_length": 5.3 if length is None else length,
+        "body_length_from": "the sidebar's, in cm" if length is None else length_from,
+        "unit": unit,
+        "times_from": times_from,
         "zones": list(zones),
         "blind": blind,
         "still": still,

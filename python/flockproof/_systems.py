@@ -32,7 +32,8 @@ class Check:
     holds, verdict, why : str
         The inequality; ``holds``, ``false`` or ``undecided``; how it was found.
     worst : Enclosure or None
-        The least value of the left side of ``>=``, the greatest of ``<=``; None where there is a bound on one side only.
+        The least value of the left side of ``>=``, the greatest of ``<=``; None where there is a bound on one side
+        only.
     lo, hi : Fraction or None
         The ends of what is known of it.
     at : Enclosure or None
@@ -67,6 +68,34 @@ class Reach(Sequence[Check]):
     checks: tuple[Check, ...]
     from_floats: bool
     text: str = field(compare=False, default="")
+    _system: str = field(compare=False, repr=False, default="")
+    _files: Mapping[str, str] = field(compare=False, repr=False, default_factory=dict)
+
+    def tube(self, check: int = 0, samples: int = 200) -> np.ndarray:
+        """The least and greatest value that the left side of a check can have, at equally spaced times up to the end.
+
+        Parameters
+        ----------
+        check
+            Its number, from 0; of one with several inequalities the first.
+        samples
+            Intervals between the times.
+
+        Returns
+        -------
+        numpy.ndarray
+            Rows of time, least and greatest value, rounded outwards.
+
+        Raises
+        ------
+        ValueError
+            The order of the modes is not fixed, or the run has no end.
+        """
+        if not 0 <= check < len(self.checks):
+            raise ValueError(f"check = {check} is not between 0 and {len(self.checks) - 1}")
+        if not 1 <= samples <= 100_000:
+            raise ValueError(f"samples = {samples} is not between 1 and 100000")
+        return np.array(_native.reach_tube(self._system, dict(self._files), check, samples))
 
     def __len__(self) -> int:
         return len(self.checks)
@@ -98,8 +127,9 @@ def reach(system: System, digits: int = 10, progress: Progress = None) -> Reach:
     Parameters
     ----------
     system
-        The path of a file, or the same as a dictionary; ``notes/reach.md`` has its keys. In a dictionary ``mode`` may be a
-        mapping from names to state-space objects: anything with arrays ``A`` and ``B``, such as those of python-control and SciPy.
+        The path of a file, or the same as a dictionary; ``notes/reach.md`` has its keys. In a dictionary ``mode`` may
+        be a mapping from names to state-space objects: anything with arrays ``A`` and ``B``, such as those of
+        python-control and SciPy.
     digits
         Digits of worst cases for a fixed order of modes.
     progress
@@ -139,8 +169,10 @@ def reach(system: System, digits: int = 10, progress: Progress = None) -> Reach:
         raise TypeError(f"system should be a dictionary or a path, but it is `{str(system)[:60]}`")
     with _named(name):
         folder = Path() if name is None else Path(name).parent
-        document, words = _native.reach(text, named_files(text, folder), digits, callback(progress))
-    return Reach(tuple(_check(found) for found in json.loads(document)["checks"]), bool(floats), words)
+        files = named_files(text, folder)
+        document, words = _native.reach(text, files, digits, callback(progress))
+    checks = tuple(_check(found) for found in json.loads(document)["checks"])
+    return Reach(checks, bool(floats), words, text, files)
 
 
 def _section(key: Any, value: Any, floats: list[bool]) -> Any:

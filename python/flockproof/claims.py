@@ -550,7 +550,9 @@ def claim(
         For a printed statement that fails: its fault (``hypothesis``, ``typo``, ``slip`` or ``false``), the corrected
         statement, and its variant.
     expected, expected_grades
-        The verdict and grades that are recorded; another one is a difference.
+        The verdict that is recorded, ``holds``, ``needs_hypothesis``, ``misprint``, ``false``, ``undecided`` or
+        ``not_checkable``, and the grades, of ``argued``, ``exhaustive``, ``exact``, ``simulated`` and ``fuzzed``;
+        others are a difference.
 
     Returns
     -------

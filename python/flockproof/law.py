@@ -375,7 +375,7 @@ class Law:
         return check(self._asked(question), progress)
 
     def sweep(self, question: Mapping[str, Any], client: Any = None, **options: Any) -> Any:
-        """Whether a statement holds, for every number of agents and every network of a family: a question without ``law``, as for ``sweep``."""
+        """A table of quantities over the states of the law: a question without ``law``, as for ``flockproof.sweep``."""
         from ._questions import sweep
 
         return sweep(self._asked(question), client, **options)

@@ -7,7 +7,8 @@ results is a TypeError.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -16,23 +17,28 @@ import numpy as np
 from ._extras import needed
 from ._flock import Run, Settlement
 from ._numbers import Enclosure
+from ._patterns import Patterns
 from ._platoon import Platoon
 from ._queries import Resonance, Spectrum
 from ._questions import Table
 from ._runs import Simulation, Tracks
+from ._systems import Reach
 
 __all__ = [
+    "against",
     "bode",
     "circle",
     "network",
     "observables",
     "paths",
+    "patterns",
     "portrait",
     "resonances",
     "settlement",
     "spectrum",
     "sweep",
     "tracks",
+    "tube",
 ]
 
 
@@ -111,12 +117,14 @@ def observables(simulation: Simulation, names: Iterable[str] | None = None, axes
     """
     _needed(simulation, Simulation, "simulation", "flockproof.simulate")
     axes = _axes(axes)
+    styles = ("-", "--", ":", "-.")
     for name in simulation.observables if names is None else names:
         if name not in simulation.observables:
             raise ValueError(f"`{name}` is none of {', '.join(simulation.observables)}")
         values = simulation.observables[name]
         label = name if values.ndim == 1 else [f"{name}_{k + 1}" for k in range(values.shape[1])]
-        axes.plot(simulation.t, values, label=label)
+        # Beyond the colours lines are told apart by their style.
+        axes.plot(simulation.t, values, label=label, ls=styles[len(axes.get_lines()) // len(_COLOURS) % len(styles)])
     axes.set(xlabel="t")
     axes.legend()
     return axes
@@ -320,15 +328,19 @@ def settlement(found: Settlement, axes: Any = None) -> Any:
         axes.plot(
             [since, to], [place[pair]] * 2, lw=4, solid_capstyle="butt", color=_COLOURS[place[pair] % len(_COLOURS)]
         )
+    count = len(found.switches)
     if last > 1000:
         axes.set_xscale("symlog", linthresh=1)
     axes.set_yticks(range(len(place)), [f"{i}-{j}" for i, j in place])
-    axes.set(xlabel="t", ylabel="linked birds", title=f"{len(found.switches)} switches, {found.ending}")
+    axes.set(xlabel="t", ylabel="linked birds", title=f"{count} switch{'' if count == 1 else 'es'}, {found.ending}")
     return axes
 
 
 def sweep(table: Table, x: str, y: str, axes: Any = None) -> Any:
-    """A quantity of a sweep over a name or another one, such as the order over the noise; enclosures by their ends.
+    """A quantity of a sweep over a name or another one.
+
+    Enclosures are drawn by their ends. Where several members have the same ``x``, such as runs with other seeds: each
+    as a dot, and the mean with the standard deviation.
 
     Parameters
     ----------
@@ -359,11 +371,70 @@ def sweep(table: Table, x: str, y: str, axes: Any = None) -> Any:
         raise ValueError(f"no member has numbers for both {x} and {y}")
     axes = _axes(axes)
     across, up = np.array([a for a, _ in points]), np.array([b for _, b in points])
-    middle = up.mean(axis=1)
-    axes.errorbar(
-        across.mean(axis=1), middle, yerr=np.clip([middle - up[:, 0], up[:, 1] - middle], 0, None), fmt="o-", ms=3, lw=1
-    )
+    place, middle = across.mean(axis=1), up.mean(axis=1)
+    if len(set(place)) == len(place):
+        errors = np.clip([middle - up[:, 0], up[:, 1] - middle], 0, None)
+        axes.errorbar(place, middle, yerr=errors, fmt="o-", ms=3, lw=1)
+    else:
+        _grouped(axes, place, middle, "members")
     axes.set(xlabel=x, ylabel=y)
+    return axes
+
+
+def _grouped(axes: Any, place: Any, values: Any, name: str) -> None:
+    """Each value as a dot, and of those at one place the mean with the standard deviation."""
+    places, which, counts = np.unique(place, return_inverse=True, return_counts=True)
+    means = np.bincount(which, values) / counts
+    squares = np.bincount(which, (values - means[which]) ** 2)
+    deviations = np.sqrt(squares / np.maximum(counts - 1, 1))
+    axes.plot(place, values, "o", color="0.6", ms=3, label=name)
+    axes.errorbar(places, means, yerr=deviations, fmt="o-", ms=5, lw=1.2, capsize=3, label="mean, standard deviation")
+    axes.legend()
+
+
+def against(
+    runs: Mapping[float, Iterable[Simulation]], observable: str = "order", since: float = 0.0, axes: Any = None
+) -> Any:
+    """An observable against a parameter, such as the order against the noise: each run, and mean and standard deviation.
+
+    Parameters
+    ----------
+    runs
+        For each value of the parameter its runs, of :func:`flockproof.simulate`.
+    observable
+        One of ``simulation.observables``, averaged over the times of a run; of several numbers the first.
+    since
+        Earlier times are left out, as the start is not what is asked about.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        No run, an observable that is not there, or a run that ends before.
+    """
+    if not isinstance(runs, Mapping):
+        raise TypeError(f"runs should be a mapping from numbers to runs, but it is `{str(runs)[:60]}`")
+    place, values = [], []
+    for parameter, some in runs.items():
+        for one in some:
+            _needed(one, Simulation, "runs", "flockproof.simulate")
+            if observable not in one.observables:
+                raise ValueError(f"`{observable}` is none of {', '.join(one.observables)}")
+            late = np.asarray(one.observables[observable])[one.t >= since]
+            if not len(late):
+                raise ValueError(f"since = {since:g}: a run ends at t = {one.t[-1]:g}")
+            place.append(float(parameter))
+            values.append(float((late if late.ndim == 1 else late[:, 0]).mean()))
+    if not place:
+        raise ValueError("there is no run")
+    axes = _axes(axes)
+    _grouped(axes, np.array(place), np.array(values), "runs")
+    axes.set(xlabel="parameter", ylabel=observable)
     return axes
 
 
@@ -486,3 +557,85 @@ def tracks(found: Tracks, names: Iterable[str] = ("p_1", "rotation"), axes: Any 
     axes.set(xlabel="time (s)", title=str(found.summary["source"]))
     axes.legend()
     return axes
+
+
+def patterns(found: Patterns, axes: Any = None) -> Any:
+    """Symmetric patterns on a circle, one beside the other: filled where they are stable, hollow where they are not.
+
+    Parameters
+    ----------
+    found
+        Of :func:`flockproof.pattern`.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    _needed(found, Patterns, "found", "flockproof.pattern")
+    axes = _axes(axes)
+    turn = np.exp(1j * np.linspace(0, 2 * np.pi, 181))
+    # Told apart by shape as well as by colour.
+    looks = {
+        "stable": {"marker": "o", "color": _COLOURS[0]},
+        "unstable": {"marker": "o", "mfc": "none", "color": _COLOURS[1]},
+        "undecided": {"marker": "x", "color": _COLOURS[6]},
+    }
+    for k, one in enumerate(found):
+        centre = 3.0 * k
+        axes.plot(centre + turn.real, turn.imag, color="0.75", lw=1)
+        places = np.exp(2j * np.pi * np.arange(one.clusters) / one.clusters)
+        axes.plot(centre + places.real, places.imag, ls="none", ms=6, **looks[one.verdict])
+        words = f"{one.clusters} cluster{'s' if one.clusters > 1 else ''}\n{one.verdict}"
+        axes.text(centre, -1.35, words, ha="center", va="top")
+    gains = ", ".join(str(gain) for gain in found.gains)
+    axes.set(aspect="equal", xlim=(-1.6, 3 * len(found) - 1.4), ylim=(-2.7, 1.4))
+    axes.set_title(f"{found.particles} particles, K = {gains}")
+    axes.axis("off")
+    return axes
+
+
+def tube(found: Reach, check: int = 0, axes: Any = None) -> Any:
+    """All values that the left side of a check can have over time, whatever the inputs do, with the bound of the check.
+
+    Parameters
+    ----------
+    found
+        Of :func:`flockproof.reach`, with a fixed order of modes; in the units of its system.
+    check
+        The number of the check, from 0.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        A check that is not there, an order of modes that is not fixed, a run without an end.
+    """
+    _needed(found, Reach, "found", "flockproof.reach")
+    times, least, greatest = found.tube(check).T
+    one = found[check]
+    axes = _axes(axes)
+    axes.fill_between(times, least, greatest, color=_COLOURS[5], alpha=0.5, lw=0, label="all motions")
+    if one.at is not None and one.worst is not None:
+        axes.plot(float(one.at), float(one.worst), "o", color=_COLOURS[1], ms=5, label="worst case")
+    side = re.split(r"\s*[<>]=?\s*", one.holds)
+    bound = _bound(side[1]) if len(side) == 2 else None
+    if bound is not None:
+        axes.axhline(bound, color=_COLOURS[6], ls="--", lw=1, label="bound")
+    axes.set(xlabel="t", ylabel=side[0], title=f"{one.holds}: {one.verdict}")
+    axes.legend()
+    return axes
+
+
+def _bound(text: str) -> float | None:
+    """The number on the right side of a check; None where it is none."""
+    try:
+        return float(Fraction(text.replace(" ", "")))
+    except ValueError:
+        return None

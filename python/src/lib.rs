@@ -27,8 +27,8 @@ mod _native {
     use super::ledger::{claims, explain, judge, verify};
     #[pymodule_export]
     use super::queries::{
-        ergodicity, graph_labels, graph_name_problem, peak, platoon_matrices, platoon_peak, platoon_poles,
-        platoon_response, reach, read_sequence, resonance, spectrum, system_peak, theorem_1,
+        ergodicity, graph_labels, graph_name_problem, pattern, peak, platoon_matrices, platoon_peak, platoon_poles,
+        platoon_response, reach, reach_tube, read_sequence, resonance, spectrum, system_peak, theorem_1,
     };
     #[pymodule_export]
     use super::questions::{

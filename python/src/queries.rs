@@ -15,7 +15,8 @@ use flockproof::platoon::{
     CommunicationGraph, Gains, Line, MOST_FOLLOWERS_PROVED, MOST_STATES_PROVED, Parameter, Peak, PeakError, Platoon,
     ResonanceError, peak_of_platoon, peak_of_system, read_numbers, resonance as main_resonance, theorem1,
 };
-use flockproof::reach::{System, answer, decide};
+use flockproof::reach::{System, answer, decide, tube};
+use flockproof::report::PatternRow;
 use flockproof::spectrum::{Eigenvalue, Method, graph_spectrum, matrix_spectrum, named_spectrum};
 use num_bigint::BigInt;
 use pyo3::prelude::*;
@@ -384,12 +385,66 @@ pub fn reach(
 ) -> PyResult<(String, String)> {
     let digits = digits_of(digits)?;
     watched(py, progress, move |watch| {
-        let file = |name: &str| files.get(name).cloned().ok_or_else(|| format!("there is no file `{name}`"));
-        let system = System::read_beside(&text, &file).map_err(|error| error.to_string())?;
+        let system = system_beside(&text, &files)?;
         let decided = decide(&system, digits, &**watch).map_err(|error| error.to_string())?;
         Ok::<_, String>((answer::json(&system, &decided, digits).to_string(), answer::text(&system, &decided, digits)))
     })?
     .map_err(refuse)
+}
+
+fn system_beside(text: &str, files: &BTreeMap<String, String>) -> Result<System, String> {
+    let file = |name: &str| files.get(name).cloned().ok_or_else(|| format!("there is no file `{name}`"));
+    System::read_beside(text, &file).map_err(|error| error.to_string())
+}
+
+/// Times, and the least and greatest value of the left side of a check (from 0) at each.
+#[pyfunction]
+pub fn reach_tube(
+    py: Python<'_>,
+    text: String,
+    files: BTreeMap<String, String>,
+    check: usize,
+    samples: usize,
+) -> PyResult<Vec<(f64, f64, f64)>> {
+    let work = move |progress: &dyn Progress| {
+        let system = system_beside(&text, &files)?;
+        let condition = system.checks.get(check).and_then(|check| check.conditions.first());
+        let condition = condition.ok_or_else(|| format!("check: there are {}", system.checks.len()))?;
+        let until = system.until.clone().ok_or("a tube needs the end of the run, until")?;
+        let tube = tube(&system, condition, &until, samples, progress).map_err(|stopped| stopped.to_string())?;
+        if tube.is_empty() {
+            return Err("a tube is drawn where the order of the modes is fixed, and here it is not".to_string());
+        }
+        Ok::<_, String>(tube)
+    };
+    watched(py, None, move |watch| work(watch.as_ref()))?.map_err(refuse)
+}
+
+/// Clusters, verdict, eigenvalues 0, largest real part, a wave number that attains it.
+type PatternFound = (usize, &'static str, usize, Option<Ends>, Option<usize>);
+
+/// A row for each number of clusters that divides the number of particles.
+#[pyfunction]
+pub fn pattern(
+    py: Python<'_>,
+    particles: &Bound<'_, PyAny>,
+    gains: Vec<Bound<'_, PyAny>>,
+    omega0: &Bound<'_, PyAny>,
+    spacing: &Bound<'_, PyAny>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Vec<PatternFound>> {
+    let particles = usize::try_from(count("particles", particles)?).unwrap_or(usize::MAX);
+    let gains = gains.iter().map(|gain| exact("gains", gain)).collect::<PyResult<Vec<_>>>()?;
+    let circular = (exact("omega0", omega0)?, exact("spacing", spacing)?);
+    let work = move |progress: &dyn Progress| {
+        PatternRow::all(particles, (&circular.0, &circular.1), &gains, progress).map_err(|error| error.to_string())
+    };
+    let rows = watched(py, progress, move |watch| work(watch.as_ref()))?.map_err(refuse)?;
+    let found = |row: PatternRow| {
+        let abscissa = row.abscissa.as_ref().map(|x| ends(x, PatternRow::DIGITS));
+        (row.clusters, row.verdict(), row.zeros, abscissa, row.wave)
+    };
+    Ok(rows.into_iter().map(found).collect())
 }
 
 /// The matrices of a file of `ergodicity`; with `normalise` each row divided by its sum, and which rows had which other sum, both from 1.

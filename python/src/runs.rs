@@ -3,7 +3,7 @@
 use super::convert::{count, optional_count};
 use super::refuse;
 use super::watch::{Watch, watched};
-use flockproof::report::{Provenance, TracksReport, digest};
+use flockproof::report::{Known, Provenance, TracksReport, digest};
 use flockproof::scenario::{End, Ensemble, Outcome, Row, Scenario, with_law};
 use flockproof::tracks::{
     BridgeShape, Choices, ChoicesError, Format, NearestRule, PositionsUsed, Smoothing, Tracks, analyse, delays, named,
@@ -133,6 +133,9 @@ pub struct Chosen {
     window: Option<usize>,
     smooth_positions: bool,
     body_length: f64,
+    unit: Option<String>,
+    times_from: String,
+    body_length_from: String,
     zones: Vec<f64>,
     blind: f64,
     still: f64,
@@ -194,6 +197,11 @@ pub fn tracks<'py>(
             null: null.as_ref(),
             delays: found.as_ref(),
             snapshot_at: at,
+            known: Known {
+                unit: chosen.unit.as_deref().or(tracks.form.unit()),
+                times: &chosen.times_from,
+                body_length: &chosen.body_length_from,
+            },
         };
         let mut files = report.tables(&Provenance::new("flockproof.tracks/1", Some(&chosen.seed), configuration));
         if chosen.pictures {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from fractions import Fraction
 from pathlib import Path
@@ -79,7 +80,74 @@ def test_a_recording_over_time() -> None:
     assert [line.get_label() for line in plot.tracks(found).get_lines()] == ["p_1", "rotation"]
     with pytest.raises(ValueError, match="`left_out` is none of"):
         plot.tracks(found, ["left_out"])
-    assert "few frames" not in found._repr_html_() and "nearest_distance" in found._repr_html_()
+    assert "few frames" not in found._repr_html_() and "nearest_distance (unit of the file)" in found._repr_html_()
+
+
+def test_patterns_and_tubes() -> None:
+    found = flockproof.pattern(4, [-1], "1/2")
+    assert [one.clusters for one in found] == [1, 2, 4]
+    drawn = plot.patterns(found)
+    assert [text.get_text().split("\n")[1] for text in drawn.texts] == [one.verdict for one in found]
+    assert "largest real part (1/s)" in found._repr_html_()
+    with pytest.raises(ValueError, match="without turning"):
+        flockproof.pattern(4, [-1], 0)
+    with pytest.raises(ValueError, match="at most 2"):
+        flockproof.pattern(2, [1, 1, 1])
+    with pytest.raises(ValueError, match="particles: from 1 to 60"):
+        flockproof.pattern(61, [1])
+    system = {
+        "system": {"states": ["x"], "inputs": {"u": [-1, 1]}, "start": {"x": 0}},
+        "mode": {"only": {"A": [[-1]], "B": [[1]]}},
+        "run": {"until": 2},
+        "check": [{"holds": "x <= 9/10"}],
+    }
+    found = flockproof.reach(system)
+    times, least, greatest = found.tube(samples=10).T
+    # What no input can pass: 1 - exp(-t) to both sides, rounded outwards.
+    assert times == pytest.approx([k / 5 for k in range(11)])
+    for t, low, high in zip(times, least, greatest, strict=True):
+        assert -low >= 1 - math.exp(-t) - 1e-15 and high == pytest.approx(1 - math.exp(-t), abs=1e-4)
+    drawn = plot.tube(found)
+    assert drawn.get_title() == "x <= 9/10: holds" and len(drawn.get_lines()) == 2
+    with pytest.raises(ValueError, match="check = 1"):
+        plot.tube(found, check=1)
+    with pytest.raises(TypeError, match=r"flockproof\.reach"):
+        plot.tube(system)
+
+
+def test_order_against_the_noise() -> None:
+    def birds(noise: int, seed: int) -> flockproof.Simulation:
+        start = {"random": {"agents": 30, "seed": seed, "half": "5/2"}}
+        law = {"box": 5, "speed": "3/100", "noise": noise, "seed": seed}
+        return flockproof.simulate({"model": "vicsek-noise", "state": start, "law": law, "run": {"until": 60}})
+
+    runs = {noise: [birds(noise, seed) for seed in range(1, 4)] for noise in (0, 3, 6)}
+    drawn = plot.against(runs, since=30)
+    means = drawn.containers[0].lines[0]
+    late = {noise: [run.observables["order"][run.t >= 30, 0].mean() for run in some] for noise, some in runs.items()}
+    assert list(means.get_xdata()) == [0, 3, 6]
+    assert list(means.get_ydata()) == pytest.approx([sum(values) / 3 for values in late.values()])
+    assert means.get_ydata()[0] > means.get_ydata()[2]
+    with pytest.raises(ValueError, match="since = 61: a run ends at t = 60"):
+        plot.against(runs, since=61)
+    with pytest.raises(ValueError, match="`orders` is none of"):
+        plot.against(runs, "orders")
+    with pytest.raises(ValueError, match="no run"):
+        plot.against({0: []})
+    with pytest.raises(TypeError, match="mapping"):
+        plot.against(runs[0])
+
+
+def test_members_of_one_place_have_a_mean(tmp_path: Path) -> None:
+    question = tmp_path / "graphs.toml"
+    question.write_text(
+        '[question]\nid = "graphs"\n[for]\nn = "3..4"\ngraph = "connected(n)"\n[values]\nslow = "lambda(2)"\n'
+    )
+    table = flockproof.sweep(question)
+    means = plot.sweep(table, "n", "slow").containers[0].lines[0]
+    of = [[float(row["slow"]) for row in table if row["n"] == n] for n in (3, 4)]
+    assert [len(values) for values in of] == [2, 6]
+    assert list(means.get_ydata()) == pytest.approx([sum(values) / len(values) for values in of])
 
 
 def test_results_show_themselves() -> None:

@@ -55,12 +55,52 @@ def test_idtracker(tmp_path: Path) -> None:
     with h5py.File(tmp_path / "trajectories.h5", "w") as file:
         file["trajectories"] = school()
         file.attrs.update(frames_per_second=25.0, body_length=7.5)
-    same(analysed(tmp_path / "trajectories.h5"), body_length=7.5)
+    same(analysed(tmp_path / "trajectories.h5"), body_length=7.5, body_length_from="the file", unit="pixels")
+
+
+def test_names_of_individuals_are_those_of_the_file() -> None:
+    named = {**IDTRACKER, "identities_labels": ["red", "green", "blue", "none"]}
+    assert [fish["id"] for fish in analysed(named)["per_fish"]] == ["blue", "green", "none", "red"]
+    # Fewer than there are individuals: numbers.
+    short = {**IDTRACKER, "identities_labels": ["red"]}
+    assert [fish["id"] for fish in analysed(short)["per_fish"]] == ["1", "2", "3", "4"]
+
+
+def test_tables_of_idtracker_have_their_attributes_beside_them(tmp_path: Path) -> None:
     table = tmp_path / "trajectories.csv"
     columns = np.column_stack([np.arange(200) / 25, school().reshape(200, 8)])
     header = "time," + ",".join(f"x{k},y{k}" for k in range(1, 5))
     np.savetxt(table, columns, delimiter=",", header=header, comments="", fmt="%.17g")
-    same(analysed(table), table="all fish in one row, as idtracker.ai writes it")
+    form = "all fish in one row, as idtracker.ai writes it"
+    same(analysed(table), table=form, body_length=5.3, unit="pixels", times_from="the file")
+    said = {key: value for key, value in IDTRACKER.items() if key != "trajectories"}
+    (tmp_path / "attributes.json").write_text(json.dumps(said))
+    attributes = "attributes.json of idtracker.ai"
+    same(analysed(table), table=form, body_length=7.5, body_length_from=attributes)
+    assert analysed(table, body_length=2)["declaration"]["body_length_from"] == "chosen"
+    # The folder as a whole, and the command line.
+    same(analysed(tmp_path), body_length=7.5, unit="pixels", times_from="frames, and their rate is in the file")
+    command = [sys.executable, "-m", "flockproof", "tracks", str(table), "--window", "5", "--null", "0", "--json"]
+    command += ["--max-gap", "5", "--out", str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    same(json.loads(done.stdout), body_length=7.5, body_length_from=attributes, unit="pixels")
+    # One row for each fish in each frame.
+    tidy = tmp_path / "trajectories_tidy.csv"
+    frames, fish = (index.ravel() for index in np.indices((200, 4)))
+    rows = np.column_stack([frames, frames / 25, fish, school().reshape(-1, 2), np.ones(800)])
+    np.savetxt(tidy, rows, delimiter=",", header="frame,time,individual,x,y,probability", comments="", fmt="%.17g")
+    (tmp_path / "attributes_tidy.json").write_text(json.dumps({**said, "body_length": 8.5}))
+    same(
+        analysed(tidy),
+        body_length=8.5,
+        unit="pixels",
+        table="a row for each fish in each frame, as idtracker.ai writes it",
+    )
+    # What lies beside a table of another kind is not about it.
+    plain = tmp_path / "plain.csv"
+    plain.write_text("t,id,x,y\n" + "".join(f"{t},{k},{t + k},{k}\n" for t in range(20) for k in range(3)))
+    assert analysed(plain)["declaration"]["body_length"] == 5.3
 
 
 @pytest.mark.parametrize("order", ["C", "F"])
@@ -115,7 +155,7 @@ def test_pickles_are_not_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
 
 
 def poses() -> tuple[np.ndarray, np.ndarray]:
-    """Places of shape (frames, fish, parts, 2), whose means are the school, and scores; the third part is unsure and off."""
+    """Places of shape (frames, fish, parts, 2), whose means are the school, and scores; the third part is off, unsurely."""
     ahead = np.array([[1.0, 0.5], [-1.0, -0.5], [30.0, 30.0]])
     places = school()[:, :, None] + ahead
     scores = np.broadcast_to(np.array([0.9, 0.8, 0.1]), places.shape[:3]).copy()
@@ -136,6 +176,16 @@ def test_sleap(tmp_path: Path) -> None:
     found = analysed(tmp_path / "run.analysis.h5", fps=25, score=0.5)
     same(found)
     assert [fish["id"] for fish in found["per_fish"]] == [f"track_{k}" for k in range(4)]
+    assert found["declaration"]["unit"] == "pixels"
+    assert found["declaration"]["times_from"] == "frames, and their rate is chosen"
+    with h5py.File(tmp_path / "newer.h5", "w") as file:
+        # Newer files name their dimensions and may have them in another order.
+        file["tracks"], file["point_scores"] = places, scores
+        file["tracks"].attrs["dims"] = '["frame", "track", "node", "xy"]'
+        file["point_scores"].attrs["dims"] = '["frame", "track", "node"]'
+        file["node_names"] = np.array(NODES, dtype="S")
+        file["track_names"] = np.array([f"track_{k}" for k in range(4)], dtype="S")
+    same(analysed(tmp_path / "newer.h5", fps=25, score=0.5))
     nose = analysed(tmp_path / "run.analysis.h5", fps=25, part="nose")
     assert nose["means"] == analysed(school() + np.array([1.0, 0.5]), fps=25)["means"]
     with pytest.raises(ValueError, match="there are nose, tail, shadow"):
@@ -158,6 +208,50 @@ def test_deeplabcut(tmp_path: Path) -> None:
     same(analysed(tmp_path / "poses.csv", fps=25, score=0.5), table="body parts of DeepLabCut")
     with pytest.raises(ValueError, match="frames there are in a second"):
         analysed(tmp_path / "poses.csv")
+    # What the network writes beside its tables: of this video, and of another one.
+    (tmp_path / "other_meta.pickle").write_bytes(pickle.dumps({"data": {"fps": 99.0}}))
+    (tmp_path / "poses_meta.pickle").write_bytes(pickle.dumps({"data": {"fps": 25.0, "Scorer": "net"}}))
+    found = analysed(tmp_path / "poses.csv", score=0.5)
+    same(found, unit="pixels", times_from="frames, and their rate is in the metadata of DeepLabCut")
+    (tmp_path / "poses_meta.pickle").write_bytes(pickle.dumps({"data": Wicked()}))
+    with pytest.raises(ValueError, match="frames there are in a second"):
+        analysed(tmp_path / "poses.csv")
+    assert not Path("ran").exists()
+
+
+def test_deeplabcut_and_sleap_through_movement(tmp_path: Path) -> None:
+    pytest.importorskip("movement")
+    pandas = pytest.importorskip("pandas")
+    places, scores = poses()
+    levels = [["net"], [f"fish{k}" for k in range(4)], NODES, ["x", "y", "likelihood"]]
+    columns = pandas.MultiIndex.from_product(levels, names=["scorer", "individuals", "bodyparts", "coords"])
+    cells = np.concatenate([places, scores[..., None]], axis=3).reshape(200, -1)
+    pandas.DataFrame(cells, columns=columns).to_hdf(tmp_path / "poses.h5", key="df_with_missing", format="table")
+    same(analysed(tmp_path / "poses.h5", fps=25, score=0.5), unit="pixels")
+    (tmp_path / "poses_meta.pickle").write_bytes(pickle.dumps({"data": {"fps": 25.0}}))
+    same(
+        analysed(tmp_path / "poses.h5", score=0.5), times_from="frames, and their rate is in the metadata of DeepLabCut"
+    )
+    # movement brings sleap-io.
+    sio = pytest.importorskip("sleap_io")
+    skeleton, video = sio.Skeleton(NODES), sio.Video(filename="video.mp4", open_backend=False)
+    tracks = [sio.Track(f"track_{k}") for k in range(4)]
+    frames = []
+    for frame in range(200):
+        seen = [k for k in range(4) if not np.isnan(places[frame, k]).any()]
+        instances = [
+            sio.PredictedInstance.from_numpy(
+                places[frame, k], skeleton=skeleton, point_scores=scores[frame, k], score=1.0, track=tracks[k]
+            )
+            for k in seen
+        ]
+        frames.append(sio.LabeledFrame(video=video, frame_idx=frame, instances=instances))
+    labels = sio.Labels(frames, videos=[video], skeletons=[skeleton], tracks=tracks)
+    sio.save_slp(labels, str(tmp_path / "run.slp"))
+    # movement reads positions in single precision.
+    found = analysed(tmp_path / "run.slp", fps=25, score=0.5)
+    assert found["means"]["p_1"] == pytest.approx(analysed(school(), fps=25)["means"]["p_1"], abs=1e-6)
+    assert [fish["id"] for fish in found["per_fish"]] == [f"track_{k}" for k in range(4)]
 
 
 def test_trex(tmp_path: Path) -> None:
@@ -171,21 +265,76 @@ def test_trex(tmp_path: Path) -> None:
     found = analysed(tmp_path)
     same(found)
     assert found["per_fish"][1]["id"] == "video_fish1"
+    # Beside the individuals TRex writes their postures.
+    np.savez(tmp_path / "video_posture_fish0.npz", frames=np.arange(3), offset=np.zeros(2))
+    same(analysed(tmp_path))
     (tmp_path / "empty").mkdir()
-    with pytest.raises(ValueError, match="no .npz"):
+    with pytest.raises(ValueError, match=r"no .npz or .csv file"):
         analysed(tmp_path / "empty")
+
+
+def test_tables_of_trex(tmp_path: Path) -> None:
+    data = school()
+    for k in range(4):
+        lines = ["frame,missing,time,X#wcentroid (cm),Y#wcentroid (cm)"]
+        for i, (x, y) in enumerate(data[:, k]):
+            lines.append(
+                f"{i},{int(np.isnan(x))},{i / 25!r}," + ("inf,inf" if np.isnan(x) else f"{float(x)!r},{float(y)!r}")
+            )
+        (tmp_path / f"video_fish{k}.csv").write_text("\n".join(lines) + "\n")
+    same(analysed(tmp_path), unit="cm as TRex calls them")
+
+
+def test_ctrax(tmp_path: Path) -> None:
+    data = school()
+    frames, flies = np.nonzero(~np.isnan(data[:, :, 0]))
+    x, y = data[frames, flies].T
+    rows = [f"{float(i / 25)!r},{k},{float(a)!r},{float(b)!r}" for i, k, a, b in zip(frames, flies, x, y, strict=True)]
+    table = tmp_path / "flies.csv"
+    table.write_text("timestamp,identity,x_pos,y_pos\n" + "\n".join(rows) + "\n")
+    same(analysed(table), table="a row for each fly in each frame, as Ctrax writes it", unit="pixels")
+    scipy_io = pytest.importorskip("scipy.io")
+    counts, times = np.bincount(frames, minlength=200), np.arange(200) / 25
+    flat = {"x_pos": x, "y_pos": y, "identity": flies.astype(float), "ntargets": counts, "timestamps": times}
+    scipy_io.savemat(tmp_path / "movie.mat", flat)
+    same(analysed(tmp_path / "movie.mat"), unit="pixels", times_from="the file")
+    # A record for each fly; a gap is NaN there.
+    kinds = [("x", object), ("y", object), ("firstframe", float), ("fps", float)]
+    trx = np.array([(data[:, k, 0], data[:, k, 1], 7.0, 25.0) for k in range(4)], dtype=kinds)
+    scipy_io.savemat(tmp_path / "trx.mat", {"trx": trx})
+    same(analysed(tmp_path / "trx.mat"), unit="pixels", times_from="frames, and their rate is in the file")
+    scipy_io.savemat(tmp_path / "other.mat", {"y_pos": y})
+    with pytest.raises(ValueError, match="no `x_pos`"):
+        analysed(tmp_path / "other.mat")
+    scipy_io.savemat(tmp_path / "short.mat", {**flat, "ntargets": counts[1:]})
+    with pytest.raises(ValueError, match="as long as the sum"):
+        analysed(tmp_path / "short.mat")
+    (tmp_path / "text.mat").write_text("nothing of MATLAB")
+    with pytest.raises(ValueError, match="no table of MATLAB"):
+        analysed(tmp_path / "text.mat")
+
+
+def test_trackpy() -> None:
+    pandas = pytest.importorskip("pandas")
+    data = school()
+    frames, particles = np.nonzero(~np.isnan(data[:, :, 0]))
+    x, y = data[frames, particles].T
+    found = pandas.DataFrame({"y": y, "x": x, "mass": 1.0, "frame": frames, "particle": particles})
+    same(analysed(found, fps=25), table="a row for each particle in each frame, as trackpy writes it", unit="pixels")
+    with pytest.raises(ValueError, match="frames there are in a second"):
+        analysed(found)
 
 
 def test_datasets_of_movement(tmp_path: Path) -> None:
     xarray = pytest.importorskip("xarray")
     places, scores = poses()
-    names = [f"individual_{k}" for k in range(4)]
+    names = np.array([f"individual_{k}" for k in range(4)])
     dataset = xarray.Dataset(
         {
             "position": (("time", "space", "keypoints", "individuals"), places.transpose(0, 3, 2, 1)),
             "confidence": (("time", "keypoints", "individuals"), scores.transpose(0, 2, 1)),
         },
-        coords={"time": np.arange(200) / 25, "space": ["x", "y"], "keypoints": NODES, "individuals": names},
+        coords={"time": np.arange(200) / 25, "space": ["x", "y"], "keypoints": np.array(NODES), "individuals": names},
         attrs={"fps": 25.0, "time_unit": "seconds", "source_software": "SLEAP"},
     )
     same(analysed(dataset, score=0.5))

@@ -3,12 +3,11 @@
 use super::{CliError, interrupt, output, progress};
 use flockproof::arithmetic::{Progress, Rational, decimals, parse_rational};
 use flockproof::report::{PatternRow, Provenance};
-use num_traits::Zero;
 use serde_json::{Value, json};
 use std::process::ExitCode;
 
-/// Most particles: exact cosines of larger orders take minutes.
-pub const LARGEST: u64 = 60;
+/// Most particles.
+pub const LARGEST: u64 = PatternRow::MOST_PARTICLES as u64;
 
 #[derive(clap::Args)]
 #[command(
@@ -83,12 +82,6 @@ pub fn find(asked: &Asked, progress: &dyn Progress) -> Result<Found, CliError> {
         |name: &str, text: &str| parse_rational(text).map_err(|error| CliError::Use(format!("{name}: {error}")));
     let (omega0, spacing) = (number("omega0", &asked.omega0)?, number("K0", &asked.spacing)?);
     let gains = asked.gains.split(',').map(|text| number("gains", text)).collect::<Result<Vec<_>, _>>()?;
-    if omega0.is_zero() {
-        return Err(CliError::Use("omega0: without turning there are no circles".to_string()));
-    }
-    if gains.len() > asked.particles {
-        return Err(CliError::Use(format!("gains: at most {}, one for each particle", asked.particles)));
-    }
     let rows = PatternRow::all(asked.particles, (&omega0, &spacing), &gains, progress);
     let rows = rows.map_err(|error| CliError::Use(error.to_string()))?;
     Ok(Found { particles: asked.particles, omega0, spacing, gains, rows })

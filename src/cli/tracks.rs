@@ -3,10 +3,10 @@
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress};
 use flockproof::arithmetic::Cancelled;
-use flockproof::report::{File, Provenance, TracksReport};
+use flockproof::report::{File, Known, Provenance, TracksReport};
 use flockproof::tracks::{
-    BridgeShape, Choices, ChoicesError, Format, FormatError, NearestRule, PositionsUsed, School, Setting, Smoothing,
-    Tracks, UnknownName, analyse, delays, largest_lag, named, synthetic_school,
+    Attributes, BridgeShape, Choices, ChoicesError, Format, FormatError, NearestRule, PositionsUsed, School, Setting,
+    Smoothing, Tracks, UnknownName, analyse, delays, largest_lag, named, synthetic_school,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ use std::process::ExitCode;
 #[command(after_help = "Times are in seconds, lengths in the unit of x and y, radii of zones in body lengths.\n\n\
 Examples:\n  flockproof tracks assets/example_tracks.csv --out out\n  flockproof tracks --synthetic milling --fish 20 --seed mine --out out")]
 pub struct Arguments {
-    /// Table with the columns t, id, x, y: seconds or dates, a name for each fish, horizontal positions; or one of idtracker.ai, DeepLabCut or SLEAP; or an array (.npy) of shape (frames, fish, 2)
+    /// Table with the columns t, id, x, y: seconds or dates, a name for each fish, horizontal positions; or one of idtracker.ai, DeepLabCut, SLEAP, trackpy or Ctrax; or an array (.npy) of shape (frames, fish, 2)
     #[arg(value_name = "FILE.csv", required_unless_present = "synthetic", conflicts_with = "synthetic")]
     file: Option<PathBuf>,
     /// Folder for summary.json, tables and pictures; it is made if it is missing
@@ -52,9 +52,9 @@ pub struct Arguments {
     /// Use the smoothed positions for distances and networks too
     #[arg(long)]
     smooth_positions: bool,
-    /// Body length in the unit of x and y
-    #[arg(long, value_name = "B", default_value_t = 5.3, value_parser = super::help::finite)]
-    body_length: f64,
+    /// Body length in the unit of x and y [default: that in attributes.json beside a table of idtracker.ai, else 5.3, the sidebar's in cm]
+    #[arg(long, value_name = "B", value_parser = super::help::finite)]
+    body_length: Option<f64>,
     /// Outer radii of repulsion, orientation and attraction in body lengths; the last may be left out
     #[arg(
         long,
@@ -143,8 +143,13 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
                 "--frames {frames} for {fish} fish are more than {LARGEST_SCHOOL} positions"
             )));
         }
-        let setting =
-            Setting { fish, frames, step: STEP, body_length: arguments.body_length, seed: arguments.seed.clone() };
+        let setting = Setting {
+            fish,
+            frames,
+            step: STEP,
+            body_length: body_length(arguments, None),
+            seed: arguments.seed.clone(),
+        };
         let origin = json!({"synthetic": name, "fish": fish, "frames": frames, "step": STEP});
         let source = format!("synthetic school: {name}, seed {}", arguments.seed);
         return Ok((synthetic_school(school, &setting), source, origin));
@@ -170,14 +175,40 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
     Ok((tracks, name.to_string_lossy().into_owned(), origin))
 }
 
-fn choices(arguments: &Arguments, tracks: &Tracks) -> Result<Choices, CliError> {
+/// What is said of the body length beside the table.
+fn beside(arguments: &Arguments, tracks: &Tracks) -> Option<f64> {
+    let file = arguments.file.as_deref().filter(|path| *path != Path::new("-"));
+    let (path, name) = file.zip(Attributes::file(tracks.form))?;
+    let said = output::read_input(&path.with_file_name(name)).ok()?;
+    Attributes::read(&said.text)?.body_length
+}
+
+fn body_length(arguments: &Arguments, beside: Option<f64>) -> f64 {
+    arguments.body_length.or(beside).unwrap_or(Choices::BODY_LENGTH_OF_SIDEBAR)
+}
+
+/// Units, and where rate and body length come from.
+fn known(arguments: &Arguments, tracks: &Tracks, beside: Option<f64>) -> Known<'static> {
+    let body_length = match (arguments.body_length, beside) {
+        (Some(_), _) => Known::CHOSEN,
+        (None, Some(_)) => "attributes.json of idtracker.ai",
+        (None, None) => Known::OF_SIDEBAR,
+    };
+    let times = if arguments.fps.is_some() { "frames, and their rate is chosen" } else { Known::IN_FILE };
+    match arguments.synthetic {
+        Some(_) => Known { times: "made", body_length, ..Known::of_sidebar() },
+        None => Known { unit: tracks.form.unit(), times, body_length },
+    }
+}
+
+fn choices(arguments: &Arguments, tracks: &Tracks, body_length: f64) -> Result<Choices, CliError> {
     let sidebar = Choices::of_sidebar(tracks.step);
     let zones = Choices::radii_of_zones(&arguments.zones).map_err(|error| wrong(&error))?;
     Ok(Choices {
         smoothing: arguments.smoothing,
         window: arguments.window.unwrap_or(sidebar.window),
         positions: if arguments.smooth_positions { PositionsUsed::Smoothed } else { PositionsUsed::File },
-        body_length: arguments.body_length,
+        body_length,
         zones,
         blind: arguments.blind,
         still: arguments.still,
@@ -202,7 +233,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         return Err(CliError::Use(format!("--bridge {} bridges nothing without --max-gap", arguments.bridge.0)));
     }
     let tracks = tracks.bridge(arguments.max_gap, arguments.bridge.1);
-    let choices = choices(arguments, &tracks)?;
+    let beside = beside(arguments, &tracks);
+    let length = body_length(arguments, beside);
+    let choices = choices(arguments, &tracks, length)?;
     if let (Some(at), [first, .., last]) = (arguments.at, tracks.frames.as_slice())
         && !(first.time..=last.time).contains(&at)
     {
@@ -221,7 +254,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         "command": "tracks", "file": origin, "columns": arguments.columns, "fps": arguments.fps,
         "part": arguments.part, "score": arguments.score,
         "max_gap": arguments.max_gap, "bridge": arguments.bridge.0, "min_fish": arguments.min_fish, "ids": arguments.ids, "smoothing": arguments.smoothing.name(), "window": arguments.window,
-        "smooth_positions": arguments.smooth_positions, "body_length": arguments.body_length, "zones": arguments.zones,
+        "smooth_positions": arguments.smooth_positions, "body_length": length, "zones": arguments.zones,
         "blind": arguments.blind, "still": arguments.still, "plain_nearest": arguments.plain_nearest,
         "nearest": arguments.nearest, "delays": arguments.delays, "null": arguments.null, "at": arguments.at,
     });
@@ -244,6 +277,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         null: None,
         delays: None,
         snapshot_at: arguments.at,
+        known: known(arguments, &tracks, beside),
     };
     // The null models take longest: what was measured is written before them, whatever becomes of them.
     interrupt::finishing();

@@ -10,6 +10,17 @@
 //! | [`fuzz`] | campaigns over the invariants and over questions of one's own, and their summary |
 //! | [`sweep`] | tables of quantities over the family of a question |
 //! | [`ensemble`] | many runs of one scenario, and their statistics |
+//!
+//! ```
+//! use flockproof_campaign::fuzz::one_case;
+//! use flockproof_campaign::invariants::{self, Checked, Stop, Tested};
+//!
+//! // Something that must always be true, in ten random cases; a planted fault is found in one of them.
+//! let invariant = invariants::table().next().unwrap();
+//! let all = |tested| (0..10).map(|case| one_case(invariant, "my seed", case, tested).0).collect::<Vec<Checked>>();
+//! assert!(all(Tested::AsItIs).iter().all(|checked| checked.is_ok()));
+//! assert!(all(Tested::Altered).iter().any(|checked| matches!(checked, Err(Stop::Fails { .. }))));
+//! ```
 
 pub mod draws;
 pub mod ensemble;

@@ -1,5 +1,17 @@
 //! The claims of the papers and of this project with their checks, one file per group; a claim is found by searching for
 //! its id.
+//!
+//! ```
+//! # use ledger as flockproof_ledger;
+//! use flockproof_ledger::Options;
+//!
+//! // One claim: as printed, as corrected where it needs that, and with its negative controls.
+//! let ledger = flockproof_claims::ledger().unwrap();
+//! let report = ledger.verify(&["veerman.lem2".to_string()], &Options::default(), |_| {});
+//! let entry = &report.entries[0];
+//! assert!(report.is_as_recorded());
+//! assert!(entry.controls.total > 0 && entry.controls.refuted == entry.controls.total);
+//! ```
 
 /// The claims of these modules, boxed: `claims! { module: claim, claim; module: claim; }`.
 macro_rules! claims {

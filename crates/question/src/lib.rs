@@ -2,6 +2,27 @@
 //!
 //! [`Question::read`] reads a question; [`decide`] decides it; [`Question::case`] and [`Question::values`] serve tables and campaigns. The crate opens no
 //! files: those that a question names are given to it. `notes/questions.md` has the language with examples.
+//!
+//! ```
+//! # use arithmetic as flockproof_arithmetic;
+//! use flockproof_arithmetic::Unwatched;
+//! use flockproof_question::{Question, Verdict, decide};
+//!
+//! let text = r#"
+//!     [question]
+//!     id = "slowest_path"
+//!     [for]
+//!     n = "2..5"
+//!     graph = "connected(n)"
+//!     [holds]
+//!     property = "lambda(2) >= 2*(1 - cos(pi/n))"
+//!     controls = ["lambda(2) >= 2*(1 - cos(pi/n)) + 1/100"]
+//! "#;
+//! // It names no file.
+//! let question = Question::read(text, &|name| Err(format!("there is no file {name}"))).unwrap();
+//! let answer = decide(&question, &Unwatched).unwrap();
+//! assert_eq!(answer.verdict, Verdict::Holds);
+//! ```
 
 mod answer;
 mod binder;

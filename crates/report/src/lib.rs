@@ -1,5 +1,16 @@
 //! What people read: the table of the ledger, the list of claims, the explanation of one claim, tables and figures of the papers,
 //! files and pictures of simulated scenarios.
+//!
+//! ```
+//! # use ledger as flockproof_ledger;
+//! # use claims as flockproof_claims;
+//! use flockproof_ledger::Options;
+//!
+//! let ledger = flockproof_claims::ledger().unwrap();
+//! let report = ledger.verify(&["veerman.lem2".to_string()], &Options::default(), |_| {});
+//! let table = flockproof_report::verdict_table(&report.entries);
+//! assert!(table.lines().any(|line| line.starts_with("veerman.lem2")));
+//! ```
 
 mod animation;
 mod bode;
@@ -40,5 +51,5 @@ pub use simulation::{
 };
 pub use site::{Made, Site, SiteError, Texts};
 pub use table::{summary, verdict_table};
-pub use tracks::TracksReport;
+pub use tracks::{Known, TracksReport};
 pub use written::{WrittenProof, written_proofs};

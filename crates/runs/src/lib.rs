@@ -1,5 +1,13 @@
 //! What the claims and the figures share. Of Paley and others the runs behind Figures 1, 3 to 6 and 8, each law with the parameters that the
 //! paper gives and those that it leaves open, and the arrangements of Figure 2; of Veerman and others Table 1 as printed.
+//!
+//! ```
+//! use flockproof_runs::table1;
+//!
+//! // Table 1 of Veerman and others as printed: the "simulated" amplitudes double exactly with the number of cars.
+//! let amplitude = |n| table1::ROWS.iter().find(|row| row.n == n).unwrap().namp.parse::<f64>().unwrap();
+//! assert!((amplitude(8) / amplitude(4) - 2.0).abs() < 1e-8);
+//! ```
 
 pub mod figure2;
 mod formations;

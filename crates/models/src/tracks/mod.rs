@@ -7,6 +7,7 @@
 //! `notes/tracks.md` has the file format, the formulas and the choices.
 
 mod analysis;
+mod attributes;
 mod bridge;
 mod choices;
 mod delays;
@@ -25,6 +26,7 @@ mod times;
 mod trackers;
 
 pub use analysis::{Analysis, FishSummary, LeftOut, Reason, analyse};
+pub use attributes::Attributes;
 pub use bridge::BridgeShape;
 pub use choices::{Choices, ChoicesError, NearestRule, PositionsUsed};
 pub use delays::{Delays, DelaysError, PairDelay, delays, largest_lag};

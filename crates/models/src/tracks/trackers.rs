@@ -1,4 +1,4 @@
-//! Tables as trackers write them: all fish in one row (idtracker.ai), body parts (DeepLabCut, SLEAP).
+//! Tables as trackers write them: all fish in one row (idtracker.ai), body parts (DeepLabCut, SLEAP), other names of columns (trackpy, Ctrax).
 
 use super::Vector;
 use super::read::{Format, Row, TracksError, no_column, number, time};
@@ -16,6 +16,12 @@ pub enum Form {
     DeepLabCut,
     /// A row for each fish in each frame with `track`, `frame_idx` and `NAME.x, NAME.y, NAME.score` of each body part: SLEAP.
     Sleap,
+    /// A row for each fish in each frame with `frame, time, individual, x, y`: idtracker.ai.
+    Tidy,
+    /// A row for each particle in each frame with `frame, particle, x, y`: trackpy.
+    Trackpy,
+    /// A row for each fly in each frame with `timestamp` or `frame` and `identity, x_pos, y_pos`: Ctrax.
+    Ctrax,
     /// An array of NumPy, of shape (frames, fish, 2).
     Array,
 }
@@ -32,8 +38,22 @@ impl Form {
             Form::Sleap
         } else if has("x1") && has("y1") {
             Form::Wide
+        } else if ["time", "individual", "x", "y"].into_iter().all(has) {
+            Form::Tidy
+        } else if ["frame", "particle", "x", "y"].into_iter().all(has) {
+            Form::Trackpy
+        } else if ["identity", "x_pos", "y_pos"].into_iter().all(has) {
+            Form::Ctrax
         } else {
             Form::Rows
+        }
+    }
+
+    /// The unit of the positions, where the software that writes this form has one.
+    pub fn unit(self) -> Option<&'static str> {
+        match self {
+            Form::Rows | Form::Array => None,
+            Form::Wide | Form::Tidy | Form::DeepLabCut | Form::Sleap | Form::Trackpy | Form::Ctrax => Some("pixels"),
         }
     }
 
@@ -44,6 +64,9 @@ impl Form {
             Form::Wide => "all fish in one row, as idtracker.ai writes it",
             Form::DeepLabCut => "body parts of DeepLabCut",
             Form::Sleap => "body parts of SLEAP",
+            Form::Tidy => "a row for each fish in each frame, as idtracker.ai writes it",
+            Form::Trackpy => "a row for each particle in each frame, as trackpy writes it",
+            Form::Ctrax => "a row for each fly in each frame, as Ctrax writes it",
             Form::Array => "an array of NumPy",
         }
     }
@@ -79,6 +102,12 @@ pub(super) fn rows(
     let (layout, data) = match form {
         Form::DeepLabCut => deep_lab_cut(records)?,
         Form::Sleap => (sleap(&records[0])?, &records[1..]),
+        Form::Tidy => (named(form, &records[0], &["time"], ["individual", "x", "y"])?, &records[1..]),
+        Form::Trackpy => (named(form, &records[0], &["frame"], ["particle", "x", "y"])?, &records[1..]),
+        Form::Ctrax => {
+            let times = ["timestamp", "timestamps", "time", "t", "frame"];
+            (named(form, &records[0], &times, ["identity", "x_pos", "y_pos"])?, &records[1..])
+        }
         Form::Wide | Form::Rows | Form::Array => (wide(&records[0])?, &records[1..]),
     };
     let parts = || layout.fish.iter().flat_map(|(_, parts)| parts);
@@ -156,6 +185,16 @@ fn wide(header: &StringRecord) -> Result<Layout, TracksError> {
     });
     let in_frames = header.get(time) == Some("frame");
     Ok(Layout { form: Form::Wide, time, in_frames, name: None, fish: fish.collect() })
+}
+
+/// A row for each fish in each frame, with such names of the columns; of the times the first that is there, and `frame` counts frames.
+fn named(form: Form, header: &StringRecord, times: &[&str], columns: [&str; 3]) -> Result<Layout, TracksError> {
+    let column = |name: &str| header.iter().position(|field| field == name);
+    let found = times.iter().find_map(|&name| Some((name, column(name)?)));
+    let (called, time) = found.ok_or_else(|| no_column(times[0], header))?;
+    let [name, x, y] = columns.map(|name| column(name).ok_or_else(|| no_column(name, header)));
+    let part = Part { name: String::new(), x: x?, y: y?, score: None };
+    Ok(Layout { form, time, in_frames: called == "frame", name: Some(name?), fish: vec![(String::new(), vec![part])] })
 }
 
 /// `track, frame_idx, instance.score, NAME.x, NAME.y, NAME.score, ..`.

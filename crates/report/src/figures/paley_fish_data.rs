@@ -3,7 +3,7 @@
 
 use super::{Reproduced, csv};
 use crate::plot::Picture;
-use crate::tracks::{TracksReport, difference_panel, potential_panel, scaled_panel, snapshot_panel};
+use crate::tracks::{Known, TracksReport, difference_panel, potential_panel, scaled_panel, snapshot_panel};
 use arithmetic::Unwatched;
 use ledger::CheckError;
 use models::tracks::{Analysis, Choices, NullModels, School, Setting, Tracks, analyse, null_models, synthetic_school};
@@ -63,6 +63,7 @@ impl Made {
             null: Some(&self.null),
             delays: None,
             snapshot_at: None,
+            known: Known::of_sidebar(),
         }
     }
 }

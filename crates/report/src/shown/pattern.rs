@@ -4,6 +4,7 @@ use super::{enclosed, table};
 use arithmetic::{ArithmeticError, Cancelled, Complex, Dyadic, Interval, Progress, Rational, Ring, Signed};
 use maud::html;
 use models::oscillator::FourierFormation;
+use num_traits::Zero;
 
 /// The linearisation at the pattern of so many clusters, without what rotation and translation force.
 #[derive(Debug, Clone)]
@@ -22,6 +23,20 @@ pub struct PatternRow {
 /// Why there are no rows.
 #[derive(Debug, thiserror::Error)]
 pub enum PatternError {
+    /// Particles that do not turn.
+    #[error("omega0: without turning there are no circles")]
+    NoTurning,
+    /// More gains than particles.
+    #[error("gains: at most {0}, one for each particle")]
+    TooManyGains(usize),
+    /// More particles than are decided in a while.
+    #[error("particles: from 1 to {most}, not {found}")]
+    Particles {
+        /// What was asked for.
+        found: usize,
+        /// The limit.
+        most: usize,
+    },
     /// Modes without their eigenvalues.
     #[error(transparent)]
     Arithmetic(#[from] ArithmeticError),
@@ -31,6 +46,9 @@ pub enum PatternError {
 }
 
 impl PatternRow {
+    /// Most particles: exact cosines of larger orders take minutes.
+    pub const MOST_PARTICLES: usize = 60;
+
     /// Digits that are shown.
     pub const DIGITS: u32 = 18;
 
@@ -44,6 +62,15 @@ impl PatternRow {
         gains: &[Rational],
         progress: &dyn Progress,
     ) -> Result<Vec<Self>, PatternError> {
+        if !(1..=Self::MOST_PARTICLES).contains(&particles) {
+            return Err(PatternError::Particles { found: particles, most: Self::MOST_PARTICLES });
+        }
+        if circular.0.is_zero() {
+            return Err(PatternError::NoTurning);
+        }
+        if gains.len() > particles {
+            return Err(PatternError::TooManyGains(particles));
+        }
         let divisors: Vec<usize> = (1..=particles).filter(|m| particles.is_multiple_of(*m)).collect();
         let mut rows = Vec::new();
         for (done, &clusters) in divisors.iter().enumerate() {

@@ -1,6 +1,7 @@
 //! The errata of a paper: fit to print, and to send to its authors.
 
 use super::Site;
+use super::by_hand::by_hand;
 use super::words::spoken;
 use crate::page::Links;
 use crate::papers::{Paper, papers};
@@ -16,7 +17,7 @@ fn errata<'a>(site: &'a Site, paper: Paper) -> impl Iterator<Item = &'a Entry> {
 pub(super) fn list(site: &Site) -> Markup {
     html! {
         h1 { "Errata" }
-        p.lead { "For each paper one page that can be printed: place, what is printed, what is correct, why, and how to check it." }
+        p.lead { "For each paper one page that can be printed: place, what is printed, what is correct, why, and how to check it, by hand and by the program." }
         ul { @for paper in papers() {
             li { a href={ (paper.key) ".html" } { (paper.short) " " (paper.year) } ": " (errata(site, paper).count()) " entries" }
         } }
@@ -41,6 +42,9 @@ pub(super) fn body(site: &Site, paper: Paper) -> Markup {
         p.lead { (paper.citation()) }
         p { (errata(site, paper).count()) " of " (site.entries().iter().filter(|e| e.paper == paper.key).count())
             " statements fail as printed. Each correction is checked by the same computation that refutes the printed form." }
+        p { "Symbols, equations and places are those of the paper. " b { "By hand" } " is a program of a few lines that needs Python and NumPy and nothing else: \
+            it prints what stands behind " code { "#" } ". " b { "Check" } " names the command that computes the whole entry again, with proofs and \
+            enclosures, by the program flockproof " (env!("CARGO_PKG_VERSION")) "." }
         @for (fault, title, about) in kinds {
             @let of_kind: Vec<&Entry> = errata(site, paper).filter(|e| e.fault == Some(fault)).collect();
             @if !of_kind.is_empty() {
@@ -65,6 +69,7 @@ fn erratum(site: &Site, e: &Entry, number: usize) -> Markup {
                 @if let Some(text) = &e.corrected { dt { "Correct" } dd { (rich(text)) } }
                 @if let Some(text) = &e.counterexample { dt { "Fails at" } dd { (rich(text)) } }
                 @if let Some(text) = site.derivation(&e.id).filter(|text| !text.is_empty()) { dt { "Why" } dd { (rich(text)) } }
+                @if let Some(plain) = by_hand(&e.id) { dt { "By hand" } dd { (rich(plain.what)) pre { code { (plain.code) } } } }
                 dt { "Check" }
                 dd { code { "flockproof explain " (e.id) } ", " a href={ "../claims/" (e.id) ".html" } { (e.id) } " (" (spoken(e.verdict)) ")" }
             }

@@ -1,5 +1,6 @@
 //! The site: a page for each claim, paper and note, as bytes. It writes no files; the command `report` does.
 
+mod by_hand;
 mod claim;
 mod coq;
 mod counterexample;

@@ -27,6 +27,33 @@ pub struct TracksReport<'a> {
     pub delays: Option<&'a Delays>,
     /// Time of the snapshot in seconds; without it the middle of the frames that are used.
     pub snapshot_at: Option<f64>,
+    /// Units, and where they come from.
+    pub known: Known<'a>,
+}
+
+/// Units of a recording, and where its rate and its body length come from, in words.
+#[derive(Debug, Clone, Copy)]
+pub struct Known<'a> {
+    /// The unit of the positions; none where nobody says it.
+    pub unit: Option<&'a str>,
+    /// Where the times come from.
+    pub times: &'a str,
+    /// Where the body length comes from.
+    pub body_length: &'a str,
+}
+
+impl Known<'_> {
+    /// Times that stand in the file.
+    pub const IN_FILE: &'static str = "the file";
+    /// What was chosen by whoever asks.
+    pub const CHOSEN: &'static str = "chosen";
+    /// A body length that nobody says.
+    pub const OF_SIDEBAR: &'static str = "the sidebar's, in cm";
+
+    /// Of a made school, or of tables whose unit is that of the sidebar.
+    pub fn of_sidebar() -> Known<'static> {
+        Known { unit: Some("cm"), times: Known::IN_FILE, body_length: Known::OF_SIDEBAR }
+    }
 }
 
 /// Fewer frames than this, or a smaller share of the recording than [`SMALL_SHARE`], are few.

@@ -100,7 +100,10 @@ fn declaration(report: &TracksReport) -> Value {
         "at_rest": choices.still,
         "bridges": (!report.tracks.bridged.is_empty()).then(|| report.tracks.bridged_by.words()),
         "least_fish": choices.least_fish(report.tracks.fish()),
+        "unit": report.known.unit,
+        "times_from": report.known.times,
         "body_length": choices.body_length,
+        "body_length_from": report.known.body_length,
         "zones_in_body_lengths": choices.zones.map(number),
         "blind_degrees": choices.blind,
         "single_neighbour": match choices.rule {

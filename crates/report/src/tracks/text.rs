@@ -1,6 +1,6 @@
 //! The analysis as a text of at most 80 columns.
 
-use super::{TracksReport, tables};
+use super::{Known, TracksReport, tables};
 use models::tracks::{Choices, Comparison, Delays, Form, NearestRule, NullModels, PositionsUsed, Scale, Smoothing};
 use motion::Share;
 use std::fmt::Write;
@@ -78,15 +78,10 @@ fn heading(report: &TracksReport, text: &mut String) {
     if let Some(start) = &tracks.start {
         let _ = writeln!(text, "t = 0 is {start}");
     }
-    let _ = writeln!(
-        text,
-        "{} fish, {} frames of {} s from t = {} to {}\n",
-        tracks.fish(),
-        left.recorded,
-        number(tracks.step),
-        ends[0],
-        ends[1]
-    );
+    let (fish, step, [from, to]) = (tracks.fish(), number(tracks.step), ends);
+    let _ = writeln!(text, "{fish} fish, {} frames of {step} s from t = {from} to {to}", left.recorded);
+    let unit = report.known.unit.map_or(String::new(), |unit| format!("positions in {unit}; "));
+    let _ = writeln!(text, "{unit}times: {}\n", report.known.times);
 }
 
 fn declaration(report: &TracksReport, text: &mut String) {
@@ -107,7 +102,7 @@ fn declaration(report: &TracksReport, text: &mut String) {
         PositionsUsed::Smoothed => "for distances and networks: smoothed",
     };
     paragraph(text, "positions", positions);
-    paragraph(text, "zones", &zones(choices));
+    paragraph(text, "zones", &zones(report));
     let single = match choices.rule {
         NearestRule::SecondInRepulsion => {
             "the nearest neighbour, or the second nearest where the nearest is in the zone of repulsion"
@@ -135,13 +130,16 @@ fn velocity(choices: &Choices, seconds: &str) -> String {
     }
 }
 
-fn zones(choices: &Choices) -> String {
+fn zones(report: &TracksReport) -> String {
+    let choices = &report.analysis.choices;
     let [repulsion, orientation, attraction] = choices.zones;
     let last = if attraction.is_finite() { format!("to {attraction}") } else { "without end".to_string() };
-    let whose = if choices.body_length == Choices::BODY_LENGTH_OF_SIDEBAR {
-        " (that of the sidebar in cm; --body-length says another)"
-    } else {
-        ""
+    let whose = match (report.known.body_length, report.known.unit) {
+        (Known::OF_SIDEBAR, Some(unit)) if unit != "cm" => {
+            format!(" (that of the sidebar in cm, which means nothing for positions in {unit}: say the body length)")
+        }
+        (Known::OF_SIDEBAR, _) => " (that of the sidebar in cm; --body-length says another)".to_string(),
+        (from, _) => format!(" ({from})"),
     };
     format!(
         "repulsion to {repulsion}, orientation to {orientation}, attraction {last} body lengths of {}{whose}; \

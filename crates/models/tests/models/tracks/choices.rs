@@ -4,8 +4,8 @@ use super::measures::{Asked, setting};
 use super::nulls::Told;
 use arithmetic::{Complex, Unwatched};
 use models::tracks::{
-    BridgeShape, Choices, ChoicesError, Form, Format, Histogram, NearestRule, PositionsUsed, Scale, School, Smoothing,
-    Tracks, analyse, smoothed, synthetic_school,
+    Attributes, BridgeShape, Choices, ChoicesError, Form, Format, Histogram, NearestRule, PositionsUsed, Scale, School,
+    Smoothing, Tracks, analyse, smoothed, synthetic_school,
 };
 use std::sync::atomic::AtomicUsize;
 
@@ -408,4 +408,40 @@ fn tables_of_trackers_are_read() {
     assert!(error("track,frame_idx\na,0\n", &frames).contains("no column `NAME.x`"));
     assert!(error("scorer,a\ncoords,x\n", &frames).contains("no column `bodyparts`"));
     assert!(error("t,id,x,y\n0,a,1,1\n", &fin).contains("no body part"));
+}
+
+/// Tables with names of their own for the columns: idtracker.ai, trackpy and Ctrax; what was not seen is left out.
+#[test]
+fn names_of_columns_of_other_software_are_known() {
+    let plain = Tracks::from_csv("t,id,x,y\n0,0,1,2\n0,1,3,4\n0.5,0,5,6\n1,0,7,8\n1,1,9,10\n").expect("a recording");
+    let frames = Format::new::<&str>(&[], Some(2.0)).expect("a rate");
+    let none = Format::default();
+    let tidy = "frame,time,individual,x,y,probability\n0,0,0,1,2,1\n0,0,1,3,4,1\n1,0.5,0,5,6,1\n1,0.5,1,nan,nan,nan\n2,1,0,7,8,1\n2,1,1,9,10,1\n";
+    let trackpy = "y,x,mass,frame,particle\n2,1,9,0,0\n4,3,9,0,1\n6,5,9,1,0\n8,7,9,2,0\n10,9,9,2,1\n";
+    let flies = "timestamp,identity,x_pos,y_pos,angle\n0,0,1,2,0\n0,1,3,4,0\n0.5,0,5,6,0\n1,0,7,8,0\n1,1,9,10,0\n";
+    for (text, format, form) in
+        [(tidy, &none, Form::Tidy), (trackpy, &frames, Form::Trackpy), (flies, &none, Form::Ctrax)]
+    {
+        let tracks = Tracks::from_table(text, format).expect("a recording");
+        assert_eq!((tracks.form, tracks.form.unit()), (form, Some("pixels")));
+        assert_eq!((tracks.ids, tracks.positions, tracks.step), (plain.ids.clone(), plain.positions.clone(), 0.5));
+    }
+    let error = |text: &str, format: &Format| Tracks::from_table(text, format).expect_err("refused").to_string();
+    assert!(error(trackpy, &none).contains("how many frames there are in a second"));
+    assert!(error("identity,x_pos,y_pos\n0,1,2\n", &none).contains("no column `timestamp`"));
+    // Named columns come first.
+    let named = Format::new(&["frame=t", "particle=id"], Some(2.0)).expect("a format");
+    assert_eq!(Tracks::from_table(trackpy, &named).map(|tracks| tracks.form), Ok(Form::Rows));
+}
+
+/// What idtracker.ai writes beside a table; what is no length is none.
+#[test]
+fn attributes_beside_a_table() {
+    let length = |text| Attributes::read(text).and_then(|said| said.body_length);
+    assert_eq!(length(r#"{"body_length": 7.5, "length_unit": null}"#), Some(7.5));
+    for none in ["", "[7.5]", r#"{"body_length": null}"#, r#"{"body_length": 0}"#, r#"{"body_length": -1}"#, "{"] {
+        assert_eq!(length(none), None, "{none}");
+    }
+    assert_eq!(Attributes::file(Form::Tidy), Some("attributes_tidy.json"));
+    assert_eq!(Attributes::file(Form::Rows), None);
 }
