@@ -359,7 +359,7 @@ pub fn far_birds_are_not() -> Record<FarVariant> {
     .altered("two birds with c_i = 1/1024", |v| v.weight = 1024)
     .altered("step 1 of the proof: with half of the threshold", |v| v.growth = (1, 2))
     .altered("step 3 of the proof: with n^(a+6) steps", |v| v.mixing = 6)
-    .altered("step 4 of the proof: with speeds up to n^60", |v| v.speeds = 60)
+    .altered("step 4 of the proof: with speeds up to n^45", |v| v.speeds = 45)
 }
 
 fn check_far_birds_are_not(variant: &FarVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -14,8 +14,8 @@ use rand_chacha::rand_core::Rng;
 /// The matrices of a network with the `a` for which the `c_i` have denominators up to `n^a`.
 fn models(graph: &Graph) -> Result<Vec<(u32, RationalMatrix)>, CheckError> {
     let heavy = heavy_weights(graph.order()).filter(|weights| weights.are_admissible(graph));
-    let all = [(2, Some(Weights::Lazy)), (1, Some(Weights::Vicsek)), (2, heavy)];
-    all.into_iter().filter_map(|(a, w)| w.map(|w| Ok((a, transition_matrix(graph, &w)?.reduced())))).collect()
+    let all = [(2, Weights::Lazy), (1, Weights::Vicsek)].into_iter().chain(heavy.map(|weights| (2, weights)));
+    all.map(|(a, weights)| Ok((a, transition_matrix(graph, &weights)?.reduced()))).collect()
 }
 
 /// `c_i = 1/q_i` with different primes `q_i <= n²`: the longest common denominators.

@@ -369,7 +369,7 @@ pub fn steady_state() -> Record<TimeVariant> {
          2^^O(n) steps.",
     ])
     .altered("at most 65536 steps", |v| v.height = |_| 4)
-    .altered("step 3 of the proof: with one level for each merger", |v| v.height = |n| n + 5)
+    .altered("step 3 of the proof: with 2n + 3 levels", |v| v.height = |n| 2 * n + 3)
 }
 
 fn check_steady_state(variant: &TimeVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -125,7 +125,7 @@ pub fn eq9() -> Record<RateVariant> {
     .repaired_clauses(&[
         "Under (4), (5), while no agent is at rest, no linked agents are in one place and no heading jumps, Vdot_t = - theta^T L_w theta - sum_i theta_i \
          (v_i x grad_{r_i} V_i)/|v_i|².",
-        "Vdot_t > 0 for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s, s the squared distance.",
+        "Under the same law Vdot_t > 0 for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s, s the squared distance.",
     ])
     .control("the potentials' part with the other sign", RateVariant::Form { form: -1, potential: -1 })
     .control("plus theta^T L_w theta", RateVariant::Form { form: 1, potential: 1 })
@@ -183,7 +183,7 @@ pub fn vt_inv() -> Record<InvariantVariant> {
     .clauses(&["V_t is nonincreasing along the closed loop.", "Omega = {V_t <= c} is positively invariant."])
     .repaired(Fault::False, "", ENERGY)
     .repaired_clauses(&[
-        "The mechanical energy (1/2) sum_i (V_i + v_i^T v_i) is constant along the closed loop, as long as the motion lasts.",
+        "The mechanical energy (1/2) sum_i (V_i + v_i^T v_i) is constant along (1), (4), (5), as long as the motion lasts.",
         "{(1/2) sum_i (V_i + v_i^T v_i) <= c} is invariant, in the same sense.",
     ])
     .altered("the kinetic energy alone is constant", |v| v.potentials = (0, 1))

@@ -135,9 +135,9 @@ pub fn distances() -> Record<DistanceVariant> {
     )
     .repaired(Fault::False, "", DistanceVariant { end: End::Swing, start: FAST })
     .repaired_clauses(&[
-        "Along the closed loop, as long as the motion lasts, (1/2) sum_i (V_i + v_i^T v_i) is constant.",
-        "Two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, s the squared distance, keep the heading 0 and \
-         their distance swings for ever: it does not tend to a limit.",
+        "Along (1), (4), (5), as long as the motion lasts, (1/2) sum_i (V_i + v_i^T v_i) is constant.",
+        "Under the same law two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, s the squared distance, keep \
+         the heading 0 and their distance swings for ever: it does not tend to a limit.",
     ])
     .altered("with velocity (1/2, 0)", |v| v.start = SLOW)
     .altered("from the distance 1", |v| v.start = AT_MINIMUM)
@@ -234,7 +234,7 @@ pub fn cases() -> Record<CaseVariant> {
     .repaired_by(Fault::False, "", |v| v.signs = 2)
     .repaired_clauses(&[
         "Under (4), (5), on the set of equal constant headings of agents that move, no linked ones in one place, potential forces are along the velocities.",
-        "Neither case need last, and the system need not converge to a minimum of sum V_i: two linked agents at (0, 0) and (2, 0), both \
+        "Neither sign of -grad_{r_i} V_i . v_i need last under this law, and the system need not converge to a minimum of sum V_i: two linked agents at (0, 0) and (2, 0), both \
          with velocity (2, 0), V = 1/s + log s, s the squared distance, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each \
          swing.",
     ])

@@ -2,7 +2,7 @@
 
 use claims::{EVIDENCE, LISTED, RECORDED};
 use ledger::{Grade, Ledger, LedgerError, Options, Report, Verdict, correction_id, listed, recorded, to_json};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
 /// Corrections of wording, and by long runs.
@@ -55,6 +55,19 @@ fn every_claim_is_as_recorded() {
             None => assert!(WITHOUT_OWN_CLAIM.contains(&printed.as_str()), "{printed}: the correction is not a claim"),
         }
     }
+}
+
+/// Where printed statements fail: a check that comes to another place, which may be none, is noticed, though the verdict is the same.
+#[test]
+fn counterexamples_are_as_recorded() {
+    let told = report().entries.iter().filter_map(|entry| Some((entry.id.as_str(), entry.counterexample.as_deref()?)));
+    let recorded: BTreeMap<&str, &str> =
+        include_str!("counterexamples.tsv").lines().skip(1).filter_map(|row| row.split_once('\t')).collect();
+    let told: BTreeMap<&str, &str> = told.collect();
+    for (id, counterexample) in &told {
+        assert_eq!(recorded.get(id), Some(counterexample), "{id}");
+    }
+    assert_eq!(told.len(), recorded.len());
 }
 
 /// Every row of the table of evidence is read, is about a claim, and rests on cases where cases are counted.

@@ -95,6 +95,7 @@ pub fn fiedler_rate() -> Record<FiedlerVariant> {
     .altered("c = 2", |v| v.gap_shift = -1)
     .altered("not connected", |v| v.connected = false)
     .altered("without the factor n", |v| v.power = 0)
+    .altered("n 2^(-14 t/n^3)", |v| v.sign = -14)
 }
 
 fn check_fiedler_rate(variant: &FiedlerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
