@@ -110,7 +110,8 @@ fn written(figure: &Figure, made: Made, manifest: &mut Manifest) -> Result<Strin
     let filled = |text: String| textwrap::fill(&text, output::width().min(80));
     let head = filled(format!("{}: {}", figure.name, figure.about));
     let claims = filled(format!("claims (flockproof explain ID): {}", figure.claims.join(", ")));
-    Ok(format!("{head}\n{claims}\n\n{text}written: {names} in {folder}\n\n"))
+    let there = filled(format!("written: {names} in {folder}"));
+    Ok(format!("{head}\n{claims}\n\n{text}{there}\n\n"))
 }
 
 /// `reproduce.json`: which figures are in a folder, by which version, with the digests of their files.

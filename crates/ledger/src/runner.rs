@@ -252,7 +252,8 @@ impl Ledger {
         let known: BTreeSet<String> = self.listed_ids().chain(self.ids()).map(paper_of).collect();
         for paper in papers {
             if !known.iter().any(|known| is_of_paper(known, paper)) {
-                let known: Vec<String> = known.into_iter().collect();
+                let mut known: Vec<String> = known.into_iter().collect();
+                known.push("tanner (both of Tanner's)".to_string());
                 return Err(LedgerError::NoPaper(paper.clone(), known.join(", ")));
             }
         }

@@ -147,7 +147,7 @@ pub fn legend(entry: &Entry, width: usize) -> String {
     let mut parts: Vec<String> =
         entry.grades().into_iter().map(|grade| format!("{}: {}", grade.word(), grade.meaning())).collect();
     if !entry.evidence.is_empty() {
-        parts.push("[all]: for all parameters of the clause; [instances]: for named cases only".to_string());
+        parts.push("[all]: for all parameters of the clause; [instances]: for named cases, or for a part of what the clause says, only".to_string());
     }
     textwrap::fill(&parts.join(". "), width.clamp(40, 120)) + if parts.is_empty() { "" } else { "\n" }
 }

@@ -21,7 +21,8 @@ pub fn declaration(flock: &Flock, control: Option<&RationalMatrix>) -> String {
     format!(
         "model D, {} in dimension {}: for t = 1, 2, ..\n\
          x(t) = x(t-1) + v(t); then G_t: edge i-j if |x_i(t) - x_j(t)| <= 1;\n\
-         then v_i(t+1) = v_i(t) + c_i sum over neighbours in G_t of (v_j(t) - v_i(t)), {weights};\n\
+         then v_i(t+1) = v_i(t) + c_i sum over j of (v_j(t) - v_i(t)),\n\
+         j the neighbours of i in G_t, {weights};\n\
          {control}{};\n\
          G_0 by distance alone; a bird without neighbours keeps its velocity.",
         birds(flock.birds()),
