@@ -4,6 +4,18 @@
 //! [`motion`]; the models [`averaging`] (Chazelle), [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`tracks`] (measured
 //! trajectories) and [`double_integrator`] (Tanner, Jadbabaie and Pappas); [`scenario`] (runs of all of them from a file); [`reach`] (worst cases of switched linear systems); [`ledger`]; [`certificates`] and
 //! [`kernel`] (the Coq development); [`claims`]; [`report`]; [`campaign`] (invariants under random cases).
+//!
+//! The largest amplitude that the last of 128 cars can have behind an oscillating leader, with its frequency, enclosed to ten digits:
+//!
+//! ```
+//! use flockproof::arithmetic::rational;
+//! use flockproof::platoon::{Gains, resonance};
+//!
+//! let gains = Gains { f: rational(-1, 1), g: rational(-1, 1) };
+//! let found = resonance(&gains, 128, 10).unwrap();
+//! let (lo, hi) = found.amplitude.to_rationals();
+//! assert!(rational(146_730, 1000) < lo && hi < rational(146_731, 1000));
+//! ```
 
 // The command line uses the library by the name that users know.
 extern crate self as flockproof;

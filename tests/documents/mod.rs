@@ -342,3 +342,17 @@ fn equivalent_alterations_are_of_sources_that_exist() {
         assert!(fields.len() == 5 && root().join(fields[0]).is_file(), "{row}");
     }
 }
+
+/// The first page of each crate that others can use shows by an example what it is for; `cargo test --doc` runs them.
+#[test]
+fn every_crate_begins_with_an_example() {
+    let crates = std::fs::read_dir(root().join("crates")).expect("the crates");
+    let mut folders: Vec<PathBuf> = crates.map(|entry| entry.expect("a crate").path()).collect();
+    folders.extend(["", "proofs_checks", "proofs_checks/checker"].map(|name| root().join(name)));
+    assert!(folders.len() > 15);
+    for folder in folders {
+        let source = std::fs::read_to_string(folder.join("src/lib.rs")).expect("a library");
+        let first: Vec<&str> = source.lines().take_while(|line| line.starts_with("//!")).collect();
+        assert_eq!(first.iter().filter(|line| **line == "//! ```").count(), 2, "{}", folder.display());
+    }
+}

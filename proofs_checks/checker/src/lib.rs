@@ -2,6 +2,29 @@
 //!
 //! All arithmetic is on integers. The work on a file is bounded before it is done, and the sentence of the `claim` line is
 //! composed again from the numbers that were checked: a certificate cannot say more than it shows.
+//!
+//! ```
+//! use flockproof_checker::check;
+//!
+//! let certificate = "flockproof-certificate 1 inertia
+//! claim the symmetric matrix A below has 1 positive, 1 negative and 0 zero eigenvalues, counted with multiplicity
+//! order 2
+//! A over 1
+//! 0 1
+//! 1 2
+//! pivots 2 1
+//! L over 2
+//! 2 0
+//! 1 2
+//! D over 2
+//! 4 -1
+//! end
+//! ";
+//! assert_eq!(check(certificate.as_bytes()).unwrap().kind, "inertia");
+//! // Another sign in D, or another claim, is refused.
+//! assert!(check(certificate.replace("4 -1", "4 1").as_bytes()).is_err());
+//! assert!(check(certificate.replace("1 positive", "2 positive").as_bytes()).is_err());
+//! ```
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
