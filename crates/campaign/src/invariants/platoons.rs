@@ -3,7 +3,7 @@
 use super::{Checked, Invariant, OrFails, Stop, Tested, require, shown};
 use crate::draws::Draws;
 use arithmetic::{Rational, Unwatched, rational};
-use models::platoon::gain_margin::{GainMargin, gain_margin};
+use models::platoon::gain_margin::{GainMargin, MOST_EXACT, gain_margin};
 use models::platoon::vector_form::{is_stable, motion_rows_of_cars};
 use models::platoon::{CommunicationGraph, Gains, PeakError, peak_on_graph};
 use num_traits::ToPrimitive;
@@ -25,6 +25,14 @@ pub(super) const TABLE: &[Invariant] = &[
         block: 5,
         check: margin,
     },
+    Invariant {
+        id: "platoon.gain_margin_of_twelve",
+        statement: "A platoon of twelve cars that is stable is so at all factors of a dense scan that lie between the ends of its gain margin, and is \
+                    not stable just beyond them; one that is not stable has no peak.",
+        control: "an infinite gain margin, whatever is found",
+        block: 1,
+        check: margin_of_most,
+    },
 ];
 
 const WEIGHTS: [i64; 3] = [1, 10, 100];
@@ -37,8 +45,7 @@ struct Platoon {
 
 impl Platoon {
     /// Car `k` tracks cars at random, the one in front among them more often than not, and all or none have the same gains.
-    fn drawn(draws: &mut Draws) -> Result<Self, Stop> {
-        let followers = draws.between(1, 6);
+    fn drawn(draws: &mut Draws, followers: usize) -> Result<Self, Stop> {
         let mut rows = Vec::new();
         for k in 1..=followers {
             let mut heard = Vec::new();
@@ -102,9 +109,9 @@ impl Platoon {
 }
 
 fn peak(draws: &mut Draws, tested: Tested) -> Checked {
-    let platoon = Platoon::drawn(draws)?;
+    let followers = draws.between(1, 6);
+    let platoon = Platoon::drawn(draws, followers)?;
     let described = || platoon.described();
-    let followers = platoon.gains.len();
     let stable = platoon.is_stable(&rational(1, 1))?;
     let found = match peak_on_graph(&platoon.graph, &platoon.gains, followers, 12, &Unwatched) {
         Ok(found) => found,
@@ -131,38 +138,70 @@ fn peak(draws: &mut Draws, tested: Tested) -> Checked {
     Ok(None)
 }
 
+/// The ends of the gain margin of a stable platoon, each between two numbers.
+fn ends(platoon: &Platoon, tested: Tested) -> Result<[Option<(Rational, Rational)>; 2], Stop> {
+    let reduced = platoon.graph.reduced_laplacian().or_fails("there is no Laplacian")?;
+    match gain_margin(&reduced, &platoon.gains).or_fails("the margin is refused")? {
+        GainMargin::Open(why) => Err(Stop::Undecided(why)),
+        GainMargin::Ends { below, above } if !tested.is_altered() => {
+            Ok([below, above].map(|end| end.map(|end| end.to_rationals())))
+        }
+        _ => Ok([None, None]),
+    }
+}
+
+/// Whether it is stable with those of the factors that lie between the ends, and not just beyond them.
+fn ends_there(
+    platoon: &Platoon,
+    [below, above]: &[Option<(Rational, Rational)>; 2],
+    factors: impl IntoIterator<Item = Rational>,
+) -> Result<(), Stop> {
+    let between = |factor: &Rational| {
+        below.as_ref().is_none_or(|(_, hi)| factor > hi) && above.as_ref().is_none_or(|(lo, _)| factor < lo)
+    };
+    for factor in factors.into_iter().filter(between) {
+        let why = format!("with the factor {factor} it is not stable");
+        require(platoon.is_stable(&factor)?, why, || platoon.described())?;
+    }
+    let (one, near) = (rational(1, 1), rational(1, 1_000_000));
+    let beyond = [below.as_ref().map(|(lo, _)| lo * (&one - &near)), above.as_ref().map(|(_, hi)| hi * (&one + &near))];
+    for factor in beyond.into_iter().flatten() {
+        let why = format!("with the factor {factor} it is stable");
+        require(!platoon.is_stable(&factor)?, why, || platoon.described())?;
+    }
+    Ok(())
+}
+
 fn margin(draws: &mut Draws, tested: Tested) -> Checked {
-    let platoon = Platoon::drawn(draws)?;
-    let described = || platoon.described();
-    if !platoon.is_stable(&rational(1, 1))? {
+    let followers = draws.between(1, 6);
+    let platoon = Platoon::drawn(draws, followers)?;
+    let one = rational(1, 1);
+    if !platoon.is_stable(&one)? {
         return Ok(None);
     }
-    let reduced = platoon.graph.reduced_laplacian().or_fails("there is no Laplacian")?;
-    let found = gain_margin(&reduced, &platoon.gains).or_fails("the margin is refused")?;
-    let (below, above) = match found {
-        GainMargin::Open(why) => return Err(Stop::Undecided(why)),
-        _ if tested.is_altered() => (None, None),
-        GainMargin::Infinite => (None, None),
-        GainMargin::Ends { below, above } => (below, above),
-    };
-    let (one, near) = (rational(1, 1), rational(1, 1_000_000));
-    let ends = |x: Option<arithmetic::Interval>| x.map(|x| x.to_rationals());
-    let (below, above) = (ends(below), ends(above));
-    let low = below.as_ref().map_or(rational(0, 1), |(_, hi)| hi.clone());
+    let found = ends(&platoon, tested)?;
+    let low = found[0].as_ref().map_or(rational(0, 1), |(_, hi)| hi.clone());
+    let mut factors = vec![rational(1, 1_000_000)];
     for k in 1..8i64 {
-        let inside = &low + (&one - &low) * rational(k * k, 64);
-        if inside > low {
-            require(platoon.is_stable(&inside)?, format!("with the factor {inside} it is not stable"), described)?;
-        }
-        let inside = above.as_ref().map_or(rational(1 << (2 * k), 1), |(lo, _)| &one + (lo - &one) * rational(k, 8));
-        require(platoon.is_stable(&inside)?, format!("with the factor {inside} it is not stable"), described)?;
+        factors.push(&low + (&one - &low) * rational(k * k, 64));
+        let above = found[1].as_ref().map(|(lo, _)| &one + (lo - &one) * rational(k, 8));
+        factors.push(above.unwrap_or_else(|| rational(1 << (2 * k), 1)));
     }
-    let tiny = rational(1, 1_000_000);
-    let small = below.is_some() || platoon.is_stable(&tiny)?;
-    require(small, "with the factor 1/1000000 it is not stable", described)?;
-    let beyond = [below.map(|(lo, _)| lo * (&one - &near)), above.map(|(_, hi)| hi * (&one + &near))];
-    for factor in beyond.into_iter().flatten() {
-        require(!platoon.is_stable(&factor)?, format!("with the factor {factor} it is stable"), described)?;
+    ends_there(&platoon, &found, factors)?;
+    Ok(None)
+}
+
+/// The largest platoons whose margin is decided whatever the gains, at factors from 1/1000 to 1000, each a fifth larger than the one before.
+fn margin_of_most(draws: &mut Draws, tested: Tested) -> Checked {
+    const STEPS: [i64; 12] = [100, 121, 147, 178, 215, 261, 316, 383, 464, 562, 681, 825];
+    let platoon = Platoon::drawn(draws, MOST_EXACT)?;
+    if !platoon.is_stable(&rational(1, 1))? {
+        let found = peak_on_graph(&platoon.graph, &platoon.gains, MOST_EXACT, 6, &Unwatched);
+        let refused = matches!(found, Err(PeakError::NotStable));
+        require(refused, "a platoon that is not stable has a peak", || platoon.described())?;
+        return Ok(None);
     }
+    let factors = (0..6).flat_map(|decade| STEPS.map(|step| rational(step * 10i64.pow(decade), 100_000)));
+    ends_there(&platoon, &ends(&platoon, tested)?, factors)?;
     Ok(None)
 }
