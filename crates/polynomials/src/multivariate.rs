@@ -194,6 +194,20 @@ impl Multivariate<Rational> {
         self.at(point, &rational(0, 1), Clone::clone)
     }
 
+    /// The quotient by a polynomial other than 0, where there is no remainder.
+    pub fn divided_by(&self, divisor: &Self) -> Option<Self> {
+        let (lead, c) = divisor.terms.last_key_value()?;
+        let (mut left, mut quotient) = (self.clone(), Multivariate::of(rational(0, 1)));
+        while let Some((monomial, own)) = left.terms.last_key_value() {
+            let power = |k: usize| monomial.get(k).copied().unwrap_or(0).checked_sub(lead.get(k).copied().unwrap_or(0));
+            let powers: Monomial = (0..monomial.len().max(lead.len())).map(power).collect::<Option<_>>()?;
+            let term = Multivariate::from_terms([(powers, own / c)], &self.zero);
+            left = left - divisor.clone() * &term;
+            quotient = quotient + term;
+        }
+        Some(quotient)
+    }
+
     /// As a text with the names of the variables; those without a name are `x1`, `x2`, ..
     pub fn named(&self, names: &[String]) -> String {
         use num_traits::{One, Signed};

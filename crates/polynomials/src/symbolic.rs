@@ -15,6 +15,8 @@ type Polynomial = Multivariate<Rational>;
 enum Function {
     Cosine,
     Exponential,
+    /// Of the absolute value of a polynomial, which is no product.
+    Logarithm,
     Other(&'static str),
 }
 
@@ -43,12 +45,18 @@ struct Inner {
     meanings: Vec<Meaning>,
     /// Functions of arguments that have a variable already.
     calls: Vec<(Function, Fraction, usize)>,
+    /// What logarithms were taken of: above 0 wherever there is a value.
+    positive: Vec<Polynomial>,
+    /// The least common multiple of the denominators in arguments of exponentials and sines, as far as it is small.
+    finest: i64,
 }
 
 /// Where the new variables of one computation are kept.
 #[derive(Debug, Clone)]
 pub struct Extension {
     arity: usize,
+    /// Arguments of exponentials and sines are multiples of terms with this denominator, where it is one of theirs.
+    grid: i64,
     inner: Arc<Mutex<Inner>>,
 }
 
@@ -68,7 +76,22 @@ const MOST_TERMS: usize = 4000;
 impl Extension {
     /// For functions of so many arguments.
     pub fn new(arity: usize) -> Self {
-        Extension { arity, inner: Arc::default() }
+        Extension::with_grid(arity, 1)
+    }
+
+    /// The same, where `exp(x)` is a power of `exp(x/grid)`.
+    pub(crate) fn with_grid(arity: usize, grid: i64) -> Self {
+        Extension { arity, grid, inner: Arc::default() }
+    }
+
+    /// The grid on which all arguments of exponentials and sines so far are integer multiples, as far as it is small.
+    pub(crate) fn finest(&self) -> i64 {
+        self.with(|inner| inner.finest.max(1))
+    }
+
+    /// One.
+    pub(crate) fn unit(&self) -> Symbolic {
+        self.of(Multivariate::of(rational(1, 1)))
     }
 
     /// The arguments.
@@ -246,8 +269,24 @@ impl Symbolic {
         (self.clone() + other + if larger { apart } else { -apart }) * self.ratio(1, 2)
     }
 
-    fn as_constant(&self) -> Option<Rational> {
+    /// The rational number that it is wherever it has a value.
+    pub(crate) fn as_constant(&self) -> Option<Rational> {
         self.fraction.0.as_constant().filter(|c| c.is_zero() || self.fraction.1.iter().all(|power| *power == 0))
+    }
+
+    /// A multiple of products of roots of numbers other than 0, with its square.
+    fn constant_root(&self) -> Option<(Polynomial, Rational)> {
+        let root = &self.fraction.0;
+        let mut terms = root.terms();
+        let (monomial, _) = terms.next().filter(|_| root.terms().len() == 1)?;
+        let meanings = self.extension.meanings();
+        let is_root = |k: usize| {
+            let meaning = k.checked_sub(self.extension.arity).and_then(|place| meanings.get(place));
+            matches!(meaning, Some(Meaning::Root(over, under)) if over.as_constant().is_some() && under.as_constant().is_some())
+        };
+        let all = monomial.iter().enumerate().all(|(k, power)| *power == 0 || is_root(k));
+        let square = self.extension.normal((root.square(), Vec::new())).0;
+        square.as_constant().filter(|square| all && !square.is_zero()).map(|square| (root.clone(), square))
     }
 
     fn denominator(&self) -> Polynomial {
@@ -275,6 +314,9 @@ impl Field for Symbolic {
         }
         if let Some(c) = numerator.as_constant() {
             return Ok(self.made((denominator.scaled(&c.recip()), Vec::new())));
+        }
+        if let Some((root, square)) = self.constant_root() {
+            return Ok(self.made((denominator, Vec::new())) * self.made((root.scaled(&square.recip()), Vec::new())));
         }
         // One term: each variable divides by itself. Others are scaled, so that the first coefficient is 1.
         let lead = numerator.terms().next().map_or(rational(1, 1), |(_, c)| c.clone());

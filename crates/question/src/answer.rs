@@ -6,7 +6,7 @@ use crate::error::QuestionError;
 use crate::made::{Made, MadeControl};
 use crate::members::{Listed, Member};
 use crate::names::Subject;
-use crate::outcome::{Outcome, Unsettled};
+use crate::outcome::{Outcome, Spot, Unsettled};
 use crate::question::Question;
 use crate::scenario_file::is_place;
 use crate::shrink::Shrunk;
@@ -74,7 +74,9 @@ pub struct Answer {
     /// Encloses the smallest margin of all cases that were looked at; of a property that is false, the margin at the counterexample.
     pub margin: Option<Margin>,
     /// A point at which the margin is 0, where the property holds on a continuum.
-    pub attained: Option<Bindings>,
+    pub attained: Option<Spot>,
+    /// A counterexample with a number in closed form, which no file can say; `None` where there is one of rationals.
+    pub closed: Option<Spot>,
     /// Sums of squares that `holds` rests on, for the separate checker.
     pub certificates: Vec<Certificate>,
     /// Parts of the property that were proved without one.
@@ -144,6 +146,7 @@ impl Answer {
             replay,
             margin,
             attained: outcome.attained.filter(|_| verdict == Verdict::Holds),
+            closed: outcome.closed.filter(|_| verdict == Verdict::False),
             certificates: if verdict == Verdict::Holds { outcome.certificates } else { Vec::new() },
             uncertified: outcome.uncertified,
             unsettled: outcome.unsettled.filter(|_| verdict == Verdict::Undecided),
@@ -179,6 +182,10 @@ impl Answer {
             let pairs = bindings.iter().map(|(name, value)| (name.to_string(), json!(value.text())));
             serde_json::Value::Object(pairs.collect::<Map<_, _>>())
         };
+        let spot = |own: &Spot| {
+            let pairs = own.iter().map(|(name, text)| (name.to_string(), json!(text)));
+            serde_json::Value::Object(pairs.collect::<Map<_, _>>())
+        };
         let enclosed =
             |margin: Option<&Margin>| margin.and_then(Margin::decimals).map(|(lo, hi)| json!({"lo": lo, "hi": hi}));
         let sides = |own: &Decisive| json!({"inequality": own.inequality, "left": own.left, "right": own.right, "time": own.time});
@@ -193,11 +200,11 @@ impl Answer {
             "id": self.id,
             "verdict": self.verdict.word(),
             "grades": self.grades,
-            "counterexample": self.counterexample.as_ref().map(named),
+            "counterexample": self.counterexample.as_ref().map(named).or(self.closed.as_ref().map(spot)),
             "decisive": self.decisive.as_ref().map(sides),
             "replay": replay,
             "margin": enclosed(self.margin.as_ref()),
-            "attained": self.attained.as_ref().map(named),
+            "attained": self.attained.as_ref().map(spot),
             "open": self.unsettled.as_ref().map(|open| json!({"share": open.share.map(|share| format!("~{share:.3e}")), "boxes": open.boxes.iter().map(named).collect::<Vec<_>>()})),
             "inequalities": self.inequalities.iter().map(own).collect::<Vec<_>>(),
             "cases": self.cases,
@@ -231,6 +238,9 @@ impl Answer {
         let _ = write!(text, "\n{}\n", self.why);
         if let Some(bindings) = self.counterexample.as_ref().filter(|bindings| bindings.iter().next().is_some()) {
             let _ = writeln!(text, "counterexample: {bindings}");
+        }
+        if let Some(spot) = &self.closed {
+            let _ = writeln!(text, "counterexample: {spot}, exactly");
         }
         if let Some(Decisive { inequality, left, right, time }) = &self.decisive {
             let at = time.as_ref().map_or(String::new(), |time| format!(", at t = {time}"));

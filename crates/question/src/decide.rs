@@ -301,6 +301,7 @@ pub(crate) fn over_family(
         boxed: false,
         counterexample: None,
         attained: None,
+        closed: None,
         certificates: Vec::new(),
         uncertified: 0,
         unsettled: None,
@@ -338,9 +339,9 @@ pub(crate) fn over_family(
             outcome.unsettled = outcome.unsettled.or(found.unsettled);
             outcome.margin = Some(outcome.margin.map_or(found.margin, |least| least.least(found.margin)));
             Margin::least_of_each(&mut outcome.inequalities, &found.inequalities);
-            if found.counterexample.is_some() {
+            if found.counterexample.is_some() || found.closed.is_some() {
                 outcome.truth = Truth::False;
-                outcome.counterexample = found.counterexample;
+                (outcome.counterexample, outcome.closed) = (found.counterexample, found.closed);
                 return Ok(outcome);
             }
             outcome.truth = outcome.truth.and(found.truth);

@@ -6,17 +6,17 @@ use crate::bindings::{Bindings, Value};
 use crate::case::Case;
 use crate::error::QuestionError;
 use crate::failure::Failure;
-use crate::formula::{Clause, clauses, text};
-use crate::outcome::{Decided, Judged, Unsettled};
+use crate::formula::{Clause, Clauses, clauses, text, without_kinks};
+use crate::outcome::{Decided, Judged, Spot, Unsettled};
 use crate::point::FIRST_BITS;
 use crate::question::{Expression, Question};
 use crate::syntax::Kind;
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::{Progress, Rational};
 use num_traits::{Signed, ToPrimitive};
-use polynomials::Side;
-use polynomials::decide::{Decision, Effort, Open};
+use polynomials::decide::{Decision, Effort, Open, Place, Proof, is_true_at};
 use polynomials::sums::{Certificate, Statement};
+use polynomials::{Literal, Side};
 
 /// A continuum that is divided until every box is decided.
 pub(crate) struct Division<'a> {
@@ -70,6 +70,12 @@ fn boxed(whole: &Bindings, places: &[usize], sides: &[Side]) -> Bindings {
         }
     }
     bindings
+}
+
+/// False at a number that the language cannot tell; margins are those of other points.
+fn fails_exactly(found: Decided, at: Spot) -> Decided {
+    let inequalities = found.inequalities.iter().map(|_| Margin::ANY).collect();
+    Decided { truth: Truth::False, closed: Some(at), margin: Margin::ANY, inequalities, ..found }
 }
 
 /// A clause with its domain, as the checker of certificates reads it.
@@ -128,7 +134,7 @@ impl Division<'_> {
     }
 
     /// The property with what `where` says, as clauses of functions of the names that stand for many numbers.
-    fn clauses(&self, whole: &Bindings) -> Option<Vec<Clause>> {
+    fn clauses(&self, whole: &Bindings) -> Option<Clauses> {
         let restriction = self.question.restriction.as_ref().map(|own| &own.node);
         clauses(whole, restriction, &self.expression.node)
     }
@@ -144,7 +150,7 @@ impl Division<'_> {
         let effort = Effort { boxes: 64, squares: false, certified: false };
         let Some(clauses) = self.clauses(whole) else { return Ok(false) };
         let domain: Vec<Side> = whole.sides().into_iter().map(|(_, side)| side).collect();
-        for clause in &clauses {
+        for clause in &clauses.list {
             let decision = polynomials::decide::decide(clause, &domain, effort, self.progress)?;
             if !matches!(decision, Decision::Holds(_)) {
                 return Ok(false);
@@ -153,11 +159,33 @@ impl Division<'_> {
         Ok(true)
     }
 
+    /// A clause, in one number by its parts without absolute values, minima and maxima where it is not decided as a whole.
+    fn decided(&self, clause: &Clause, domain: &[Side], effort: Effort) -> Result<Decision, QuestionError> {
+        let whole = polynomials::decide::decide(clause, domain, effort, self.progress)?;
+        let several = domain.iter().filter(|side| side.as_point().is_none()).count() > 1;
+        let Decision::Undecided(open) = whole else { return Ok(whole) };
+        let Some(parts) = without_kinks(clause).filter(|_| !several) else { return Ok(Decision::Undecided(open)) };
+        let mut proof = Proof { boxes: open.looked, ..Proof::default() };
+        for part in &parts {
+            match polynomials::decide::decide(part, domain, effort, self.progress)? {
+                Decision::Holds(own) => {
+                    proof.boxes += own.boxes;
+                    proof.methods.extend(own.methods);
+                    proof.zeros.extend(own.zeros);
+                    proof.certificates.extend(own.certificates);
+                }
+                Decision::Undecided(_) => return Ok(Decision::Undecided(open)),
+                fails => return Ok(fails),
+            }
+        }
+        Ok(Decision::Holds(proof))
+    }
+
     /// Every clause by itself.
     fn where_attained(
         &self,
         whole: &Bindings,
-        clauses: &[Clause],
+        clauses: &Clauses,
         mut found: Decided,
     ) -> Result<Decided, QuestionError> {
         let (places, domain): (Vec<usize>, Vec<Side>) = whole.sides().into_iter().unzip();
@@ -169,31 +197,58 @@ impl Division<'_> {
         let effort = Effort { boxes: self.most.min(MOST_SHARP), certified: self.is_certified(), ..Effort::default() };
         let mut missing = Missing::default();
         let mut left: Option<Open> = None;
+        let mut closed: Option<Spot> = None;
+        // The only name that stands for more than one number, where numbers in closed form are told.
+        let mut free = places.iter().zip(&domain).filter(|(_, side)| side.as_point().is_none());
+        let line = free.next().filter(|_| free.next().is_none()).map(|(place, _)| *place);
+        let spot = |place: &Place| Some(Spot::of(whole, &[(line?, place.to_string())]));
         (found.open, found.truth) = (0, Truth::True);
-        for clause in clauses {
-            match polynomials::decide::decide(clause, &domain, effort, self.progress)? {
+        for clause in &clauses.list {
+            match self.decided(clause, &domain, effort)? {
                 Decision::Holds(proof) => {
                     found.boxes += proof.boxes;
                     found.uncertified += u64::from(proof.certificates.is_empty());
                     let statement = statement(whole, clause);
                     let stated = |own: Certificate| Certificate { statement: statement.clone(), ..own };
                     found.certificates.extend(proof.certificates.into_iter().map(stated));
+                    if let ([literal], None) = (&clause[..], &closed)
+                        && !clauses.conditions.iter().any(|own| own.function == literal.function)
+                    {
+                        let rational = || proof.zeros.first().map(|zero| Spot::of(&at(zero), &[]));
+                        closed = proof.places.first().and_then(spot).or_else(rational);
+                    }
                     for zero in proof.zeros {
                         let point = at(&zero);
                         if self.fails_at(point.clone(), &mut found, &mut missing)? {
                             return Ok(found);
                         }
                         if found.margin.hi == 0.0 && found.attained.is_none() {
-                            found.attained = Some(point);
+                            found.attained = Some(Spot::of(&point, &[]));
                         }
                     }
                 }
+                // The property fails there if all of it has a value.
+                Decision::FailsAt(place) => {
+                    let has_value =
+                        clauses.conditions.iter().all(|own| place.is_true(std::slice::from_ref(own), &domain));
+                    if let Some(spot) = spot(&place).filter(|_| has_value) {
+                        return Ok(fails_exactly(found, spot));
+                    }
+                    let why = format!("whether there is a value at {place} could not be told");
+                    left.get_or_insert_with(|| Open::at_point(why));
+                }
                 Decision::Fails(point) => {
-                    // The language itself has the last word.
-                    if self.fails_at(at(&point), &mut found, &mut missing)? {
+                    // The language itself has the last word, unless it cannot tell what an identity does.
+                    let at = at(&point);
+                    if self.fails_at(at.clone(), &mut found, &mut missing)? {
                         return Ok(found);
                     }
-                    let at = at(&point);
+                    let judged = self.judged_at(&at);
+                    let is_unknown = matches!(judged, Ok(Some(Judged { truth: Truth::Unknown(_), .. })));
+                    let is_true = |own: &Literal<_>| is_true_at(std::slice::from_ref(own), &point);
+                    if is_unknown && clauses.conditions.iter().all(is_true) {
+                        return Ok(fails_exactly(found, Spot::of(&at, &[])));
+                    }
                     left.get_or_insert_with(|| Open::at_point(format!("the two sides may be equal at {at}")));
                 }
                 Decision::Undecided(open) => {
@@ -215,6 +270,10 @@ impl Division<'_> {
             found.unsettled = Some(Unsettled { share: open.share, boxes });
             found.truth = Truth::Unknown(Doubt { why, bits: None });
             return Ok(found);
+        }
+        // A literal is 0 at a number in closed form: where it is the only one, so is the margin.
+        if found.attained.is_none() && clauses.list.iter().all(|clause| clause.len() == 1) && closed.is_some() {
+            (found.attained, found.margin.hi) = (closed, 0.0);
         }
         // True everywhere: no inequality that has to be true misses.
         let least = |margin: Margin| Margin { lo: margin.lo.max(0.0).min(margin.hi.max(0.0)), ..margin };

@@ -57,6 +57,13 @@ pub(crate) struct Formula {
 /// One of several literals is true.
 pub(crate) type Clause = Vec<Literal<Formula>>;
 
+/// A property as clauses, all of which have to hold.
+pub(crate) struct Clauses {
+    pub list: Vec<Clause>,
+    /// What has to be true so that every operation in it has a value.
+    pub conditions: Vec<Literal<Formula>>,
+}
+
 /// More clauses, or literals in one, are not decided in this way.
 const MOST_CLAUSES: usize = 64;
 const MOST_LITERALS: usize = 12;
@@ -96,6 +103,63 @@ impl Term {
                 values.try_fold(first, |best, x| if *larger { best.larger(&x) } else { best.smaller(&x) })?
             }
         })
+    }
+
+    /// The terms in it.
+    fn parts(&self) -> Vec<&Term> {
+        match self {
+            Term::Number(_) | Term::Variable(_) | Term::Pi => Vec::new(),
+            Term::Negated(body)
+            | Term::Reciprocal(body)
+            | Term::Power(body, _)
+            | Term::Call(_, body)
+            | Term::Absolute(body) => vec![body],
+            Term::Sum(terms) | Term::Product(terms) | Term::Extreme(_, terms) => terms.iter().collect(),
+        }
+    }
+
+    /// With a term in the place of another one.
+    fn with(&self, old: &Term, new: &Term) -> Term {
+        if self == old {
+            return new.clone();
+        }
+        let one = |body: &Term| Arc::new(body.with(old, new));
+        let all = |terms: &[Term]| terms.iter().map(|term| term.with(old, new)).collect::<Vec<Term>>();
+        match self {
+            Term::Number(_) | Term::Variable(_) | Term::Pi => self.clone(),
+            Term::Negated(body) => Term::Negated(one(body)),
+            Term::Reciprocal(body) => Term::Reciprocal(one(body)),
+            Term::Power(body, exponent) => Term::Power(one(body), *exponent),
+            Term::Call(function, body) => Term::Call(*function, one(body)),
+            Term::Absolute(body) => Term::Absolute(one(body)),
+            Term::Sum(terms) => Term::Sum(all(terms)),
+            Term::Product(terms) => Term::Product(all(terms)),
+            Term::Extreme(larger, terms) => Term::Extreme(*larger, all(terms)),
+        }
+    }
+
+    /// An absolute value, minimum or maximum in it that has none inside: the term, what its choice depends on, and what it is where that is at least 0, and at
+    /// most 0.
+    fn kink(&self) -> Option<[Term; 4]> {
+        if let Some(inner) = self.parts().into_iter().find_map(Term::kink) {
+            return Some(inner);
+        }
+        match self {
+            Term::Absolute(body) => {
+                Some([self.clone(), body.as_ref().clone(), body.as_ref().clone(), negated(body.as_ref().clone())])
+            }
+            Term::Extreme(larger, terms) => match &terms[..] {
+                [only] => Some([self.clone(), Term::Number(rational(0, 1)), only.clone(), only.clone()]),
+                [a, b, rest @ ..] => {
+                    let kept = |own: &Term| Term::Extreme(*larger, std::iter::once(own).chain(rest).cloned().collect());
+                    let apart = sum(vec![a.clone(), negated(b.clone())]);
+                    let (above, below) = if *larger { (kept(a), kept(b)) } else { (kept(b), kept(a)) };
+                    Some([self.clone(), apart, above, below])
+                }
+                [] => None,
+            },
+            _ => None,
+        }
     }
 
     fn as_number(&self) -> Option<&Rational> {
@@ -144,26 +208,54 @@ pub(crate) fn text(clause: &Clause, names: &[&str]) -> Option<String> {
     clause.iter().map(literal).collect::<Option<Vec<String>>>().map(|all| all.join(" or "))
 }
 
+/// A clause with absolute values, minima and maxima as several without: each choice is one more literal, that it is not made. `None` where there are none, or
+/// too many.
+pub(crate) fn without_kinks(clause: &Clause) -> Option<Vec<Clause>> {
+    const MOST: usize = 16;
+    let kink = |clause: &Clause| clause.iter().find_map(|literal| literal.function.term.kink());
+    let mut all = vec![clause.clone()];
+    kink(clause)?;
+    while let Some((place, [whole, apart, above, below])) =
+        all.iter().enumerate().find_map(|(place, clause)| Some((place, kink(clause)?)))
+    {
+        let clause = all.remove(place);
+        for (guard, chosen) in [(negated(apart.clone()), above), (apart, below)] {
+            let literal = |term: Term, compared: Compared| Literal {
+                function: Formula { term: Arc::new(term) },
+                compared,
+                guarded: true,
+            };
+            let put = clause.iter().map(|own| literal(own.function.term.with(&whole, &chosen), own.compared));
+            all.push(put.chain([literal(guard, Compared::Positive)]).collect());
+        }
+        if all.len() > MOST {
+            return None;
+        }
+    }
+    Some(all)
+}
+
 /// Reads expressions in one case, and notes where they have values.
 struct Reader<'a> {
     bindings: &'a Bindings,
     variables: Vec<&'a str>,
     conditions: Vec<(Term, Compared)>,
+    all: Vec<Literal<Formula>>,
 }
 
 /// A property, and what `where` says, as clauses; `None` where they have not that form.
-pub(crate) fn clauses(bindings: &Bindings, restriction: Option<&Node>, property: &Node) -> Option<Vec<Clause>> {
+pub(crate) fn clauses(bindings: &Bindings, restriction: Option<&Node>, property: &Node) -> Option<Clauses> {
     let several = |value: &Value| value.is_interval() || matches!(value, Value::Integers(..));
     let variables: Vec<&str> = bindings.iter().filter(|(_, value)| several(value)).map(|(name, _)| name).collect();
-    let reader = || Reader { bindings, variables: variables.clone(), conditions: Vec::new() };
-    let mut all = reader().property(property, true)?;
+    let mut reader = Reader { bindings, variables, conditions: Vec::new(), all: Vec::new() };
+    let mut all = reader.property(property, true)?;
     if let Some(restriction) = restriction {
-        all = either(&[reader().property(restriction, false)?, all])?;
+        all = either(&[reader.property(restriction, false)?, all])?;
     }
     // A literal that is true whatever happens makes its clause true.
     all.retain(|clause| !clause.iter().any(|literal| constant(literal) == Some(true)));
     all.iter_mut().for_each(|clause| clause.retain(|literal| constant(literal).is_none()));
-    Some(all)
+    Some(Clauses { list: all, conditions: reader.all })
 }
 
 fn constant(literal: &Literal<Formula>) -> Option<bool> {
@@ -229,11 +321,11 @@ impl Reader<'_> {
             Relation::Equal => (difference(a, b), Compared::Zero),
             Relation::Different => (difference(a, b), Compared::NotZero),
         };
-        let conditions = std::mem::take(&mut self.conditions);
-        let all = conditions.into_iter().chain([(term, compared)]);
-        let clause =
-            |(term, compared)| vec![Literal { function: Formula { term: Arc::new(term) }, compared, guarded: true }];
-        Some(all.map(clause).collect())
+        let literal =
+            |(term, compared)| Literal { function: Formula { term: Arc::new(term) }, compared, guarded: true };
+        let conditions: Vec<_> = std::mem::take(&mut self.conditions).into_iter().map(literal).collect();
+        self.all.extend(conditions.clone());
+        Some(conditions.into_iter().chain([literal((term, compared))]).map(|own| vec![own]).collect())
     }
 
     fn condition(&mut self, term: &Term, compared: Compared) {

@@ -75,7 +75,7 @@ pub use given::{Given, GivenValue, Measure};
 pub use made::{Made, MadeControl};
 pub use members::{Listed, Member};
 pub use number::Number;
-pub use outcome::{Decided, Outcome, Unsettled};
+pub use outcome::{Decided, Outcome, Spot, Unsettled};
 /// Proofs by sums of squares.
 pub use polynomials::sums::Certificate;
 pub use question::Question;

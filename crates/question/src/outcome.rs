@@ -1,8 +1,9 @@
 //! What was found for a point, for a case, for a whole family.
 
-use crate::bindings::Bindings;
+use crate::bindings::{Bindings, Value};
 use crate::truth::{Margin, Truth};
 use polynomials::sums::Certificate;
+use std::fmt;
 
 /// What was found for one point.
 #[derive(Debug, Clone)]
@@ -19,6 +20,33 @@ pub struct Unsettled {
     pub share: Option<f64>,
     /// Boxes of it, not all where there are very many.
     pub boxes: Vec<Bindings>,
+}
+
+/// A member with a number in closed form among its values, `x = 1/2*pi`, which the language has as an expression only.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Spot(Vec<(String, String)>);
+
+impl Spot {
+    /// A member with a text in the place of some values.
+    pub(crate) fn of(bindings: &Bindings, texts: &[(usize, String)]) -> Self {
+        let text = |(place, (name, value)): (usize, (&str, &Value))| {
+            let own = texts.iter().find(|(own, _)| *own == place).map(|(_, text)| text.clone());
+            (name.to_string(), own.unwrap_or_else(|| value.text()))
+        };
+        Spot(bindings.iter().enumerate().map(text).collect())
+    }
+
+    /// Names with the texts of their values.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.0.iter().map(|(name, text)| (name.as_str(), text.as_str()))
+    }
+}
+
+impl fmt::Display for Spot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let pairs: Vec<String> = self.iter().map(|(name, text)| format!("{name} = {text}")).collect();
+        f.write_str(&pairs.join(", "))
+    }
 }
 
 /// What was found for one case.
@@ -39,7 +67,9 @@ pub struct Decided {
     /// Names for which the property fails, confirmed.
     pub counterexample: Option<Bindings>,
     /// Names for which the margin is 0, where the property holds.
-    pub attained: Option<Bindings>,
+    pub attained: Option<Spot>,
+    /// A number in closed form at which the property fails, where it fails at no rational one that was found.
+    pub closed: Option<Spot>,
     /// Sums of squares that the decision rests on.
     pub certificates: Vec<Certificate>,
     /// Parts of the property that were proved without one.
@@ -68,7 +98,9 @@ pub struct Outcome {
     /// The first counterexample.
     pub counterexample: Option<Bindings>,
     /// Names for which the margin is 0, where the property holds and a continuum was divided.
-    pub attained: Option<Bindings>,
+    pub attained: Option<Spot>,
+    /// A number in closed form at which the property fails, where it fails at no rational one that was found.
+    pub closed: Option<Spot>,
     /// Sums of squares that the decision rests on.
     pub certificates: Vec<Certificate>,
     /// Parts of the property that were proved without one.
@@ -89,6 +121,7 @@ impl Decided {
             open: 0,
             counterexample: None,
             attained: None,
+            closed: None,
             certificates: Vec::new(),
             uncertified: 0,
             unsettled: None,

@@ -10,6 +10,9 @@ use arithmetic::{Cancelled, Field, Progress, Sign};
 /// Most variables.
 const MOST_VARIABLES: usize = 10;
 
+/// Exponentials and sines of multiples of larger fractions are variables of their own.
+const FINEST: i64 = 4;
+
 /// What is proved: a proof, or the degrees that were tried in vain.
 pub(super) enum Outcome {
     Proved(Proof),
@@ -26,10 +29,18 @@ pub(super) fn prove<F: Function>(
     if domain.iter().filter(|side| side.as_point().is_none()).count() > MOST_VARIABLES {
         return Ok(Outcome::Open(Vec::new()));
     }
-    let extension = Extension::new(domain.len());
-    let known = |(x, side): (Symbolic, &Side)| side.as_point().map_or_else(|| x.clone(), |q| x.rational(q));
-    let arguments: Vec<Symbolic> = extension.arguments().into_iter().zip(domain).map(known).collect();
-    let values: Vec<Option<Symbolic>> = clause.iter().map(|literal| literal.function.value(&arguments).ok()).collect();
+    let symbolic = |grid: i64| {
+        let extension = Extension::with_grid(domain.len(), grid);
+        let known = |(x, side): (Symbolic, &Side)| side.as_point().map_or_else(|| x.clone(), |q| x.rational(q));
+        let arguments: Vec<Symbolic> = extension.arguments().into_iter().zip(domain).map(known).collect();
+        let values: Vec<Option<Symbolic>> =
+            clause.iter().map(|literal| literal.function.value(&arguments).ok()).collect();
+        (extension, values)
+    };
+    let (mut extension, mut values) = symbolic(1);
+    if (2..=FINEST).contains(&extension.finest()) {
+        (extension, values) = symbolic(extension.finest());
+    }
     let variables = Variables { domain, meanings: extension.meanings() };
     let mut prover = Prover { variables, effort, progress, proof: Proof::default(), degrees: Vec::new() };
     // Numerator times the divisors of odd power: of the sign of the function wherever that is defined.

@@ -1,5 +1,7 @@
 //! One function on one box: enclosures, slopes, convexity, expansions.
 
+use super::exact::{self, Exact};
+use super::places::Place;
 use super::{Extended, Method};
 use crate::function::{Compared, Function, Literal, Side};
 use arithmetic::{ArithmeticError, Dual, PreciseNumber, Rational, Ring, Series, Sign, Signed, simplest_between};
@@ -17,7 +19,10 @@ pub(super) enum Signs {
 }
 
 /// Bits with which signs at points are tried.
-const BITS: [u32; 3] = [64, 256, 1024];
+const BITS: [u32; 2] = [64, 256];
+
+/// The same where no identity tells.
+const MOST_BITS: u32 = 1024;
 
 /// Largest number of variables for which second derivatives are formed.
 const MOST_SECOND: usize = 8;
@@ -25,12 +30,71 @@ const MOST_SECOND: usize = 8;
 /// Terms of an expansion.
 const ORDER: usize = 12;
 
+/// Terms of an expansion whose signs are found by identities.
+const FEW: usize = 5;
+
 /// The exact sign at a rational point, where it can be decided.
 pub(super) fn sign_at<F: Function>(function: &F, point: &[Rational]) -> Option<Sign> {
-    BITS.iter().find_map(|&bits| {
+    let precise = |bits: u32| {
         let at: Vec<PreciseNumber> = point.iter().map(|q| PreciseNumber::exact(q.clone(), bits)).collect();
         function.value(&at).ok().and_then(|value| value.sign())
-    })
+    };
+    let found = BITS.iter().find_map(|&bits| precise(bits));
+    found
+        .or_else(|| exact::computed(|one| function.value(&constants(point, one)).ok()?.sign(), |_| true))
+        .or_else(|| precise(MOST_BITS))
+}
+
+fn constants(point: &[Rational], one: &Exact) -> Vec<Exact> {
+    use arithmetic::Field;
+    point.iter().map(|q| one.rational(q)).collect()
+}
+
+/// What an expansion says.
+enum Expanded {
+    True { zero: bool },
+    TrueBut,
+    Fails,
+}
+
+/// `f_0 + f_1 h + ..` by the signs of the coefficients, as far as they are known, and the enclosed remainders after the first ones; `h` is at least 0 where the
+/// point is the lower end, at most 0 where it is the upper one.
+fn expansion(
+    signs: &[Option<Sign>],
+    remainders: &[Extended],
+    (at_lo, at_hi): (bool, bool),
+    strict: bool,
+) -> Option<Expanded> {
+    let (mut zero, mut above, mut looked) = (true, false, false);
+    for (m, sign) in signs.iter().enumerate() {
+        // The remainder after the first m coefficients, all of which speak for the sign.
+        let Some(rest) = remainders.get(m) else { break };
+        let fits = match (at_lo, at_hi, m % 2) {
+            (true, _, _) | (_, _, 0) => rest.lo >= 0.0,
+            (_, true, _) => rest.hi <= 0.0,
+            _ => false,
+        };
+        if m > 0 && fits && (!strict || !zero) {
+            return Some(Expanded::True { zero });
+        }
+        // A term before the remainder, or the remainder itself, is above 0 wherever `h` is not 0.
+        if m > 0 && fits && (above || rest.lo > 0.0 || rest.hi < 0.0) {
+            return Some(Expanded::TrueBut);
+        }
+        let Some(sign) = *sign else { break };
+        let speaks = matches!(
+            (sign, at_lo, at_hi, m % 2),
+            (Sign::Zero, ..) | (Sign::Positive, _, _, 0) | (Sign::Positive, true, _, _) | (Sign::Negative, _, true, 1)
+        );
+        if m == 0 {
+            (zero, looked) = (sign == Sign::Zero, true);
+        }
+        if !speaks {
+            return (m == 0 || strict && zero).then_some(Expanded::Fails);
+        }
+        above |= sign != Sign::Zero;
+    }
+    (looked && zero && strict).then_some(Expanded::Fails)
 }
 
 /// The truth of a clause at a rational point.
@@ -103,6 +167,12 @@ impl<F: Function> Sided<'_, F> {
             return Some(Local::FailsAt(point));
         }
         Some(Local::True { method, zero: (sign == Sign::Zero).then_some(point) })
+    }
+
+    /// Whether it is nowhere 0 on a box, by its enclosure.
+    pub fn is_apart(&self, sides: &[Side]) -> bool {
+        let boxed: Vec<Extended> = sides.iter().map(hull).collect();
+        self.value(&boxed).is_ok_and(|value| value.defined && !value.is_empty() && (value.lo > 0.0 || value.hi < 0.0))
     }
 
     /// Decides on a box, as far as that can be done without dividing it.
@@ -279,6 +349,10 @@ impl<F: Function> Sided<'_, F> {
         let at: Vec<PreciseNumber> = point.iter().map(|q| PreciseNumber::exact(q.clone(), BITS[1])).collect();
         free.iter().all(|&k| {
             let slope = self.value(&seeded(&at, k)).ok().and_then(|value| value.derivative.sign());
+            let slope = slope.or_else(|| {
+                let of = |one: &Exact| self.value(&seeded(&constants(point, one), k)).ok()?.derivative.sign();
+                exact::computed(of, |_| true)
+            });
             match slope {
                 Some(Sign::Zero) => true,
                 Some(Sign::Positive) => sides[k].lo.as_ref() == Some(&point[k]),
@@ -291,19 +365,12 @@ impl<F: Function> Sided<'_, F> {
     /// One number is left: `f(c + h) = sum_(j<m) f_j h^j + f_m(xi) h^m`, with the exact coefficients at `c` and the enclosed one on the box.
     fn by_expansion(&self, sides: &[Side], free: usize) -> Option<Local> {
         let boxed: Vec<Extended> = sides.iter().map(hull).collect();
-        let series = |x: &Extended, moves: bool| {
-            let rest = (1..ORDER).map(|m| x.integer(i64::from(moves && m == 1)));
-            Series::from_coefficients(*x, rest)
-        };
-        let at: Vec<Series<Extended>> = boxed.iter().enumerate().map(|(k, x)| series(x, k == free)).collect();
-        let on_box = self.value(&at).ok()?;
-        let remainders = on_box.coefficients();
-        let smooth = remainders.iter().take_while(|c| c.defined).count();
+        let remainders = self.remainders(&boxed, free)?;
         let mut places: Vec<Rational> = [&sides[free].lo, &sides[free].hi].into_iter().flatten().cloned().collect();
         if let (Some(lo), Some(hi)) = (&sides[free].lo, &sides[free].hi) {
             places.push(simplest_between(lo, hi));
         }
-        places.iter().find_map(|place| self.expanded(sides, free, place, &remainders[..smooth]))
+        places.iter().find_map(|place| self.expanded(sides, free, place, &remainders))
     }
 
     fn expanded(&self, sides: &[Side], free: usize, place: &Rational, remainders: &[Extended]) -> Option<Local> {
@@ -322,40 +389,56 @@ impl<F: Function> Sided<'_, F> {
             })
             .collect();
         let exact = self.value(&at).ok()?;
-        let (mut zero, mut above, mut looked) = (true, false, false);
-        for (m, exact) in exact.coefficients().iter().enumerate() {
-            // The remainder after the first m coefficients, all of which speak for the sign.
-            let Some(rest) = remainders.get(m) else { break };
-            let fits = match (at_lo, at_hi, m % 2) {
-                (true, _, _) | (_, _, 0) => rest.lo >= 0.0,
-                (_, true, _) => rest.hi <= 0.0,
-                _ => false,
-            };
-            if m > 0 && fits && (!self.strict || !zero) {
-                let zero = zero.then_some(point);
-                return Some(Local::True { method: Method::Expansion, zero });
-            }
-            // A term before the remainder, or the remainder itself, is above 0 wherever `h` is not 0.
-            if m > 0 && fits && (above || rest.lo > 0.0 || rest.hi < 0.0) {
-                return Some(Local::TrueBut(point));
-            }
-            let Some(sign) = exact.sign() else { break };
-            let speaks = matches!(
-                (sign, at_lo, at_hi, m % 2),
-                (Sign::Zero, ..)
-                    | (Sign::Positive, _, _, 0)
-                    | (Sign::Positive, true, _, _)
-                    | (Sign::Negative, _, true, 1)
-            );
-            if m == 0 {
-                (zero, looked) = (sign == Sign::Zero, true);
-            }
-            if !speaks {
-                return (m == 0 || self.strict && zero).then_some(Local::FailsAt(point));
-            }
-            above |= sign != Sign::Zero;
+        let mut signs: Vec<Option<Sign>> = exact.coefficients().iter().map(Signed::sign).collect();
+        if signs.contains(&None) {
+            let of = |one: &Exact| self.signs(&constants(&point, one), free);
+            let known = exact::computed(of, |signs| !signs.contains(&None)).unwrap_or_default();
+            signs.iter_mut().zip(known).for_each(|(own, known)| *own = own.or(known));
         }
-        (looked && zero && self.strict).then_some(Local::FailsAt(point))
+        expansion(&signs, remainders, (at_lo, at_hi), self.strict).map(|found| match found {
+            Expanded::True { zero } => Local::True { method: Method::Expansion, zero: zero.then_some(point) },
+            Expanded::TrueBut => Local::TrueBut(point),
+            Expanded::Fails => Local::FailsAt(point),
+        })
+    }
+
+    /// The signs of the first coefficients at a point along one direction.
+    fn signs(&self, point: &[Exact], free: usize) -> Option<Vec<Option<Sign>>> {
+        let series = |(k, x): (usize, &Exact)| {
+            Series::from_coefficients(x.clone(), (1..FEW).map(|m| x.integer(i64::from(k == free && m == 1))))
+        };
+        let at: Vec<Series<Exact>> = point.iter().enumerate().map(series).collect();
+        Some(self.value(&at).ok()?.coefficients().iter().map(Signed::sign).collect())
+    }
+
+    /// Whether it has its sign on the part of the box on one side of a place inside, which itself is left out.
+    pub fn beside(&self, sides: &[Side], free: usize, place: &Place, above: bool) -> bool {
+        let Ok(at) = place.value(&Extended::between(1.0, 1.0)) else { return false };
+        let whole = hull(&sides[free]);
+        let part = if above { Extended::between(at.lo, whole.hi) } else { Extended::between(whole.lo, at.hi) };
+        let boxed: Vec<Extended> =
+            sides.iter().enumerate().map(|(k, side)| if k == free { part } else { hull(side) }).collect();
+        match self.value(&boxed) {
+            Ok(value) if (value.defined || self.guarded) && self.suffices(value.lo) => return true,
+            Ok(_) => {}
+            Err(_) => return false,
+        }
+        let Some(remainders) = self.remainders(&boxed, free) else { return false };
+        let point: Vec<Rational> = sides.iter().map(Side::middle).collect();
+        let of = |one: &Exact| self.signs(&place.on_line(&point, free, one).ok()?, free);
+        let Some(signs) = exact::computed(of, |signs| !signs.contains(&None)) else { return false };
+        let found = expansion(&signs, &remainders, (above, !above), self.strict);
+        matches!(found, Some(Expanded::True { .. } | Expanded::TrueBut))
+    }
+
+    /// The coefficients of the expansion in one variable, enclosed on a box; the first ones, as far as the function is smooth.
+    fn remainders(&self, boxed: &[Extended], free: usize) -> Option<Vec<Extended>> {
+        let series = |(k, x): (usize, &Extended)| {
+            Series::from_coefficients(*x, (1..ORDER).map(|m| x.integer(i64::from(k == free && m == 1))))
+        };
+        let at: Vec<Series<Extended>> = boxed.iter().enumerate().map(series).collect();
+        let on_box = self.value(&at).ok()?;
+        Some(on_box.coefficients().iter().take_while(|c| c.defined).copied().collect())
     }
 }
 

@@ -2,9 +2,11 @@
 
 mod bernstein;
 mod elimination;
+mod exact;
 mod extended;
 mod goals;
 mod local;
+mod places;
 mod points;
 mod prover;
 mod reduction;
@@ -15,6 +17,7 @@ use crate::function::{Function, Literal, Side};
 use crate::sums::Certificate;
 use arithmetic::{Cancelled, Progress, Rational};
 use extended::Extended;
+pub use places::Place;
 
 /// How it was decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -60,6 +63,8 @@ pub struct Proof {
     pub methods: Vec<Method>,
     /// Points at which a literal that may be 0 is 0.
     pub zeros: Vec<Vec<Rational>>,
+    /// Numbers that are not rational, or not simple, at which a literal is 0; only where one variable is not a number.
+    pub places: Vec<Place>,
     /// Sums of squares; empty where none was needed.
     pub certificates: Vec<Certificate>,
     /// Boxes that were looked at.
@@ -95,6 +100,8 @@ pub enum Decision {
     Holds(Proof),
     /// All literals are false at this point, exactly or by enclosure.
     Fails(Vec<Rational>),
+    /// All literals are false at this number, exactly, which stands for the only variable that is not one.
+    FailsAt(Place),
     /// Neither was established.
     Undecided(Open),
 }
@@ -138,9 +145,14 @@ pub fn decide<F: Function>(
     Ok(match on_rest(&literals, &sides, effort, progress)? {
         Decision::Holds(mut proof) => {
             proof.zeros = proof.zeros.into_iter().map(restored).collect();
+            proof.places.clear();
             Decision::Holds(proof)
         }
         Decision::Fails(point) => Decision::Fails(restored(point)),
+        // The variables that were replaced have no rational values there.
+        Decision::FailsAt(place) => {
+            Decision::Undecided(Open::at_point(format!("it fails where a variable is {place}")))
+        }
         Decision::Undecided(mut open) => {
             for sides in &mut open.boxes {
                 equations.iter().for_each(|(variable, _)| sides[*variable] = domain[*variable].clone());
@@ -148,6 +160,11 @@ pub fn decide<F: Function>(
             Decision::Undecided(Open { share: None, ..open })
         }
     })
+}
+
+/// Whether a literal is true at a point, exactly or by enclosure.
+pub fn is_true_at<F: Function>(clause: &[Literal<F>], point: &[Rational]) -> bool {
+    matches!(local::at_point(clause, point), local::Signs::Holds { .. })
 }
 
 /// Where no literal in one variable is true.
@@ -190,9 +207,24 @@ fn on_box<F: Function>(
     }
     let effort = Effort { certified: false, ..effort };
     let first = Effort { boxes: FIRST_BOXES.min(effort.boxes), ..effort };
-    let open = match subdivision::divide(clause, domain, first, progress)? {
+    let open = match subdivision::divide(clause, domain, &[], first, progress)? {
         Decision::Undecided(open) => open,
         decided => return Ok(with_zeros(decided, found.zeros)),
+    };
+    let places = places::zeros(clause, domain);
+    if let Some(place) = places.iter().find(|place| place.fails(clause, domain)) {
+        return Ok(Decision::FailsAt(place.clone()));
+    }
+    if !places.is_empty()
+        && let Decision::Holds(mut proof) = subdivision::divide(clause, domain, &places, first, progress)?
+    {
+        proof.places = places;
+        return Ok(with_zeros(Decision::Holds(proof), found.zeros));
+    }
+    // An equation is never shown by boxes.
+    let effort = match clause.iter().all(|literal| literal.compared == crate::function::Compared::Zero) {
+        true => Effort { boxes: FIRST_BOXES.min(effort.boxes), ..effort },
+        false => effort,
     };
     let degrees = match goals::prove(clause, domain, effort, progress)? {
         goals::Outcome::Proved(mut proof) => {
@@ -206,10 +238,16 @@ fn on_box<F: Function>(
     let rest = if effort.boxes <= FIRST_BOXES {
         Decision::Undecided(open)
     } else {
-        subdivision::divide(clause, domain, effort, progress)?
+        subdivision::divide(clause, domain, &places, effort, progress)?
     };
     Ok(match rest {
-        Decision::Undecided(all) => Decision::Undecided(Open { degrees, ..all }),
+        Decision::Undecided(all) => {
+            let why = match places::coincidence(clause, domain) {
+                Some(told) => format!("{}; {told}", all.why),
+                None => all.why,
+            };
+            Decision::Undecided(Open { degrees, why, ..all })
+        }
         decided => with_zeros(decided, found.zeros),
     })
 }

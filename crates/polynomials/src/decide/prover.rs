@@ -118,6 +118,16 @@ impl Prover<'_> {
                 return Ok(true);
             }
         }
+        // Divided by what is not negative there. A certificate would not say the goal itself.
+        let divides = !self.effort.certified && !goal.target.is_zero();
+        for (p, strict) in goal.constraints.iter().filter(|_| divides) {
+            let fits = p.as_constant().is_none() && (*strict || !goal.strict);
+            if let Some(target) = goal.target.divided_by(p).filter(|_| fits)
+                && self.polynomial(&Goal { target, ..goal.clone() })?
+            {
+                return Ok(true);
+            }
+        }
         let arity = self.variables.len();
         let mut used: Vec<usize> = (0..arity).filter(|&k| goal.target.degree_in(k) > 0).collect();
         // Constraints bring their variables with them.
@@ -211,7 +221,7 @@ impl Prover<'_> {
             let few = Effort { boxes: 128, ..effort };
             let order = if self.effort.squares { few } else { effort };
             if !self.effort.certified
-                && let super::Decision::Holds(proof) = subdivision::divide(&clause, &domain, order, self.progress)?
+                && let super::Decision::Holds(proof) = subdivision::divide(&clause, &domain, &[], order, self.progress)?
             {
                 self.proof.boxes += proof.boxes;
                 self.proof.methods.extend(proof.methods);

@@ -1,6 +1,7 @@
 //! Boxes that are divided until on each of them some literal is true: in layers, each on all cores, so that the result does not depend on their number.
 
 use super::local::{Local, Sided, Signs, at_point};
+use super::places::{Place, only_free};
 use super::{Decision, Effort, Extended, Method, Open, Proof};
 use crate::function::{Compared, Function, Literal, Side};
 use arithmetic::{Cancelled, Progress, Rational, rational, simplest_between};
@@ -42,16 +43,32 @@ fn one<F: Function>(literal: &Literal<F>, sides: &[Side]) -> Local {
             },
         },
         // Never by boxes; a point can refute it.
-        Compared::Zero => {
-            let not =
-                |negative| Sided { function: &literal.function, negative, strict: true, guarded: false }.on_box(sides);
-            let apart = |found: &Local| matches!(found, Local::True { .. });
-            if apart(&not(false)) || apart(&not(true)) { Local::False } else { Local::Open(Vec::new()) }
-        }
+        Compared::Zero if sided(literal, false).is_apart(sides) => Local::False,
+        Compared::Zero => Local::Open(Vec::new()),
     }
 }
 
-fn look<F: Function>(clause: &[Literal<F>], cell: &Cell) -> Standing {
+/// Whether the clause is true on a box around a place: there exactly, and on either side of it by one literal.
+fn is_true_around<F: Function>(clause: &[Literal<F>], sides: &[Side], place: &Place) -> bool {
+    let Some(free) = only_free(sides) else { return false };
+    let Ok(at) = place.value(&Extended::between(1.0, 1.0)) else { return false };
+    let Side { lo, hi, .. } = &sides[free];
+    let inside = lo.as_ref().is_none_or(|lo| Extended::of(lo).hi < at.lo)
+        && hi.as_ref().is_none_or(|hi| at.hi < Extended::of(hi).lo);
+    let beside = |literal: &Literal<F>, above: bool| match literal.compared {
+        Compared::Positive | Compared::NotNegative => sided(literal, false).beside(sides, free, place, above),
+        Compared::NotZero => {
+            [false, true].iter().any(|&turned| sided(literal, turned).beside(sides, free, place, above))
+        }
+        Compared::Zero => false,
+    };
+    let point: Vec<Rational> = sides.iter().map(Side::middle).collect();
+    inside
+        && [false, true].iter().all(|&above| clause.iter().any(|literal| beside(literal, above)))
+        && matches!(place.truth(clause, &point, free), Signs::Holds { .. })
+}
+
+fn look<F: Function>(clause: &[Literal<F>], cell: &Cell, places: &[Place]) -> Standing {
     let admitted = |point: &Vec<Rational>| cell.sides.iter().zip(point).all(|(side, q)| side.contains(q));
     let mut slopes = Vec::new();
     let mut open = false;
@@ -88,6 +105,9 @@ fn look<F: Function>(clause: &[Literal<F>], cell: &Cell) -> Standing {
     }
     match candidates.into_iter().find(|point| admitted(point) && at_point(clause, point) == Signs::Fails) {
         Some(point) => Standing::Fails(point),
+        None if places.iter().any(|place| is_true_around(clause, &cell.sides, place)) => {
+            Standing::Closed(vec![Method::Expansion], None)
+        }
         None => Standing::Split(slopes),
     }
 }
@@ -168,10 +188,11 @@ pub(super) fn volume(sides: &[Side]) -> Option<f64> {
     sides.iter().map(width).product()
 }
 
-/// Divides the domain into at most about so many boxes.
+/// Divides the domain into at most about so many boxes; `places` are numbers at which a literal is 0.
 pub(super) fn divide<F: Function>(
     clause: &[Literal<F>],
     domain: &[Side],
+    places: &[Place],
     effort: Effort,
     progress: &dyn Progress,
 ) -> Result<Decision, Cancelled> {
@@ -184,7 +205,7 @@ pub(super) fn divide<F: Function>(
         proof.boxes += layer.len() as u64;
         let standing = |cell: &Cell| -> Result<Standing, Cancelled> {
             progress.checkpoint()?;
-            Ok(look(clause, cell))
+            Ok(look(clause, cell, places))
         };
         let found = layer.par_iter().map(standing).collect::<Result<Vec<_>, _>>()?;
         let mut next = Vec::new();

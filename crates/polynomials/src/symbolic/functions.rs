@@ -1,13 +1,18 @@
 //! Roots, exponentials, sines and the like as new variables, and what is known of them.
 
-use super::{Fraction, Function, Meaning, Symbolic};
+use super::{Fraction, Function, Meaning, Polynomial, Symbolic};
 use crate::multivariate::Multivariate;
 use arithmetic::{ArithmeticError, Field, Number, Rational, Ring, rational};
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_traits::{Signed as _, ToPrimitive, Zero};
 
 /// More terms of a sum, or larger multiples, are not taken apart.
 const MOST_PARTS: usize = 4;
-const MOST_COUNT: u64 = 8;
+const MOST_COUNT: i64 = 8;
+
+/// Arguments of exponentials and sines of larger denominators have no common grid.
+const FINEST: i64 = 720;
 
 /// Sine and cosine of a sum of two angles.
 fn turned(a: &(Symbolic, Symbolic), b: &(Symbolic, Symbolic)) -> (Symbolic, Symbolic) {
@@ -30,7 +35,7 @@ impl Symbolic {
                     cosine
                 }
                 Function::Exponential => self.extension.variable(Meaning::Positive),
-                Function::Other(_) => self.extension.variable(Meaning::Any),
+                Function::Logarithm | Function::Other(_) => self.extension.variable(Meaning::Any),
             };
             self.extension.with(|inner| inner.calls.push((function, self.fraction.clone(), variable)));
             variable
@@ -49,33 +54,191 @@ impl Symbolic {
         Ok(self.extension.of(Multivariate::x(self.call(function))))
     }
 
-    /// A polynomial as a sum of integer multiples of terms without a numerator: `2/3 x y - x` is 2 times `x y/3` and -1 times `x`. Multiples of pi and constants are not
-    /// taken apart.
-    fn parts_of_sum(&self) -> Option<Vec<(Symbolic, i64)>> {
-        let (sum, powers) = &self.fraction;
-        if powers.iter().any(|power| *power > 0) || sum.terms().len() > MOST_PARTS {
-            return None;
-        }
-        let part = |(monomial, c): (&Vec<u32>, &Rational)| {
-            let term =
-                |c: Rational| self.extension.of(Multivariate::from_terms([(monomial.clone(), c)], &rational(0, 1)));
-            if monomial.is_empty() || self.extension.is_circle(monomial) {
-                return Some((term(c.clone()), 1));
-            }
-            let count = c.numer().to_i64().filter(|count| count.unsigned_abs() <= MOST_COUNT)?;
-            Some((term(Rational::new(1.into(), c.denom())), count))
-        };
-        sum.terms().map(part).collect()
+    fn term(&self, monomial: &[u32], c: Rational) -> Symbolic {
+        self.extension.of(Multivariate::from_terms([(monomial.to_vec(), c)], &rational(0, 1)))
     }
 
-    /// Sine and cosine of an angle that is not taken apart: exact at multiples of a twelfth of a turn.
+    /// The terms of a polynomial of few of them.
+    fn terms(&self) -> Option<Vec<(Vec<u32>, Rational)>> {
+        let (sum, powers) = &self.fraction;
+        let few = powers.iter().all(|power| *power == 0) && sum.terms().len() <= MOST_PARTS;
+        few.then(|| sum.terms().map(|(monomial, c)| (monomial.clone(), c.clone())).collect())
+    }
+
+    /// A term as an integer multiple: of one with the denominator of the grid where that is possible, else of one without a numerator: `2/3 x y` is 2 times
+    /// `x y/3`. Large multiples are not taken apart.
+    fn multiple(&self, monomial: &[u32], c: &Rational) -> (Symbolic, i64) {
+        let grid = self.extension.grid;
+        let denominator = c.denom().to_i64().filter(|d| *d <= FINEST);
+        if let Some(d) = denominator {
+            self.extension.with(|inner| {
+                let finest = num_integer::lcm(inner.finest.max(1), d);
+                inner.finest = if finest <= FINEST { finest } else { inner.finest };
+            });
+        }
+        let unit = denominator.map_or(grid, |d| if grid % d == 0 { grid } else { d });
+        let count = (c * rational(unit, 1)).to_integer().to_i64();
+        match count.filter(|count| denominator.is_some() && count.abs() <= MOST_COUNT * grid) {
+            Some(count) => (self.term(monomial, rational(1, unit)), count),
+            None if c.is_negative() => (self.term(monomial, -c), -1),
+            None => (self.term(monomial, c.clone()), 1),
+        }
+    }
+
+    /// A polynomial as a sum of integer multiples of angles. Multiples of pi and constants are not taken apart.
+    fn angles(&self) -> Option<Vec<(Symbolic, i64)>> {
+        let part = |(monomial, c): &(Vec<u32>, Rational)| {
+            let whole = monomial.is_empty() || self.extension.is_circle(monomial);
+            match c.is_negative() {
+                _ if !whole => self.multiple(monomial, c),
+                true => (self.term(monomial, -c), -1),
+                false => (self.term(monomial, c.clone()), 1),
+            }
+        };
+        Some(self.terms()?.iter().map(part).collect())
+    }
+
+    /// The exponential of a term: of a multiple of a logarithm the power.
+    fn exp_of_term(&self, monomial: &[u32], c: &Rational) -> Result<Self, ArithmeticError> {
+        if let Some(power) = self.power_of_argument(monomial, c)? {
+            return Ok(power);
+        }
+        let (base, count) = self.multiple(monomial, c);
+        let own = base.called(Function::Exponential, Number::exp)?.power(count.unsigned_abs());
+        if count < 0 { own.recip() } else { Ok(own) }
+    }
+
+    /// `exp(c log|f|) = |f|^c`, for multiples of 1/4.
+    fn power_of_argument(&self, monomial: &[u32], c: &Rational) -> Result<Option<Self>, ArithmeticError> {
+        let [before @ .., 1] = monomial else { return Ok(None) };
+        let quarters = (c * rational(4, 1)).to_integer().to_i64().filter(|k| rational(*k, 4) == *c);
+        let Some(quarters) = quarters.filter(|k| k.unsigned_abs() <= 4 * MOST_COUNT as u64) else { return Ok(None) };
+        let argument = self.extension.with(|inner| {
+            let own = |call: &&(Function, Fraction, usize)| call.0 == Function::Logarithm && call.2 == before.len();
+            inner.calls.iter().find(own).map(|(_, (f, _), _)| (f.clone(), inner.positive.contains(f)))
+        });
+        let Some((f, positive)) = argument.filter(|_| before.iter().all(|power| *power == 0)) else { return Ok(None) };
+        let f = self.extension.of(f);
+        let size = if positive { f } else { f.size() };
+        let root = match quarters % 4 {
+            0 => size.power(quarters.unsigned_abs() / 4),
+            2 | -2 => size.sqrt()?.power(quarters.unsigned_abs() / 2),
+            _ => size.sqrt()?.sqrt()?.power(quarters.unsigned_abs()),
+        };
+        Ok(Some(if quarters < 0 { root.recip()? } else { root }))
+    }
+
+    /// `log|p|`: of a product the sum.
+    fn log_size(&self, p: &Polynomial) -> Result<Self, ArithmeticError> {
+        let (first, lead) = p.terms().next().ok_or(ArithmeticError::Argument("ln"))?;
+        let common: Vec<u32> = (0..first.len())
+            .map(|k| p.terms().map(|(own, _)| own.get(k).copied().unwrap_or(0)).min().unwrap_or(0))
+            .collect();
+        let mut sum = self.log_number(&lead.abs());
+        for (k, power) in common.iter().enumerate().filter(|(_, power)| **power > 0) {
+            sum = sum + self.log_variable(k)? * self.integer(i64::from(*power));
+        }
+        let divided = p.terms().map(|(own, c)| {
+            let rest = own.iter().enumerate().map(|(k, power)| power - common.get(k).unwrap_or(&0));
+            (rest.collect(), c / lead)
+        });
+        let rest = Multivariate::from_terms(divided, &rational(0, 1));
+        if rest.as_constant().is_none() {
+            sum = sum + self.log_of(rest);
+        }
+        Ok(sum)
+    }
+
+    /// The logarithm of the size of a polynomial that is not taken apart.
+    fn log_of(&self, p: Polynomial) -> Self {
+        let variable = self.extension.of(p).call(Function::Logarithm);
+        self.extension.of(Multivariate::x(variable))
+    }
+
+    /// Of an exponential the argument, of a root half of the logarithm of what is under it.
+    fn log_variable(&self, k: usize) -> Result<Self, ArithmeticError> {
+        let meanings = self.extension.meanings();
+        match k.checked_sub(self.extension.arity).and_then(|place| meanings.get(place)) {
+            Some(Meaning::Positive) => {
+                let own = |call: &&(Function, Fraction, usize)| call.0 == Function::Exponential && call.2 == k;
+                let argument = self.extension.with(|inner| inner.calls.iter().find(own).map(|call| call.1.clone()));
+                argument.map(|argument| self.made(argument)).ok_or(ArithmeticError::Argument("ln"))
+            }
+            Some(Meaning::Root(over, under)) => Ok((self.log_size(over)? - self.log_size(under)?) * self.ratio(1, 2)),
+            Some(Meaning::Absolute(over, under)) => Ok(self.log_size(over)? - self.log_size(under)?),
+            _ => Ok(self.log_of(Multivariate::x(k))),
+        }
+    }
+
+    /// The logarithm of a positive number by its small prime factors.
+    fn log_number(&self, q: &Rational) -> Self {
+        let mut sum = self.zero();
+        for (number, sign) in [(q.numer(), 1), (q.denom(), -1)] {
+            for (prime, power) in small_factors(number) {
+                let prime = Multivariate::of(Rational::from_integer(prime));
+                self.extension.with(|inner| {
+                    if !inner.positive.contains(&prime) {
+                        inner.positive.push(prime.clone());
+                    }
+                });
+                sum = sum + self.log_of(prime) * self.integer(sign * power);
+            }
+        }
+        sum
+    }
+
+    /// Of a product of exponentials, times a number, by half of the arguments; of a number by its prime factors. Only where there are no arguments: there all that is
+    /// wanted is whether a number is zero.
+    fn root_of_constant(&self) -> Result<Option<Self>, ArithmeticError> {
+        let mut terms = self.fraction.0.terms();
+        let (Some((monomial, c)), None) = (terms.next(), terms.next()) else { return Ok(None) };
+        if self.extension.arity > 0 || c.is_negative() {
+            return Ok(None);
+        }
+        let meanings = self.extension.meanings();
+        let mut argument = self.zero();
+        let (_, divisors) = self.parts();
+        let mut powers: Vec<(usize, i64)> =
+            monomial.iter().enumerate().map(|(k, power)| (k, i64::from(*power))).filter(|own| own.1 > 0).collect();
+        for (divisor, power) in &divisors {
+            let mut own = divisor.terms();
+            let (Some((monomial, _)), None) = (own.next(), own.next()) else { return Ok(None) };
+            if monomial.iter().sum::<u32>() != 1 {
+                return Ok(None);
+            }
+            powers.push((monomial.len() - 1, -i64::from(*power)));
+        }
+        for (k, power) in powers {
+            if meanings.get(k) != Some(&Meaning::Positive) {
+                return Ok(None);
+            }
+            argument = argument + self.log_variable(k)? * self.ratio(power, 2);
+        }
+        let mut root = argument.exp()?;
+        for (number, sign) in [(c.numer(), 1), (c.denom(), -1)] {
+            for (prime, power) in small_factors(number) {
+                let whole = Rational::from_integer(prime.clone()).power((power / 2) as u64);
+                let meaning =
+                    Meaning::Root(Multivariate::of(Rational::from_integer(prime)), Multivariate::of(rational(1, 1)));
+                let odd = if power % 2 == 1 {
+                    self.extension.of(Multivariate::x(self.extension.known(meaning)))
+                } else {
+                    self.one()
+                };
+                let own = odd * self.rational(&whole);
+                root = root * if sign < 0 { own.recip()? } else { own };
+            }
+        }
+        Ok(Some(root))
+    }
+
+    /// Sine and cosine of an angle that is not taken apart: exact at multiples of `pi/12`.
     fn of_part(&self) -> Result<(Self, Self), ArithmeticError> {
         if self.as_constant().is_some_and(|c| c.is_zero()) {
             return Ok((self.zero(), self.one()));
         }
-        if let Some(twelfths) = self.twelfths() {
-            let root = self.integer(3).sqrt()?;
-            let (half, long) = (self.ratio(1, 2), root * self.ratio(1, 2));
+        if let Some(parts) = self.parts_of_turn() {
+            let (half, long) = (self.ratio(1, 2), self.integer(3).sqrt()? * self.ratio(1, 2));
             let cosine = |k: i64| {
                 let k = k.rem_euclid(12);
                 let size = match k.min(12 - k) {
@@ -86,23 +249,51 @@ impl Symbolic {
                 };
                 if k.min(12 - k) > 3 { -size } else { size }
             };
-            return Ok((cosine(3 - twelfths), cosine(twelfths)));
+            let twelfths = |k: i64| (cosine(3 - k), cosine(k));
+            if parts % 2 == 0 {
+                return Ok(twelfths(parts / 2));
+            }
+            let eighth = self.integer(2).sqrt()? * &half;
+            return Ok(turned(&(eighth.clone(), eighth), &twelfths((parts - 3) / 2)));
         }
         let cosine = self.call(Function::Cosine);
         let of = |variable: usize| self.extension.of(Multivariate::x(variable));
         Ok((of(cosine + 1), of(cosine)))
     }
 
-    /// Which multiple of `pi/6` it is.
-    fn twelfths(&self) -> Option<i64> {
+    /// Which multiple of `pi/12` it is.
+    fn parts_of_turn(&self) -> Option<i64> {
         if self.fraction.1.iter().any(|power| *power > 0) {
             return None;
         }
         let mut terms = self.fraction.0.terms();
         let (_, c) = terms.next().filter(|(monomial, _)| self.extension.is_circle(monomial))?;
-        let count = c * rational(6, 1);
-        if terms.next().is_some() || !count.is_integer() { None } else { (count.to_integer() % 12i64).to_i64() }
+        let count = c * rational(12, 1);
+        if terms.next().is_some() || !count.is_integer() { None } else { (count.to_integer() % 24i64).to_i64() }
     }
+}
+
+/// Factors of a positive integer with their powers: small primes, and what is left.
+fn small_factors(mut n: BigInt) -> Vec<(BigInt, i64)> {
+    const LARGEST: u32 = 1000;
+    let mut list = Vec::new();
+    for p in 2..LARGEST {
+        let mut power = 0;
+        while n.is_multiple_of(&p.into()) {
+            n /= p;
+            power += 1;
+        }
+        if power > 0 {
+            list.push((p.into(), power));
+        }
+        if n <= (p * p).into() {
+            break;
+        }
+    }
+    if n > 1.into() {
+        list.push((n, 1));
+    }
+    list
 }
 
 impl Number for Symbolic {
@@ -124,27 +315,48 @@ impl Number for Symbolic {
                 return Ok(self.rational(&root));
             }
         }
+        if let Some(root) = self.root_of_constant()? {
+            return Ok(root);
+        }
         let meaning = Meaning::Root(self.fraction.0.clone(), self.denominator());
         Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
     }
 
-    /// Of a sum the product; of an integer multiple the power.
+    /// Of a sum the product; of an integer multiple the power; of a multiple of a logarithm a power of its argument.
     fn exp(&self) -> Result<Self, ArithmeticError> {
-        let Some(parts) = self.parts_of_sum() else { return self.called(Function::Exponential, Number::exp) };
-        parts.into_iter().try_fold(self.one(), |product, (base, count)| {
-            let own = base.called(Function::Exponential, Number::exp)?.power(count.unsigned_abs());
-            Ok(product * if count < 0 { own.recip()? } else { own })
-        })
+        let Some(terms) = self.terms() else { return self.called(Function::Exponential, Number::exp) };
+        terms.iter().try_fold(self.one(), |product, (monomial, c)| Ok(product * self.exp_of_term(monomial, c)?))
     }
 
+    /// Of the absolute value, which is the same wherever there is a logarithm: of a product the sum, of a power the multiple.
     fn ln(&self) -> Result<Self, ArithmeticError> {
-        self.called(Function::Other("ln"), Number::ln)
+        if self.as_constant().is_some_and(|c| !c.is_positive()) {
+            return Err(ArithmeticError::Argument("ln"));
+        }
+        let (numerator, divisors) = self.parts();
+        let whole = match &divisors[..] {
+            [] => Some(&numerator),
+            [(divisor, power)] if power % 2 == 1 && numerator.as_constant().is_some_and(|c| c.is_positive()) => {
+                Some(divisor)
+            }
+            _ => None,
+        };
+        if let Some((p, lead)) =
+            whole.and_then(|p| Some((p, p.terms().next()?.1))).filter(|(_, lead)| lead.is_positive())
+        {
+            let p = p.scaled(&lead.recip());
+            self.extension.with(|inner| inner.positive.push(p));
+        }
+        let over = self.log_size(&numerator)?;
+        divisors
+            .iter()
+            .try_fold(over, |sum, (divisor, power)| Ok(sum - self.log_size(divisor)? * self.integer(i64::from(*power))))
     }
 
     /// By the formulas for sums and integer multiples of angles.
     fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
         let whole = || vec![(self.clone(), 1)];
-        let parts = self.parts_of_sum().unwrap_or_else(whole);
+        let parts = self.angles().unwrap_or_else(whole);
         parts.into_iter().try_fold((self.zero(), self.one()), |angle, (base, count)| {
             let (sin, cos) = base.of_part()?;
             let own = if count < 0 { (-sin, cos) } else { (sin, cos) };

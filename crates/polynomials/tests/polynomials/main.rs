@@ -8,3 +8,4 @@ mod functions;
 mod hostile;
 mod random;
 mod sums;
+mod threads;

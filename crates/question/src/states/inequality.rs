@@ -95,6 +95,7 @@ pub(super) fn on_states(
             Found::Holds(how, proof.certificates)
         }
         Decision::Fails(at) => Found::Fails(filled_points(&sides, &free, &at)),
+        Decision::FailsAt(place) => Found::Open(format!("it fails where the only number left is {place}")),
         Decision::Undecided(open) => Found::Open(open.why),
     })
 }

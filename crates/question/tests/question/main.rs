@@ -13,6 +13,7 @@ mod language;
 mod made;
 mod missing;
 mod motions;
+mod one_number;
 mod own;
 mod sets;
 mod sharp;

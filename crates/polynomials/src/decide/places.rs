@@ -1,0 +1,336 @@
+//! Numbers in closed form at which a function of one number is zero: floats and a search for simple forms propose, exact numbers decide.
+
+use super::exact::{self, Exact};
+use super::local::Signs;
+use crate::function::{Function, Literal, Side};
+use arithmetic::{
+    ArithmeticError, Dual, Field, Number, PreciseNumber, Rational, Series, Sign, Signed, rational, simplest_between,
+};
+use num_bigint::BigInt;
+use num_traits::{ToPrimitive, Zero};
+use std::fmt;
+
+/// What is taken of `a + b sqrt(d)`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Outer {
+    Itself,
+    TimesPi,
+    Exponential,
+    /// The logarithm over this integer.
+    Logarithm(i64),
+    /// One over the logarithm.
+    OverLogarithm,
+}
+
+/// A function of `a + b sqrt(d)`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Place {
+    outer: Outer,
+    a: Rational,
+    b: Rational,
+    d: Rational,
+}
+
+/// Points at which floats look for zeros.
+const POINTS: usize = 240;
+
+/// Values of this size may be zero.
+const NEAR: f64 = 1e-8;
+
+/// Most zeros that are looked for.
+const MOST: usize = 12;
+
+impl Place {
+    fn rational(outer: Outer, a: Rational) -> Self {
+        Place { outer, a, b: rational(0, 1), d: rational(0, 1) }
+    }
+
+    /// The number, in the scalar of `like`.
+    pub(super) fn value<T: Number>(&self, like: &T) -> Result<T, ArithmeticError> {
+        let of = |q: &Rational| like.rational(q);
+        let inside = if self.b.is_zero() { of(&self.a) } else { of(&self.a) + of(&self.b) * of(&self.d).sqrt()? };
+        match self.outer {
+            Outer::Itself => Ok(inside),
+            Outer::TimesPi => Ok(inside * like.circle()?),
+            Outer::Exponential => inside.exp(),
+            Outer::Logarithm(k) => Ok(inside.ln()? * like.ratio(1, k)),
+            Outer::OverLogarithm => inside.ln()?.recip(),
+        }
+    }
+
+    /// The truth of a clause at the place, on a line through a point.
+    pub(super) fn truth<F: Function>(&self, clause: &[Literal<F>], point: &[Rational], free: usize) -> Signs {
+        let sign = |literal: &Literal<F>| {
+            let of = |one: &Exact| literal.function.value(&self.on_line(point, free, one)?).map(|value| value.sign());
+            exact::computed(|one| of(one).ok().flatten(), |_| true)
+        };
+        let signs: Vec<Option<Sign>> = clause.iter().map(sign).collect();
+        let own = |(sign, literal): (&Option<Sign>, &Literal<F>)| sign.map(|sign| literal.compared.admits(sign));
+        let truths: Vec<Option<bool>> = signs.iter().zip(clause).map(own).collect();
+        if truths.contains(&Some(true)) {
+            Signs::Holds { zero: signs.contains(&Some(Sign::Zero)) }
+        } else if truths.iter().all(|truth| *truth == Some(false)) {
+            Signs::Fails
+        } else {
+            Signs::Unknown
+        }
+    }
+
+    /// Whether a literal is true there, exactly.
+    pub fn is_true<F: Function>(&self, clause: &[Literal<F>], domain: &[Side]) -> bool {
+        let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
+        only_free(domain).is_some_and(|free| matches!(self.truth(clause, &point, free), Signs::Holds { .. }))
+    }
+
+    /// Whether all literals are false at the place, which has to lie in the domain.
+    pub(super) fn fails<F: Function>(&self, clause: &[Literal<F>], domain: &[Side]) -> bool {
+        let Some(free) = only_free(domain) else { return false };
+        let end = |end: &Option<Rational>, sign: Sign| {
+            let apart = |q: &Rational| {
+                exact::computed(
+                    |one| Some(self.value(one).ok()? - one.rational(q)).and_then(|own| own.sign()),
+                    |_| true,
+                )
+            };
+            end.as_ref().is_none_or(|q| apart(q) == Some(sign))
+        };
+        let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
+        end(&domain[free].lo, Sign::Positive)
+            && end(&domain[free].hi, Sign::Negative)
+            && self.truth(clause, &point, free) == Signs::Fails
+    }
+
+    /// The point with this number in the place of one of its own.
+    pub(super) fn on_line(&self, point: &[Rational], free: usize, one: &Exact) -> Result<Vec<Exact>, ArithmeticError> {
+        let own = |(k, q): (usize, &Rational)| if k == free { self.value(one) } else { Ok(one.rational(q)) };
+        point.iter().enumerate().map(own).collect()
+    }
+}
+
+/// As the language writes it.
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // `3*pi/4`, `sqrt(2)/2`.
+        let times = |q: &Rational, what: &str| {
+            let over = if q.is_integer() { String::new() } else { format!("/{}", q.denom()) };
+            match q.numer().to_i64() {
+                Some(1) => format!("{what}{over}"),
+                Some(-1) => format!("-{what}{over}"),
+                _ => format!("{}*{what}{over}", q.numer()),
+            }
+        };
+        let root = || times(&self.b, &format!("sqrt({})", self.d));
+        let inside = match (self.b.is_zero(), self.a.is_zero()) {
+            (true, _) => self.a.to_string(),
+            (_, true) => root(),
+            _ => format!("{} + {}", self.a, root()),
+        };
+        match self.outer {
+            Outer::Itself => f.write_str(&inside),
+            Outer::TimesPi => f.write_str(&times(&self.a, "pi")),
+            Outer::Exponential => write!(f, "exp({inside})"),
+            Outer::Logarithm(1) => write!(f, "log({inside})"),
+            Outer::Logarithm(k) => write!(f, "log({inside})/{k}"),
+            Outer::OverLogarithm => write!(f, "1/log({inside})"),
+        }
+    }
+}
+
+/// A simple rational near a float.
+fn simple(x: f64, most: i64) -> Option<Rational> {
+    const REACH: f64 = 1e-12;
+    let exact = Rational::from_float(x)?;
+    let reach = Rational::from_float(REACH * x.abs().max(1e-3))?;
+    let found = simplest_between(&(&exact - &reach), &(exact + reach));
+    (found.denom() <= most.into()).then_some(found)
+}
+
+/// A rational or a root of a quadratic equation with small coefficients near a float: `a`, `b`, `d` of `a + b sqrt(d)`.
+fn quadratic(x: f64) -> Option<(Rational, Rational, Rational)> {
+    const DENOMINATOR: i64 = 2000;
+    const LEAD: i64 = 36;
+    const MIDDLE: i64 = 40;
+    if !x.is_finite() || x.abs() > 1e6 {
+        return None;
+    }
+    if let Some(q) = simple(x, DENOMINATOR) {
+        return Some((q, rational(0, 1), rational(0, 1)));
+    }
+    let middles = || std::iter::once(0).chain((1..=MIDDLE).flat_map(|b| [b, -b]));
+    let equation = (1..=LEAD).flat_map(|a| middles().map(move |b| (a, b))).find_map(|(a, b)| {
+        let sum = a as f64 * x * x + b as f64 * x;
+        let size = a as f64 * x * x + (b as f64 * x).abs();
+        let c = -sum.round();
+        let discriminant = (b * b) as f64 - 4.0 * a as f64 * c;
+        let fits = (sum + c).abs() <= 1e-12 * size.max(1.0) && c.abs() < 1e6 && discriminant > 0.0;
+        fits.then_some((a, b, c as i64))
+    })?;
+    let (a, b, c) = equation;
+    let mut factor = if x * 2.0 * a as f64 + b as f64 > 0.0 { 1 } else { -1 };
+    let mut discriminant = b * b - 4 * a * c;
+    for p in [2, 3, 5, 7, 11, 13] {
+        while discriminant % (p * p) == 0 {
+            (discriminant, factor) = (discriminant / (p * p), factor * p);
+        }
+    }
+    Some((rational(-b, 2 * a), rational(factor, 2 * a), rational(discriminant, 1)))
+}
+
+/// Closed forms near a float.
+fn forms(x: f64) -> Vec<Place> {
+    const PARTS: i64 = 24;
+    const MULTIPLES: i64 = 4;
+    let mut list: Vec<Place> = Vec::new();
+    let mut push = |outer: Outer, y: f64| {
+        list.extend(quadratic(y).map(|(a, b, d)| Place { outer, a, b, d }));
+    };
+    push(Outer::Itself, x);
+    (1..=MULTIPLES).for_each(|k| push(Outer::Logarithm(k), (k as f64 * x).exp()));
+    push(Outer::Exponential, x.ln());
+    push(Outer::OverLogarithm, (1.0 / x).exp());
+    list.extend(simple(x / std::f64::consts::PI, PARTS).map(|q| Place::rational(Outer::TimesPi, q)));
+    list
+}
+
+/// The floats at which a function changes its sign, or its slope does, between neighbours among points.
+fn turns(of: impl Fn(f64) -> Option<(f64, f64)>, points: &[f64]) -> Vec<f64> {
+    const STEPS: usize = 90;
+    let mut found = Vec::new();
+    let values: Vec<Option<(f64, f64)>> = points.iter().map(|&x| of(x)).collect();
+    for (place, pair) in values.windows(2).enumerate() {
+        let (Some(left), Some(right)) = (pair[0], pair[1]) else { continue };
+        for (first, second, slope) in [(left.0, right.0, false), (left.1, right.1, true)] {
+            if first * second > 0.0 || first == 0.0 && second == 0.0 || first.is_nan() || second.is_nan() {
+                continue;
+            }
+            let (mut lo, mut hi) = (points[place], points[place + 1]);
+            for _ in 0..STEPS {
+                let middle = lo + (hi - lo) / 2.0;
+                let Some(own) = of(middle) else { break };
+                let own = if slope { own.1 } else { own.0 };
+                if own == 0.0 {
+                    (lo, hi) = (middle, middle);
+                } else if (own > 0.0) == (first > 0.0 || first == 0.0 && second < 0.0) {
+                    lo = middle;
+                } else {
+                    hi = middle;
+                }
+            }
+            found.push(lo + (hi - lo) / 2.0);
+        }
+    }
+    found
+}
+
+/// Points of a side, nearer together around 0 where it has no end.
+fn spread(side: &Side) -> Vec<f64> {
+    let (lo, hi) = side.floats();
+    let share = |k: usize| (k as f64 + 0.5) / POINTS as f64;
+    let point = |k: usize| match (lo.is_finite(), hi.is_finite()) {
+        (true, true) => lo + (hi - lo) * k as f64 / (POINTS - 1) as f64,
+        (true, false) => lo + 3.0 * share(k) / (1.0 - share(k)),
+        (false, true) => hi - 3.0 * (1.0 - share(k)) / share(k),
+        (false, false) => {
+            let t = 2.0 * share(k) - 1.0;
+            4.0 * t / (1.0 - t * t)
+        }
+    };
+    (0..POINTS).map(point).collect()
+}
+
+/// The only side that is not a number.
+pub(super) fn only_free(sides: &[Side]) -> Option<usize> {
+    let mut free = (0..sides.len()).filter(|&k| sides[k].as_point().is_none());
+    let (only, None) = (free.next()?, free.next()) else { return None };
+    Some(only)
+}
+
+/// Floats in the domain, which has one free number, near which a literal may be 0.
+fn near<F: Function>(clause: &[Literal<F>], domain: &[Side], free: usize) -> Vec<f64> {
+    let floats: Vec<f64> = domain.iter().map(|side| side.middle().to_f64().unwrap_or(0.0)).collect();
+    let points = spread(&domain[free]);
+    let (lo, hi) = domain[free].floats();
+    let mut near: Vec<f64> = Vec::new();
+    for literal in clause {
+        let of = |x: f64| {
+            let seeded: Vec<Dual<f64>> = floats
+                .iter()
+                .enumerate()
+                .map(|(k, y)| if k == free { Dual::new(x, 1.0) } else { Dual::new(*y, 0.0) })
+                .collect();
+            literal.function.value(&seeded).ok().map(|value| (value.value, value.derivative))
+        };
+        for x in turns(of, &points) {
+            let is_zero = of(x).is_some_and(|(value, _)| value.abs() <= NEAR) && lo <= x && x <= hi;
+            if is_zero && !near.iter().any(|own| (own - x).abs() <= 1e-9 * x.abs().max(1.0)) {
+                near.push(x);
+            }
+        }
+    }
+    near.truncate(MOST);
+    near
+}
+
+/// Places in the domain, which has one free number, at which a literal is exactly 0.
+pub(super) fn zeros<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Vec<Place> {
+    let Some(free) = only_free(domain).filter(|&k| !domain[k].integer) else { return Vec::new() };
+    let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
+    let is_zero = |place: &Place| {
+        let sign = |literal: &Literal<F>| {
+            let of = |one: &Exact| literal.function.value(&place.on_line(&point, free, one).ok()?).ok()?.sign();
+            exact::computed(of, |_| true)
+        };
+        clause.iter().any(|literal| sign(literal) == Some(Sign::Zero))
+    };
+    near(clause, domain, free).into_iter().filter_map(|x| forms(x).into_iter().find(is_zero)).collect()
+}
+
+/// In words, where the two sides of a clause in one free number agree to very many digits, but no identity is known that makes them equal.
+pub(super) fn coincidence<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Option<String> {
+    const FEWEST: i64 = 100;
+    let free = only_free(domain).filter(|&k| !domain[k].integer)?;
+    let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
+    let known: Vec<Place> = zeros(clause, domain);
+    let found = near(clause, domain, free).into_iter().filter(|x| {
+        let apart = |place: &Place| place.value(x).is_ok_and(|own| (own - x).abs() > 1e-9 * x.abs().max(1.0));
+        known.iter().all(apart)
+    });
+    let mut all =
+        found.flat_map(|x| clause.iter().flat_map(move |literal| [false, true].map(|slope| (x, literal, slope))));
+    all.find_map(|(x, literal, slope)| {
+        let bits = agreement(&literal.function, &point, free, x, slope).filter(|bits| *bits >= FEWEST)?;
+        Some(format!(
+            "where the only number is near {x}, the two sides agree to 2^-{bits}, and no identity tells whether they are equal there"
+        ))
+    })
+}
+
+/// To how many bits a function is zero near a float: after steps of Newton's method, towards a zero of the slope if that is asked for.
+fn agreement<F: Function>(function: &F, point: &[Rational], free: usize, x: f64, slope: bool) -> Option<i64> {
+    const BITS: u32 = 320;
+    const STEPS: usize = 4;
+    let number = |q: Rational| PreciseNumber::exact(q, BITS);
+    let mut x = Rational::from_float(x)?;
+    for step in 0..=STEPS {
+        let at: Vec<Series<PreciseNumber>> = point
+            .iter()
+            .enumerate()
+            .map(|(k, q)| {
+                let moves = |m: i64| number(rational(i64::from(k == free && m == 1), 1));
+                Series::from_coefficients(number(if k == free { x.clone() } else { q.clone() }), (1..3).map(moves))
+            })
+            .collect();
+        let value = function.value(&at).ok()?;
+        let [f, first, second] = value.coefficients() else { return None };
+        if step == STEPS {
+            return Some((-f.number.enclosure(BITS).magnitude().top()).min(i64::from(BITS)));
+        }
+        let change = if slope { first.over(&(second.clone() + second)) } else { f.over(first) }.ok()?;
+        let (lo, hi) = change.number.enclosure(BITS).to_rationals();
+        // Of as many bits as matter.
+        let next = &x - (lo + hi) * rational(1, 2);
+        let scale = Rational::from_integer(BigInt::from(1) << BITS);
+        x = (next * &scale).floor() / scale;
+    }
+    None
+}
