@@ -17,6 +17,7 @@ mod jet;
 mod lanes;
 mod near;
 mod rk4;
+pub mod sets;
 mod sine;
 mod statistics;
 mod system;
