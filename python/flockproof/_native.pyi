@@ -35,6 +35,7 @@ __all__ = [
     "question_needs",
     "ratio",
     "reach",
+    "reach_tube",
     "read_sequence",
     "resonance",
     "simulate",
@@ -79,6 +80,9 @@ def ergodicity(
     matrices: Sequence[Any], progress: _Progress
 ) -> tuple[_Matrix, list[tuple[_Ratio, _Ratio, _Ends, str]], list[tuple[int, list[int]]]]: ...
 def reach(text: str, digits: Any, progress: _Progress) -> tuple[str, str]: ...
+def reach_tube(
+    text: str, digits: Any, check: int, samples: int
+) -> tuple[str, str, list[list[float]], list[list[float]]]: ...
 def flock_check(text: str) -> tuple[str, int]: ...
 def flock_run(
     text: str, until: Any, from_: Any, products: bool, state: bool, progress: _Progress

@@ -31,10 +31,14 @@ class Check:
     ----------
     holds, verdict, why : str
         The inequality; ``holds``, ``false`` or ``undecided``; how it was found.
+    grades : tuple of str
+        ``certified`` where the check is decided.
     worst : Enclosure or None
         The least value of the left side of ``>=``, the greatest of ``<=``; None where there is a bound on one side only.
     lo, hi : Fraction or None
         The ends of what is known of it.
+    margin : Enclosure or None
+        How far the worst case is from the bound, above 0 where the check holds.
     at : Enclosure or None
         When it is attained.
     witness : dict or None
@@ -43,9 +47,11 @@ class Check:
 
     holds: str
     verdict: str
+    grades: tuple[str, ...]
     worst: Enclosure | None
     lo: Fraction | None
     hi: Fraction | None
+    margin: Enclosure | None
     at: Enclosure | None
     witness: Mapping[str, Any] | None = field(hash=False)
     why: str
@@ -67,6 +73,7 @@ class Reach(Sequence[Check]):
     checks: tuple[Check, ...]
     from_floats: bool
     text: str = field(compare=False, default="")
+    _system: str = field(compare=False, default="", repr=False)
 
     def __len__(self) -> int:
         return len(self.checks)
@@ -139,7 +146,7 @@ def reach(system: System, digits: int = 10, progress: Progress = None) -> Reach:
         raise TypeError(f"system should be a dictionary or a path, but it is `{str(system)[:60]}`")
     with _named(name):
         document, words = _native.reach(text, digits, callback(progress))
-    return Reach(tuple(_check(found) for found in json.loads(document)["checks"]), bool(floats), words)
+    return Reach(tuple(_check(found) for found in json.loads(document)["checks"]), bool(floats), words, text)
 
 
 def _section(key: Any, value: Any, floats: list[bool]) -> Any:
@@ -187,9 +194,11 @@ def _check(found: Mapping[str, Any]) -> Check:
     return Check(
         found["holds"],
         found["verdict"],
+        tuple(found["grades"]),
         enclosed(worst),
         end(worst["lo"]),
         end(worst["hi"]),
+        enclosed(found["margin"]),
         enclosed(found["at"]),
         found["witness"],
         found["why"],

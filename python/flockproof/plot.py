@@ -14,12 +14,14 @@ from typing import Any
 import numpy as np
 
 from ._extras import needed
+from . import _native
 from ._flock import Run, Settlement
 from ._numbers import Enclosure
 from ._platoon import Platoon
 from ._queries import Resonance, Spectrum
 from ._questions import Table
 from ._runs import Simulation, Tracks
+from ._systems import Reach
 
 __all__ = [
     "bode",
@@ -28,6 +30,7 @@ __all__ = [
     "observables",
     "paths",
     "portrait",
+    "reach",
     "resonances",
     "settlement",
     "spectrum",
@@ -409,6 +412,45 @@ def portrait(simulation: Simulation, coordinate: int = 0, axes: Any = None) -> A
     axes.plot(positions[-1, :, coordinate], velocities[-1, :, coordinate], "o", color="0.2", ms=3)
     name = "xyz"[coordinate] if positions.shape[2] > 1 and coordinate < 3 else "x"
     axes.set(xlabel=name, ylabel=f"velocity of {name}", title=simulation.model)
+    return axes
+
+
+def reach(found: Reach, check: int = 0, axes: Any = None) -> Any:
+    """The quantity of a check over time: enclosed for all motions where the order of modes is fixed, and along the worst motion that was found.
+
+    Parameters
+    ----------
+    found
+        Of :func:`flockproof.reach`. The worst case is computed once more.
+    check
+        Its number, from 0. Of several inequalities the one that decides is drawn.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    IndexError
+        There is no such check.
+    """
+    _needed(found, Reach, "found", "flockproof.reach")
+    holds = range(len(found))[check]
+    quantity, bound, sections, run = _native.reach_tube(found._system, 6, holds, 160)
+    axes = _axes(axes)
+    if sections:
+        ends = np.array(sections)
+        axes.fill_between(
+            ends[:, :2].ravel(), np.repeat(ends[:, 2], 2), np.repeat(ends[:, 3], 2), alpha=0.3, label="all motions, enclosed"
+        )
+    if run:
+        points = np.array(run)
+        axes.plot(points[:, 0], points[:, 2], lw=1, color="0.2", label="the worst that was found")
+    axes.axhline(float(Fraction(bound)), ls="--", lw=1, color=_COLOURS[1], label="the bound asked for")
+    axes.set(xlabel="t", ylabel=quantity, title=f"{found[holds].holds}: {found[holds].verdict}")
+    axes.legend()
     return axes
 
 

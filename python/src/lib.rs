@@ -28,7 +28,7 @@ mod _native {
     #[pymodule_export]
     use super::queries::{
         ergodicity, graph_name_problem, peak, platoon_matrices, platoon_peak, platoon_poles, platoon_response, reach,
-        read_sequence, resonance, spectrum, system_peak, theorem_1,
+        reach_tube, read_sequence, resonance, spectrum, system_peak, theorem_1,
     };
     #[pymodule_export]
     use super::questions::{

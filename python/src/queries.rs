@@ -15,7 +15,7 @@ use flockproof::platoon::{
     CommunicationGraph, Gains, Line, MOST_FOLLOWERS_PROVED, MOST_STATES_PROVED, Parameter, Peak, PeakError, Platoon,
     ResonanceError, peak_of_platoon, peak_of_system, read_numbers, resonance as main_resonance, theorem1,
 };
-use flockproof::reach::{System, answer, decide};
+use flockproof::reach::{System, answer, decide, tube};
 use flockproof::spectrum::{Eigenvalue, Method, graph_spectrum, matrix_spectrum, named_spectrum};
 use num_bigint::BigInt;
 use pyo3::prelude::*;
@@ -379,6 +379,32 @@ pub fn reach(
         let system = System::read(&text).map_err(|error| error.to_string())?;
         let decided = decide(&system, digits, &**watch).map_err(|error| error.to_string())?;
         Ok::<_, String>((answer::json(&system, &decided, digits).to_string(), answer::text(&system, &decided, digits)))
+    })?
+    .map_err(refuse)
+}
+
+/// A quantity of a system over time: its name, the bound, `[from, to, least, most]` of all motions, and of the worst one that was found.
+type TubeOf = (String, String, Vec<[f64; 4]>, Vec<[f64; 4]>);
+
+/// The quantity that decides one check, over time in so many sections.
+#[pyfunction]
+pub fn reach_tube(
+    py: Python<'_>,
+    text: String,
+    digits: &Bound<'_, PyAny>,
+    check: usize,
+    samples: usize,
+) -> PyResult<TubeOf> {
+    let digits = digits_of(digits)?;
+    watched(py, None, move |watch| {
+        let mut system = System::read(&text).map_err(|error| error.to_string())?;
+        system.checks = system.checks.into_iter().skip(check).take(1).collect();
+        let decided = decide(&system, digits, &**watch).map_err(|error| error.to_string())?;
+        let found = decided.first().ok_or("the system has no such check")?.decisive();
+        let drawn = tube(&system, found, samples, &**watch).map_err(|error| error.to_string())?;
+        let bound = found.condition.bound.to_string();
+        let run = drawn.runs.into_iter().next().unwrap_or_default();
+        Ok::<_, String>((drawn.quantity, bound, drawn.sections, run))
     })?
     .map_err(refuse)
 }

@@ -59,6 +59,30 @@ def test_a_sweep_over_a_name(tmp_path: Path) -> None:
         plot.sweep(table, "graph", "slow")
 
 
+def test_worst_cases() -> None:
+    """The worst motion stays within the enclosure of all and comes to its edge."""
+    found = flockproof.reach(
+        {
+            "system": {"states": ["x"], "inputs": {"u": [-1, 1]}, "start": {"x": 0}},
+            "mode": {"only": {"A": [[-1]], "B": [[1]]}},
+            "run": {"until": 2},
+            "check": [{"holds": "x <= 9/10"}, {"holds": "x >= -1/2"}],
+        }
+    )
+    axes = plot.reach(found)
+    worst, bound = axes.get_lines()
+    assert worst.get_ydata()[-1] == pytest.approx(float(found[0].worst), abs=1e-9)
+    assert list(bound.get_ydata()) == [0.9, 0.9]
+    vertices = axes.collections[0].get_paths()[0].vertices
+    assert vertices[:, 1].max() == pytest.approx(float(found[0].worst), abs=1e-3)
+    assert vertices[:, 1].max() >= float(found[0].lo)
+    assert plot.reach(found, 1).get_ylabel() == "x" and "false" in plot.reach(found, -1).get_title()
+    with pytest.raises(IndexError):
+        plot.reach(found, 2)
+    with pytest.raises(TypeError, match="flockproof.reach"):
+        plot.reach("x")
+
+
 def test_phases_and_portraits() -> None:
     phases = flockproof.simulate(PHASES)
     assert f"{phases.observables['order'][-1, 0]:.3f}" in plot.circle(phases).get_title()
