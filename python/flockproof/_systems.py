@@ -31,11 +31,15 @@ class Check:
     ----------
     holds, verdict, why : str
         The inequality; ``holds``, ``false`` or ``undecided``; how it was found.
+    grades : tuple of str
+        ``certified`` where the check is decided.
     worst : Enclosure or None
         The least value of the left side of ``>=``, the greatest of ``<=``; None where there is a bound on one side
         only.
     lo, hi : Fraction or None
         The ends of what is known of it.
+    margin : Enclosure or None
+        How far the worst case is from the bound, above 0 where the check holds.
     at : Enclosure or None
         When it is attained.
     witness : dict or None
@@ -44,9 +48,11 @@ class Check:
 
     holds: str
     verdict: str
+    grades: tuple[str, ...]
     worst: Enclosure | None
     lo: Fraction | None
     hi: Fraction | None
+    margin: Enclosure | None
     at: Enclosure | None
     witness: Mapping[str, Any] | None = field(hash=False)
     why: str
@@ -71,31 +77,31 @@ class Reach(Sequence[Check]):
     _system: str = field(compare=False, repr=False, default="")
     _files: Mapping[str, str] = field(compare=False, repr=False, default_factory=dict)
 
-    def tube(self, check: int = 0, samples: int = 200) -> np.ndarray:
-        """The least and greatest value that the left side of a check can have, at equally spaced times up to the end.
+    def tube(self, check: int = 0, samples: int = 160) -> np.ndarray:
+        """What the left side of a check can be, over time, enclosed for all motions.
 
         Parameters
         ----------
         check
-            Its number, from 0; of one with several inequalities the first.
+            Its number, from 0; of one with several inequalities that which decides.
         samples
-            Intervals between the times.
+            Stretches of time, of equal length.
 
         Returns
         -------
         numpy.ndarray
-            Rows of time, least and greatest value, rounded outwards.
-
-        Raises
-        ------
-        ValueError
-            The order of the modes is not fixed, or the run has no end.
+            Rows of the times between which the values lie, the least and the greatest one, rounded outwards; none where the
+            order of the modes is not fixed.
         """
+        return np.array(self._drawn(check, samples)[2]).reshape(-1, 4)
+
+    def _drawn(self, check: int, samples: int) -> tuple[str, str, list[list[float]], list[list[float]]]:
+        """The quantity, the bound, the stretches of :meth:`tube`, and the same of the worst motion that was found."""
         if not 0 <= check < len(self.checks):
             raise ValueError(f"check = {check} is not between 0 and {len(self.checks) - 1}")
         if not 1 <= samples <= 100_000:
             raise ValueError(f"samples = {samples} is not between 1 and 100000")
-        return np.array(_native.reach_tube(self._system, dict(self._files), check, samples))
+        return _native.reach_tube(self._system, dict(self._files), 6, check, samples)
 
     def __len__(self) -> int:
         return len(self.checks)
@@ -220,9 +226,11 @@ def _check(found: Mapping[str, Any]) -> Check:
     return Check(
         found["holds"],
         found["verdict"],
+        tuple(found["grades"]),
         enclosed(worst),
         end(worst["lo"]),
         end(worst["hi"]),
+        enclosed(found["margin"]),
         enclosed(found["at"]),
         found["witness"],
         found["why"],

@@ -7,7 +7,6 @@ results is a TypeError.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
@@ -33,12 +32,12 @@ __all__ = [
     "paths",
     "patterns",
     "portrait",
+    "reach",
     "resonances",
     "settlement",
     "spectrum",
     "sweep",
     "tracks",
-    "tube",
 ]
 
 
@@ -483,6 +482,44 @@ def portrait(simulation: Simulation, coordinate: int = 0, axes: Any = None) -> A
     return axes
 
 
+def reach(found: Reach, check: int = 0, axes: Any = None) -> Any:
+    """The quantity of a check over time: enclosed for all motions where the order of modes is fixed, and along the worst motion that was found.
+
+    Parameters
+    ----------
+    found
+        Of :func:`flockproof.reach`. The worst case is computed once more.
+    check
+        Its number, from 0. Of several inequalities the one that decides is drawn.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        There is no such check.
+    """
+    _needed(found, Reach, "found", "flockproof.reach")
+    quantity, bound, sections, run = found._drawn(check, 160)
+    axes = _axes(axes)
+    if sections:
+        ends = np.array(sections)
+        axes.fill_between(
+            ends[:, :2].ravel(), np.repeat(ends[:, 2], 2), np.repeat(ends[:, 3], 2), alpha=0.3, label="all motions, enclosed"
+        )
+    if run:
+        points = np.array(run)
+        axes.plot(points[:, 0], points[:, 2], lw=1, color="0.2", label="the worst that was found")
+    axes.axhline(float(Fraction(bound)), ls="--", lw=1, color=_COLOURS[1], label="the bound asked for")
+    axes.set(xlabel="t", ylabel=quantity, title=f"{found[check].holds}: {found[check].verdict}")
+    axes.legend()
+    return axes
+
+
 def circle(simulation: Simulation, row: int = -1, axes: Any = None) -> Any:
     """Phases on the unit circle at one time, and the order parameter p_1 as an arrow from the centre.
 
@@ -594,48 +631,3 @@ def patterns(found: Patterns, axes: Any = None) -> Any:
     axes.set_title(f"{found.particles} particles, K = {gains}")
     axes.axis("off")
     return axes
-
-
-def tube(found: Reach, check: int = 0, axes: Any = None) -> Any:
-    """All values that the left side of a check can have over time, whatever the inputs do, with the bound of the check.
-
-    Parameters
-    ----------
-    found
-        Of :func:`flockproof.reach`, with a fixed order of modes; in the units of its system.
-    check
-        The number of the check, from 0.
-    axes
-        Of matplotlib; left out, those of a new figure.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-
-    Raises
-    ------
-    ValueError
-        A check that is not there, an order of modes that is not fixed, a run without an end.
-    """
-    _needed(found, Reach, "found", "flockproof.reach")
-    times, least, greatest = found.tube(check).T
-    one = found[check]
-    axes = _axes(axes)
-    axes.fill_between(times, least, greatest, color=_COLOURS[5], alpha=0.5, lw=0, label="all motions")
-    if one.at is not None and one.worst is not None:
-        axes.plot(float(one.at), float(one.worst), "o", color=_COLOURS[1], ms=5, label="worst case")
-    side = re.split(r"\s*[<>]=?\s*", one.holds)
-    bound = _bound(side[1]) if len(side) == 2 else None
-    if bound is not None:
-        axes.axhline(bound, color=_COLOURS[6], ls="--", lw=1, label="bound")
-    axes.set(xlabel="t", ylabel=side[0], title=f"{one.holds}: {one.verdict}")
-    axes.legend()
-    return axes
-
-
-def _bound(text: str) -> float | None:
-    """The number on the right side of a check; None where it is none."""
-    try:
-        return float(Fraction(text.replace(" ", "")))
-    except ValueError:
-        return None

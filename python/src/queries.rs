@@ -397,27 +397,31 @@ fn system_beside(text: &str, files: &BTreeMap<String, String>) -> Result<System,
     System::read_beside(text, &file).map_err(|error| error.to_string())
 }
 
-/// Times, and the least and greatest value of the left side of a check (from 0) at each.
+/// A quantity of a system over time: its name, the bound, `[from, to, least, most]` of all motions, and of the worst one that was found.
+type TubeOf = (String, String, Vec<[f64; 4]>, Vec<[f64; 4]>);
+
+/// The quantity that decides one check, over time in so many sections.
 #[pyfunction]
 pub fn reach_tube(
     py: Python<'_>,
     text: String,
     files: BTreeMap<String, String>,
+    digits: &Bound<'_, PyAny>,
     check: usize,
     samples: usize,
-) -> PyResult<Vec<(f64, f64, f64)>> {
-    let work = move |progress: &dyn Progress| {
-        let system = system_beside(&text, &files)?;
-        let condition = system.checks.get(check).and_then(|check| check.conditions.first());
-        let condition = condition.ok_or_else(|| format!("check: there are {}", system.checks.len()))?;
-        let until = system.until.clone().ok_or("a tube needs the end of the run, until")?;
-        let tube = tube(&system, condition, &until, samples, progress).map_err(|stopped| stopped.to_string())?;
-        if tube.is_empty() {
-            return Err("a tube is drawn where the order of the modes is fixed, and here it is not".to_string());
-        }
-        Ok::<_, String>(tube)
-    };
-    watched(py, None, move |watch| work(watch.as_ref()))?.map_err(refuse)
+) -> PyResult<TubeOf> {
+    let digits = digits_of(digits)?;
+    watched(py, None, move |watch| {
+        let mut system = system_beside(&text, &files)?;
+        system.checks = system.checks.into_iter().skip(check).take(1).collect();
+        let decided = decide(&system, digits, &**watch).map_err(|error| error.to_string())?;
+        let found = decided.first().ok_or("the system has no such check")?.decisive();
+        let drawn = tube(&system, found, samples, &**watch).map_err(|error| error.to_string())?;
+        let bound = found.condition.bound.to_string();
+        let run = drawn.runs.into_iter().next().unwrap_or_default();
+        Ok::<_, String>((drawn.quantity, bound, drawn.sections, run))
+    })?
+    .map_err(refuse)
 }
 
 /// Clusters, verdict, eigenvalues 0, largest real part, a wave number that attains it.

@@ -60,6 +60,30 @@ def test_a_sweep_over_a_name(tmp_path: Path) -> None:
         plot.sweep(table, "graph", "slow")
 
 
+def test_worst_cases() -> None:
+    """The worst motion stays within the enclosure of all and comes to its edge."""
+    found = flockproof.reach(
+        {
+            "system": {"states": ["x"], "inputs": {"u": [-1, 1]}, "start": {"x": 0}},
+            "mode": {"only": {"A": [[-1]], "B": [[1]]}},
+            "run": {"until": 2},
+            "check": [{"holds": "x <= 9/10"}, {"holds": "x >= -1/2"}],
+        }
+    )
+    axes = plot.reach(found)
+    worst, bound = axes.get_lines()
+    assert worst.get_ydata()[-1] == pytest.approx(float(found[0].worst), abs=1e-9)
+    assert list(bound.get_ydata()) == [0.9, 0.9]
+    vertices = axes.collections[0].get_paths()[0].vertices
+    assert vertices[:, 1].max() == pytest.approx(float(found[0].worst), abs=1e-3)
+    assert vertices[:, 1].max() >= float(found[0].lo)
+    assert plot.reach(found, 1).get_ylabel() == "x" and "false" in plot.reach(found, -1).get_title()
+    with pytest.raises(IndexError):
+        plot.reach(found, 2)
+    with pytest.raises(TypeError, match="flockproof.reach"):
+        plot.reach("x")
+
+
 def test_phases_and_portraits() -> None:
     phases = flockproof.simulate(PHASES)
     assert f"{phases.observables['order'][-1, 0]:.3f}" in plot.circle(phases).get_title()
@@ -102,17 +126,15 @@ def test_patterns_and_tubes() -> None:
         "check": [{"holds": "x <= 9/10"}],
     }
     found = flockproof.reach(system)
-    times, least, greatest = found.tube(samples=10).T
-    # What no input can pass: 1 - exp(-t) to both sides, rounded outwards.
-    assert times == pytest.approx([k / 5 for k in range(11)])
-    for t, low, high in zip(times, least, greatest, strict=True):
-        assert -low >= 1 - math.exp(-t) - 1e-15 and high == pytest.approx(1 - math.exp(-t), abs=1e-4)
-    drawn = plot.tube(found)
-    assert drawn.get_title() == "x <= 9/10: holds" and len(drawn.get_lines()) == 2
+    tube = found.tube(samples=10)
+    # What no input can pass: 1 - exp(-t) to both sides, rounded outwards, over whole stretches of time.
+    assert tube.shape == (10, 4) and tube[0, 0] == 0 and tube[-1, 1] == 2
+    for _, until, low, high in tube:
+        assert -low >= 1 - math.exp(-until) - 1e-15 and high == pytest.approx(1 - math.exp(-until), abs=1e-2)
     with pytest.raises(ValueError, match="check = 1"):
-        plot.tube(found, check=1)
+        plot.reach(found, check=1)
     with pytest.raises(TypeError, match=r"flockproof\.reach"):
-        plot.tube(system)
+        plot.reach(system)  # type: ignore[arg-type]
 
 
 def test_order_against_the_noise() -> None:

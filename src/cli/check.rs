@@ -78,7 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let no_tight = arguments.tight.is_some() && question.cannot_be_tight();
         let replay = write_replay(&question, &answer, path, &arguments.replay)?;
         let drawn = arguments.plot.as_ref().map(|_| plot(&question, &answer)).transpose()?;
-        worst = worse(worst, answer.verdict);
+        worst = worst.max(answer.verdict);
         certificates.extend(answer.certificates.iter().map(certificate));
         uncertified += answer.uncertified;
         if arguments.html.is_some() {
@@ -242,15 +242,4 @@ fn write_replay(question: &Question, answer: &Answer, path: &Path, folder: &Path
     let file = folder.join(format!("{}.counterexample.toml", answer.id));
     output::write_file(&file, text.as_bytes())?;
     Ok(Some(file.display().to_string()))
-}
-
-/// The verdict that says more against the questions: a control that was not refuted, then false, then undecided.
-fn worse(a: Verdict, b: Verdict) -> Verdict {
-    let rank = |verdict: Verdict| match verdict {
-        Verdict::Holds => 0,
-        Verdict::Undecided => 1,
-        Verdict::False => 2,
-        Verdict::Withheld => 3,
-    };
-    if rank(b) > rank(a) { b } else { a }
 }

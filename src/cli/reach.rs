@@ -67,16 +67,9 @@ impl Answered {
         Some((self.document, shown))
     }
 
-    /// 0 where all checks hold, 1 where one is false, 3 where one is undecided.
+    /// That of the check of which most is to be said against it.
     fn status(&self) -> u8 {
-        let any = |verdict| self.decided.iter().any(|found| found.verdict == verdict);
-        if any(Verdict::False) {
-            1
-        } else if any(Verdict::Undecided) {
-            3
-        } else {
-            0
-        }
+        self.decided.iter().map(|found| found.verdict).max().map_or(0, Verdict::status)
     }
 }
 

@@ -58,7 +58,9 @@ impl Sweep {
     fn regions(&self, case: u64, progress: &dyn Progress) -> Result<Value, QuestionError> {
         let Some(member) = self.question.case(case, progress)? else { return Ok(Value::Null) };
         let ends = |(name, value): (&str, &question::Value)| match value {
-            question::Value::Box(lo, hi) => Some((name.to_string(), json!([lo.to_string(), hi.to_string()]))),
+            question::Value::Box(range) => {
+                Some((name.to_string(), json!([range.lo.to_string(), range.hi.to_string()])))
+            }
             _ => None,
         };
         let region = |region: &Region| {

@@ -31,6 +31,7 @@ mod jet;
 mod lanes;
 mod near;
 mod rk4;
+pub mod sets;
 mod sine;
 mod statistics;
 mod system;

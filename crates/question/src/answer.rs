@@ -15,44 +15,10 @@ use crate::truth::{Margin, Truth};
 use algebra::graph::LaplacianKind;
 use arithmetic::Progress;
 use models::platoon::Communication;
+pub use motion::sets::Verdict;
 use polynomials::sums::Certificate;
 use serde_json::{Map, json};
 use std::fmt::Write;
-
-/// The verdict on a question.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
-    /// True for every member of the family.
-    Holds,
-    /// False for some member.
-    False,
-    /// Neither could be established.
-    Undecided,
-    /// A control was not refuted, so that nothing is said.
-    Withheld,
-}
-
-impl Verdict {
-    /// One word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Verdict::Holds => "holds",
-            Verdict::False => "false",
-            Verdict::Undecided => "undecided",
-            Verdict::Withheld => "withheld",
-        }
-    }
-
-    /// The exit status of `check`.
-    pub fn status(self) -> u8 {
-        match self {
-            Verdict::Holds => 0,
-            Verdict::False => 1,
-            Verdict::Undecided => 3,
-            Verdict::Withheld => 4,
-        }
-    }
-}
 
 /// A question with its verdict.
 #[derive(Debug, Clone)]

@@ -3,6 +3,7 @@
 use algebra::graph::AnyGraph;
 use algebra::matrix::StochasticMatrix;
 use arithmetic::{Rational, rational, simplest_between};
+use motion::sets::Range;
 use polynomials::Side;
 use std::fmt;
 use std::sync::Arc;
@@ -13,7 +14,7 @@ pub enum Value {
     /// A number.
     Number(Rational),
     /// Every number between two.
-    Box(Rational, Rational),
+    Box(Range),
     /// Every integer between two, the second one larger.
     Integers(i64, i64),
     /// Every real number.
@@ -33,10 +34,10 @@ impl Value {
     }
 
     /// The smallest and the largest number of a box.
-    pub fn ends(&self) -> Option<(Rational, Rational)> {
+    pub fn ends(&self) -> Option<Range> {
         match self {
-            Value::Box(lo, hi) => Some((lo.clone(), hi.clone())),
-            Value::Integers(from, to) => Some((rational(*from, 1), rational(*to, 1))),
+            Value::Box(range) => Some(range.clone()),
+            Value::Integers(from, to) => Some(Range { lo: rational(*from, 1), hi: rational(*to, 1) }),
             _ => None,
         }
     }
@@ -44,9 +45,9 @@ impl Value {
     /// The two halves of a box.
     pub(crate) fn halves(&self) -> Option<[Value; 2]> {
         match self {
-            Value::Box(lo, hi) => {
-                let middle = (lo + hi) * rational(1, 2);
-                Some([Value::Box(lo.clone(), middle.clone()), Value::Box(middle, hi.clone())])
+            Value::Box(range) => {
+                let (Range { lo, hi }, middle) = (range.clone(), range.centre());
+                Some([Range { lo, hi: middle.clone() }, Range { lo: middle, hi }].map(Value::Box))
             }
             Value::Integers(from, to) => {
                 let middle = from + (to - from) / 2;
@@ -64,9 +65,8 @@ impl Value {
     /// The simplest number near the middle of a box.
     fn middle(&self) -> Option<Rational> {
         match self {
-            Value::Box(lo, hi) => {
-                let middle = (lo + hi) * rational(1, 2);
-                let quarter = (hi - lo) * rational(1, 4);
+            Value::Box(range) => {
+                let (middle, quarter) = (range.centre(), range.radius() * rational(1, 2));
                 Some(simplest_between(&(&middle - &quarter), &(&middle + &quarter)))
             }
             Value::Integers(from, to) => Some(rational(from + (to - from) / 2, 1)),
@@ -79,7 +79,7 @@ impl Value {
     pub fn text(&self) -> String {
         match self {
             Value::Number(q) => q.to_string(),
-            Value::Box(lo, hi) => format!("[{lo}, {hi}]"),
+            Value::Box(Range { lo, hi }) => format!("[{lo}, {hi}]"),
             Value::Integers(from, to) => format!("integers({from}, {to})"),
             Value::Any => "any".to_string(),
             Value::Graph(graph) => graph.to_string(),
@@ -132,15 +132,15 @@ impl Bindings {
     }
 
     /// The names that stand for boxes, with their places.
-    pub(crate) fn boxes(&self) -> Vec<(usize, Rational, Rational)> {
-        let ends = |(k, (_, value)): (usize, &(Arc<str>, Value))| value.ends().map(|(lo, hi)| (k, lo, hi));
+    pub(crate) fn boxes(&self) -> Vec<(usize, Range)> {
+        let ends = |(k, (_, value)): (usize, &(Arc<str>, Value))| value.ends().map(|range| (k, range));
         self.entries.iter().enumerate().filter_map(ends).collect()
     }
 
     /// The names that stand for more than one number, with their places.
     pub(crate) fn sides(&self) -> Vec<(usize, Side)> {
         let side = |(k, (_, value)): (usize, &(Arc<str>, Value))| match value {
-            Value::Box(lo, hi) => Some((k, Side::between(lo.clone(), hi.clone()))),
+            Value::Box(Range { lo, hi }) => Some((k, Side::between(lo.clone(), hi.clone()))),
             Value::Integers(from, to) => Some((k, Side::integers(*from, *to))),
             Value::Any => Some((k, Side::line())),
             _ => None,
@@ -172,7 +172,7 @@ impl Bindings {
     pub(crate) fn simplest(&self) -> Self {
         self.at(|value| match value {
             Value::Any => Some(rational(0, 1)),
-            value => value.ends().map(|(lo, hi)| simplest_between(&lo, &hi)),
+            value => value.ends().map(|Range { lo, hi }| simplest_between(&lo, &hi)),
         })
     }
 

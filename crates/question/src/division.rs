@@ -13,6 +13,7 @@ use crate::question::{Expression, Question};
 use crate::syntax::Kind;
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::{Progress, Rational};
+use motion::sets::Range;
 use num_traits::{Signed, ToPrimitive};
 use polynomials::decide::{Decision, Effort, Open, Place, Proof, is_true_at};
 use polynomials::sums::{Certificate, Statement};
@@ -64,7 +65,7 @@ fn boxed(whole: &Bindings, places: &[usize], sides: &[Side]) -> Bindings {
                 match integers {
                     _ if lo == hi => Value::Number(lo.clone()),
                     Some((from, to)) => Value::Integers(from, to),
-                    None => Value::Box(lo.clone(), hi.clone()),
+                    None => Value::Box(Range { lo: lo.clone(), hi: hi.clone() }),
                 },
             );
         }
@@ -82,7 +83,7 @@ fn fails_exactly(found: Decided, at: Spot) -> Decided {
 fn statement(whole: &Bindings, clause: &Clause) -> Option<Statement> {
     let range = |value: &Value| match value {
         Value::Any => Some("R".to_string()),
-        value => value.ends().map(|(lo, hi)| format!("[{lo}, {hi}]")),
+        value => value.ends().map(|Range { lo, hi }| format!("[{lo}, {hi}]")),
     };
     let ranges: Vec<(&str, String)> = whole.iter().filter_map(|(name, value)| Some((name, range(value)?))).collect();
     let names: Vec<&str> = ranges.iter().map(|(name, _)| *name).collect();
@@ -382,20 +383,22 @@ impl Division<'_> {
 /// the one that is widest compared with its numbers; `None` where all have become too thin.
 pub(crate) fn halved(
     bindings: &Bindings,
-    original: &[(usize, Rational, Rational)],
+    original: &[(usize, Range)],
     shares: &[f64],
 ) -> Option<(usize, [Bindings; 2])> {
     const THINNEST: f64 = 1e-12;
-    let relative = |(place, lo, hi): &(usize, Rational, Rational)| {
+    let relative = |(place, Range { lo, hi }): &(usize, Range)| {
         let width = (hi - lo).to_f64().unwrap_or(0.0);
         let size = lo.abs().max(hi.abs()).to_f64().unwrap_or(1.0);
-        let whole =
-            original.iter().find(|(other, ..)| other == place).map_or(1.0, |(_, a, b)| (b - a).to_f64().unwrap_or(1.0));
+        let whole = original
+            .iter()
+            .find(|(other, ..)| other == place)
+            .map_or(1.0, |(_, all)| (&all.hi - &all.lo).to_f64().unwrap_or(1.0));
         if lo.is_positive() || hi.is_negative() { width / size } else { width / whole }
     };
     let boxes = bindings.boxes();
-    let number = |side: &(usize, Rational, Rational)| original.iter().position(|(place, ..)| *place == side.0);
-    let share = |side: &(usize, Rational, Rational)| number(side).and_then(|k| shares.get(k)).copied().unwrap_or(0.5);
+    let number = |side: &(usize, Range)| original.iter().position(|(place, ..)| *place == side.0);
+    let share = |side: &(usize, Range)| number(side).and_then(|k| shares.get(k)).copied().unwrap_or(0.5);
     let wide = boxes.iter().filter(|side| relative(side) >= THINNEST);
     let best = wide.max_by(|a, b| share(b).total_cmp(&share(a)).then(relative(a).total_cmp(&relative(b))))?;
     Some((number(best)?, bindings.halves(best.0)?))

@@ -5,6 +5,7 @@ use crate::error::QuestionError;
 use crate::question::Question;
 use crate::shrink::{Shrunk, shorter_times};
 use arithmetic::{Progress, rational, simplest_between};
+use motion::sets::Range;
 
 /// An interval gives its simplest number, or an end of one of its `2^k` equal parts with `k` up to this.
 const FINEST: u64 = 20;
@@ -29,7 +30,7 @@ impl Question {
             };
             let value = match value {
                 None => return Ok(None),
-                Some(Value::Box(lo, hi)) => {
+                Some(Value::Box(Range { lo, hi })) => {
                     let parts = choose(FINEST + 2).min(FINEST + 1).checked_sub(1).map(|power| 1u64 << power);
                     let part = choose(parts.unwrap_or(0) + 1).min(parts.unwrap_or(0));
                     Value::Number(match parts {

@@ -323,8 +323,8 @@ impl Evaluator<'_, '_> {
             match self.case.bindings.get(name) {
                 Some(Value::Number(q)) => return Ok(Measured::Number(Number::Exact(q.clone()))),
                 Some(value @ (Value::Box(..) | Value::Integers(..))) => {
-                    let (lo, hi) = value.ends().unwrap_or_default();
-                    let interval = Interval::hull_of_rationals(&lo, &hi, self.precision);
+                    let range = value.ends().unwrap_or_default();
+                    let interval = Interval::hull_of_rationals(&range.lo, &range.hi, self.precision);
                     return Ok(Measured::Number(Number::interval(interval)));
                 }
                 Some(Value::Any) => return Err(Failure::open(format!("`{name}` ranges over all reals"), None)),

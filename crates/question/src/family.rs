@@ -18,6 +18,7 @@ use algebra::graph::{AnyGraph, Graph};
 use algebra::matrix::StochasticMatrix;
 use arithmetic::RealNumber as Number;
 use arithmetic::{Progress, Rational, random, rational, shown};
+use motion::sets::Range;
 use num_traits::{One, Signed, ToPrimitive};
 use rand_chacha::rand_core::Rng;
 use std::sync::Arc;
@@ -113,7 +114,7 @@ impl Maker<'_> {
                     let why = format!("the interval [{lo}, {hi}] ends before it begins");
                     return Err(Failure::Refused(node.at, Problem::Empty(why)));
                 }
-                Ok(Members::Listed(vec![if lo == hi { Value::Number(lo) } else { Value::Box(lo, hi) }]))
+                Ok(Members::Listed(vec![if lo == hi { Value::Number(lo) } else { Value::Box(Range { lo, hi }) }]))
             }
             Kind::Name { name, arguments, called: true } if FAMILIES.iter().any(|family| family.name == name) => {
                 self.family(name, arguments, node)

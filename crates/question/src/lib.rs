@@ -74,6 +74,7 @@ pub use expressions::nearest_ids;
 pub use given::{Given, GivenValue, Measure};
 pub use made::{Made, MadeControl};
 pub use members::{Listed, Member};
+pub use motion::sets::{Range, Tube};
 pub use number::Number;
 pub use outcome::{Decided, Outcome, Spot, Unsettled};
 /// Proofs by sums of squares.
@@ -82,4 +83,4 @@ pub use question::Question;
 pub use regions::{Region, Standing};
 pub use scenario_file::Files;
 pub use truth::{Doubt, Margin, Truth};
-pub use tube::{Tube, Tubes};
+pub use tube::Tubes;

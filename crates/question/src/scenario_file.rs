@@ -181,15 +181,15 @@ impl ScenarioFile {
                     return Err("`seed` takes single integers, as in seed = \"1..1000\"".to_string());
                 }
                 value if is_place(name) => {
-                    let Some((lo, hi)) = value.ends() else {
+                    let Some(range) = value.ends() else {
                         return Err(format!("`{name}` should be a number or an interval, not `{}`", value.text()));
                     };
                     let path = self.place(name)?;
                     let (list, agent, coordinate) = start_place(&path).ok_or_else(|| {
                         format!("`{name}`: only positions, velocities and phases of [state] may range over an interval")
                     })?;
-                    numbers.push((path, (&lo + &hi) * rational(1, 2)));
-                    wide.push((list, agent, coordinate, lo, hi));
+                    numbers.push((path, range.centre()));
+                    wide.push((list, agent, coordinate, range.lo, range.hi));
                 }
                 _ => {}
             }

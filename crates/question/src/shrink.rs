@@ -10,6 +10,7 @@ use crate::syntax::{Kind, Node};
 use crate::truth::Truth;
 use arithmetic::RealNumber as Number;
 use arithmetic::{Progress, Rational, rational, simplest_between};
+use motion::sets::Range;
 use num_traits::Signed;
 
 /// Smaller integers that are tried for each name.
@@ -108,10 +109,10 @@ fn simpler_number(
         return smaller_integer(question, expression, &found, place, (from, current), progress);
     }
     let ends = match first {
-        Some(Value::Any) => Some((-current.abs() - rational(1, 1), current.abs() + rational(1, 1))),
+        Some(Value::Any) => Some(Range { lo: -current.abs() - rational(1, 1), hi: current.abs() + rational(1, 1) }),
         other => other.and_then(|value| value.ends()),
     };
-    let Some((lo, hi)) = ends else { return Ok(found) };
+    let Some(Range { lo, hi }) = ends else { return Ok(found) };
     let mut radius = &hi - &lo;
     let reach = current.abs() * rational(1, 1 << 20);
     while radius > reach {

@@ -10,23 +10,13 @@ use crate::question::{Expression, Question};
 use crate::syntax::{Kind, Node};
 use crate::timeline::{Piece, Timeline};
 use arithmetic::{Progress, Rational, rational};
+use motion::sets::{Range, Tube};
 use num_traits::ToPrimitive;
-
-/// A quantity over time: `[from, to, least, most]` for one short time after the other.
-#[derive(Debug, Clone)]
-pub struct Tube {
-    /// The quantity as the property writes it.
-    pub quantity: String,
-    /// For all starts.
-    pub sections: Vec<[f64; 4]>,
-    /// For single starts, in the order of [`Tubes::runs`].
-    pub runs: Vec<Vec<[f64; 4]>>,
-}
 
 /// All moving quantities of a property.
 #[derive(Debug, Clone)]
 pub struct Tubes {
-    /// One for each quantity.
+    /// One for each quantity; their single motions are those of `runs`.
     pub tubes: Vec<Tube>,
     /// The single starts.
     pub runs: Vec<Bindings>,
@@ -145,7 +135,7 @@ fn corners(member: &Bindings) -> Vec<Bindings> {
     let count = if boxes.len() > MOST_SIDES { 0 } else { 1usize << boxes.len() };
     let corner = |choice: usize| {
         let mut corner = member.clone();
-        for (side, (place, lo, hi)) in boxes.iter().enumerate() {
+        for (side, (place, Range { lo, hi })) in boxes.iter().enumerate() {
             corner.set(*place, Value::Number(if choice >> side & 1 == 1 { hi.clone() } else { lo.clone() }));
         }
         corner

@@ -3,7 +3,8 @@
 use crate::decide::{Decided, Part, Verdict};
 use crate::system::{Condition, Range, Side, System};
 use crate::witness::Witness;
-use arithmetic::{Rational, decimal};
+use arithmetic::{Rational, decimal, rational};
+use num_traits::Signed;
 use serde_json::{Value, json};
 
 /// Digits beyond those asked for, so that the ends of an enclosure differ where they do.
@@ -39,7 +40,9 @@ fn part(system: &System, part: &Part, digits: u32) -> Value {
     json!({
         "holds": sentence(system, part),
         "verdict": part.verdict.word(),
+        "grades": if part.verdict == Verdict::Undecided { vec![] } else { vec!["certified"] },
         "worst": ends(part.lo.as_ref(), part.hi.as_ref(), digits),
+        "margin": part.margin().map(|margin| times(&margin, digits)),
         "at": part.at.as_ref().map(|at| times(at, digits)),
         "witness": part.witness.as_ref().map(|found| witness(system, found, digits)),
         "why": part.why,
@@ -117,10 +120,10 @@ pub fn text(system: &System, decided: &[Decided], digits: u32) -> String {
             }
             let what = if part.condition.side == Side::AtLeast { "least" } else { "greatest" };
             text += &format!("  {what} value {}", shown(part.lo.as_ref(), part.hi.as_ref(), digits));
-            match &part.at {
-                Some(at) => text += &format!(" at t = {}\n", shown(Some(&at.lo), Some(&at.hi), digits)),
-                None => text += "\n",
+            if let Some(at) = &part.at {
+                text += &format!(" at t = {}", shown(Some(&at.lo), Some(&at.hi), digits));
             }
+            text += &apart(part).map_or("\n".to_string(), |apart| format!("; the ends are {apart} apart\n"));
             if let Some(witness) = &part.witness {
                 text += &format!("  {}\n", motion(system, witness, digits));
             }
@@ -130,6 +133,13 @@ pub fn text(system: &System, decided: &[Decided], digits: u32) -> String {
         }
     }
     text
+}
+
+/// The distance between bound and attained value, where they have few digits in common.
+fn apart(part: &Part) -> Option<String> {
+    let (lo, hi) = (part.lo.as_ref()?, part.hi.as_ref()?);
+    let width = hi - lo;
+    (&width * rational(1000, 1) > hi.abs().max(Rational::ONE)).then(|| decimal(&width, 3, true))
 }
 
 /// Most values of an input in a text; a document has them all.

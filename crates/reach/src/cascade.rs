@@ -8,15 +8,21 @@
 //! `N_k <= integral of |q_k| + sum over j <= k of (D_j N_(k-j+1) + J_j P_(k-j))`,
 //!
 //! with the integral `D_j` of the defects and the jumps of the rate of car `j`, the sum `J_j` of the jumps of its gap, and the integrals `P_m` of what a jump of a gap makes
-//! of the one `m` places behind. `notes/reach.md` has the derivation.
+//! of the one `m` places behind.
+//!
+//! Where each car tracks cars that come earlier in some order, the lags are followed in the same way, each driven by those. With the integral `g` of `|a phi + b phi'|`, `phi` being the response of one car,
+//! the errors `E_k` of lags obey `E_k <= (what defects and jumps of car k make of its own lag) + sum over j of P_kj (g E_j + J_j b integral of |phi|)`.
+//! `notes/reach.md` has the derivations.
 
 use crate::modal::{Decay, ModalError, point, quotient};
+use crate::scalar::Scalar;
 use crate::signs::Expansion;
 use crate::support::{Found, Support};
 use crate::system::Range;
 use arithmetic::{FloatInterval, Number, Progress, Rational, rational};
-use models::platoon::{Gains, gain_squared_one_sided, strongest_one_sided_square};
+use models::platoon::{CommunicationGraph, Gains, gain_squared_one_sided, strongest_one_sided_square};
 use num_traits::Zero;
+use std::collections::VecDeque;
 
 /// Terms of the expansions over a step.
 const TERMS: usize = 16;
@@ -60,8 +66,50 @@ const STILL: Car = Car { taylor: [0.0; TERMS], defect: 0.0, jumps: 0.0, size: 0.
 /// A row over the gaps: where it is not zero.
 type Weights = Vec<(usize, FloatInterval)>;
 
+/// Followers in an order in which those that one tracks come before it.
+pub(crate) struct Order {
+    /// The place of each follower.
+    places: Vec<usize>,
+    /// For each place the places of those that are tracked, the leader left out, with weights.
+    fronts: Vec<Vec<(usize, Rational)>>,
+}
+
+impl Order {
+    /// None where followers track each other in a circle.
+    pub fn of(graph: &CommunicationGraph) -> Option<Self> {
+        let m = graph.followers();
+        let tracked = |k: usize| graph.tracked_by(k + 1).iter().filter(|(j, _)| *j != 0);
+        let mut missing: Vec<usize> = (0..m).map(|k| tracked(k).count()).collect();
+        let mut behind: Vec<Vec<usize>> = vec![Vec::new(); m];
+        for k in 0..m {
+            tracked(k).for_each(|(j, _)| behind[j - 1].push(k));
+        }
+        let mut waiting: VecDeque<usize> = (0..m).filter(|&k| missing[k] == 0).collect();
+        let (mut places, mut fronts) = (vec![0; m], Vec::new());
+        while let Some(k) = waiting.pop_front() {
+            places[k] = fronts.len();
+            fronts.push(tracked(k).map(|(j, weight)| (places[j - 1], weight.clone())).collect());
+            for &later in &behind[k] {
+                missing[later] -= 1;
+                if missing[later] == 0 {
+                    waiting.push_back(later);
+                }
+            }
+        }
+        (fronts.len() == m).then_some(Order { places, fronts })
+    }
+
+    /// A row of lags by places.
+    fn row(&self, row: &[Rational]) -> Weights {
+        let weight = |(k, c): (usize, &Rational)| (self.places[k], FloatInterval::from_rational(c));
+        row.iter().enumerate().filter(|(_, c)| !c.is_zero()).map(weight).collect()
+    }
+}
+
 /// The responses of the cars, step by step.
 struct Cascade {
+    /// Which cars before it drive each car, with weights.
+    fronts: Vec<Vec<(usize, f64)>>,
     /// `a step^2` and `b step`.
     stiffness: f64,
     damping: f64,
@@ -76,28 +124,65 @@ struct Cascade {
     reached: usize,
 }
 
-/// Encloses the greatest values of rows of lags at a time, or for ever, from rest and with an acceleration in a range around 0; the gains are below 0.
+/// Encloses the greatest values of rows of lags at a time, or for ever, from rest and with an acceleration in a range around 0; the gains are below 0. Each car tracks the
+/// one in front, or those that an order says.
 ///
 /// # Errors
 /// [`ModalError`].
 pub(crate) fn greatest(
     gains: &Gains<Rational>,
+    order: Option<&Order>,
     rows: &[Vec<Rational>],
     range: &Range,
     until: Option<&Rational>,
     progress: &dyn Progress,
 ) -> Result<Vec<Found>, ModalError> {
-    let rows: Vec<Weights> = rows.iter().map(|row| by_gaps(row)).collect();
+    let rows: Vec<Weights> =
+        rows.iter().map(|row| order.map_or_else(|| by_gaps(row), |order| order.row(row))).collect();
     let count = rows.iter().flatten().map(|(j, _)| j + 1).max().unwrap_or(1);
-    let mut cascade = Cascade::new(gains, count)?;
+    let mut cascade = match order {
+        None => Cascade::of_gaps(gains, count)?,
+        Some(order) => {
+            let float = |(j, weight): &(usize, Rational)| (*j, FloatInterval::from_rational(weight).midpoint());
+            let fronts = order.fronts[..count].iter().map(|front| front.iter().map(float).collect()).collect();
+            Cascade::new(gains, fronts, count)?
+        }
+    };
     let mut supports: Vec<Support> = rows.iter().map(|_| Support::new(range)).collect();
-    cascade.run(&rows, &mut supports, until, progress)?;
-    let errors = cascade.errors(gains)?;
+    cascade.run(until, progress, &mut |cascade, from, end, unit| {
+        for (row, support) in rows.iter().zip(supports.iter_mut()) {
+            if let Some(h) = cascade.response(row) {
+                support.add(&h, from, end, (cascade.step, unit));
+            }
+        }
+    })?;
+    let errors = match order {
+        None => cascade.errors_of_gaps(gains)?,
+        Some(_) => cascade.errors_of_lags(gains, progress)?,
+    };
     let found = |(row, support): (&Weights, Support)| {
         let missed = row.iter().fold(FloatInterval::ZERO, |sum, (j, c)| sum + point(c.magnitude()) * point(errors[*j]));
         support.found(&missed)
     };
     Ok(rows.iter().zip(supports).map(found).collect())
+}
+
+/// A bound of the integral of `|a phi + b phi'|`, by which a lag drives the one behind.
+fn drive(gains: &Gains<Rational>, progress: &dyn Progress) -> Result<FloatInterval, ModalError> {
+    let [a, b] = [&gains.f, &gains.g].map(|gain| -FloatInterval::from_rational(gain));
+    let mut one = Cascade::of_gaps(gains, 1)?;
+    let mut support = Support::new(&Range { lo: rational(-1, 1), hi: rational(1, 1) });
+    one.run(None, progress, &mut |cascade, from, end, unit| {
+        let (taylor, per_step) = (cascade.cars[0].taylor, b * point(1.0 / cascade.step));
+        let rate = |n: usize| taylor.get(n + 1).map_or(FloatInterval::ZERO, |c| point(*c) * point((n + 1) as f64));
+        let coefficients = (0..TERMS).map(|n| a * point(taylor[n]) + per_step * rate(n)).collect();
+        support.add(&Expansion { coefficients, error: FloatInterval::ZERO }, from, end, (cascade.step, unit));
+    })?;
+    let (of, of_rate) = Decay::new(&a, &b, &point(1.0))?.integrals()?;
+    let [defect, jumps] = [one.cars[0].defect, one.cars[0].jumps].map(|x| point(point(x * SUMS).hi()));
+    // A jump of phi makes phi' + b phi of it, whose derivative is -a phi.
+    let missed = defect * (a * of + b * of_rate) + jumps * a * (of_rate + b * of + b * of);
+    Ok(support.found(&missed.top()).value.top())
 }
 
 /// A row of lags as one of gaps, whose sums the lags are.
@@ -115,30 +200,43 @@ fn by_gaps(row: &[Rational]) -> Weights {
 }
 
 impl Cascade {
-    fn new(gains: &Gains<Rational>, count: usize) -> Result<Self, ModalError> {
+    /// The gaps where each car tracks the one in front: the first is driven by the leader.
+    fn of_gaps(gains: &Gains<Rational>, count: usize) -> Result<Self, ModalError> {
+        let fronts = (0..count).map(|k| k.checked_sub(1).map(|front| (front, 1.0)).into_iter().collect()).collect();
+        Cascade::new(gains, fronts, 1)
+    }
+
+    /// Cars of which so many feel the leader's acceleration at once.
+    fn new(gains: &Gains<Rational>, fronts: Vec<Vec<(usize, f64)>>, reached: usize) -> Result<Self, ModalError> {
         let floats = gains.map(FloatInterval::from_rational);
         let (a, b) = (-floats.f.midpoint(), -floats.g.midpoint());
         let speed = a.sqrt().max(b);
         let step = 0.5f64.powi((speed * 2.0).log2().ceil().clamp(-300.0, 300.0) as i32);
         let strongest = strongest_one_sided_square(&floats)?;
         let gain = gain_squared_one_sided(&floats, &strongest)?.sqrt()?.midpoint().max(1.0);
-        let scales: Vec<f64> = (0..count).map(|k| gain.powi(k as i32)).collect();
+        let mut scales: Vec<f64> = Vec::new();
+        for front in &fronts {
+            scales.push((gain * front.iter().map(|(j, weight)| weight * scales[*j]).sum::<f64>()).max(1.0));
+        }
         let (stiffness, damping) = (a * step * step, b * step);
         // Nothing leaves the range in which floats have all their digits.
-        if gain.powi(count as i32) > 1e290 || stiffness.min(damping) < 1e-200 || !(1e-200..1e200).contains(&speed) {
+        if !scales.iter().all(|scale| *scale < 1e290)
+            || stiffness.min(damping) < 1e-200
+            || !(1e-200..1e200).contains(&speed)
+        {
             return Err(ModalError::Unbounded);
         }
-        let mut cars = vec![STILL; count];
-        cars[0].taylor[1] = -step;
-        Ok(Cascade { stiffness, damping, step, root: a.sqrt(), scales, cars, first: 0, reached: 1 })
+        let mut cars = vec![STILL; fronts.len()];
+        cars[..reached].iter_mut().for_each(|car| car.taylor[1] = -step);
+        Ok(Cascade { fronts, stiffness, damping, step, root: a.sqrt(), scales, cars, first: 0, reached })
     }
 
+    /// Steps up to a time, or until all cars rest; of each the length in parts and units of time, and where it begins.
     fn run(
         &mut self,
-        rows: &[Weights],
-        supports: &mut [Support],
         until: Option<&Rational>,
         progress: &dyn Progress,
+        each: &mut dyn FnMut(&Self, &Rational, &Rational, &Rational),
     ) -> Result<(), ModalError> {
         let unit = Rational::from_float(self.step).unwrap_or_default();
         let mut work = 0;
@@ -153,11 +251,7 @@ impl Cascade {
                 None => Rational::ONE,
             };
             self.expand();
-            for (row, support) in rows.iter().zip(supports.iter_mut()) {
-                if let Some(h) = self.response(row) {
-                    support.add(&h, &from, &end, (self.step, &unit));
-                }
-            }
+            each(self, &from, &end, &unit);
             work += self.reached - self.first;
             if work > MOST_STEPS {
                 return Err(ModalError::TooLong);
@@ -174,26 +268,36 @@ impl Cascade {
     fn expand(&mut self) {
         let (stiff, damp) = (self.stiffness, self.damping);
         for j in self.first..self.cars.len() {
-            let front = if j > self.first { self.cars[j - 1].taylor } else { [0.0; TERMS] };
-            let push = |n: usize| (stiff * front[n], damp * (n + 1) as f64 * front.get(n + 1).unwrap_or(&0.0));
+            // What drives it, with the sizes of what was added; cars that rest are zero.
+            let (mut front, mut sizes) = ([0.0; TERMS], [0.0; TERMS]);
+            for (i, weight) in &self.fronts[j] {
+                for (n, c) in self.cars[*i].taylor.iter().enumerate() {
+                    front[n] += weight * c;
+                    sizes[n] += (weight * c).abs();
+                }
+            }
+            let of = |list: &[f64; TERMS], n: usize| {
+                (stiff * list[n], damp * (n + 1) as f64 * list.get(n + 1).unwrap_or(&0.0))
+            };
             if j >= self.reached {
-                if front.iter().all(|c| c.abs() <= SMALLEST * self.scales[j - 1]) {
+                let loudest = self.fronts[j].iter().map(|(i, _)| self.scales[*i]).fold(0.0, f64::max);
+                if sizes.iter().all(|c| *c <= SMALLEST * loudest) {
                     // It rests a while longer: all that pushes it is a defect.
-                    let left = (0..TERMS).map(|n| (push(n).0.abs() + push(n).1.abs()) / (n + 1) as f64).sum::<f64>();
-                    self.cars[j].defect += left / self.step;
+                    let left = (0..TERMS).map(|n| (of(&sizes, n).0 + of(&sizes, n).1) / (n + 1) as f64).sum::<f64>();
+                    self.cars[j].defect += (left + UNDERFLOW) / self.step;
                     return;
                 }
                 self.reached = j + 1;
             }
+            let roundings = ROUNDINGS + f64::EPSILON * self.fronts[j].len().saturating_sub(1) as f64;
             let car = &mut self.cars[j];
             let (mut left, mut size) = (0.0, 0.0);
             for n in 0..TERMS {
-                let own = (stiff * car.taylor[n], damp * (n + 1) as f64 * car.taylor.get(n + 1).unwrap_or(&0.0));
-                let push = push(n);
-                let all = own.0.abs() + own.1.abs() + push.0.abs() + push.1.abs();
+                let (own, push, most) = (of(&car.taylor, n), of(&front, n), of(&sizes, n));
+                let all = own.0.abs() + own.1.abs() + most.0 + most.1;
                 if n + 2 < TERMS {
                     car.taylor[n + 2] = (push.0 + push.1 - own.0 - own.1) / ((n + 1) * (n + 2)) as f64;
-                    left += ROUNDINGS * all / (n + 1) as f64;
+                    left += roundings * all / (n + 1) as f64;
                 } else {
                     left += all / (n + 1) as f64;
                 }
@@ -244,7 +348,7 @@ impl Cascade {
     }
 
     /// For each car, a bound of the integral of the absolute value of what its polynomials miss of its response.
-    fn errors(&self, gains: &Gains<Rational>) -> Result<Vec<f64>, ModalError> {
+    fn errors_of_gaps(&self, gains: &Gains<Rational>) -> Result<Vec<f64>, ModalError> {
         let [a, b] = [&gains.f, &gains.g].map(|gain| -FloatInterval::from_rational(gain));
         let (of, of_rate) = Decay::new(&a, &b, &point(1.0))?.integrals()?;
         // What a jump of a gap makes of that gap, and, as a multiple of N_m, of that m places behind.
@@ -272,6 +376,27 @@ impl Cascade {
             }
             norms.push(norm);
             errors.push(error);
+        }
+        Ok(errors)
+    }
+
+    /// The same where cars track several.
+    fn errors_of_lags(&self, gains: &Gains<Rational>, progress: &dyn Progress) -> Result<Vec<f64>, ModalError> {
+        let [a, b] = [&gains.f, &gains.g].map(|gain| -FloatInterval::from_rational(gain));
+        let (of, of_rate) = Decay::new(&a, &b, &point(1.0))?.integrals()?;
+        let drive = drive(gains, progress)?;
+        let up = |x: f64| point(point(x * SUMS).hi());
+        let mut errors: Vec<f64> = Vec::new();
+        for (car, front) in self.cars.iter().zip(&self.fronts) {
+            let mut error = up(car.defect) * of + up(car.jumps) * (of_rate + b * of);
+            for (j, weight) in front {
+                error =
+                    error + point(weight.next_up()) * (drive * point(errors[*j]) + b * of * up(self.cars[*j].jumps));
+            }
+            if !error.hi().is_finite() {
+                return Err(ModalError::Unbounded);
+            }
+            errors.push(error.hi());
         }
         Ok(errors)
     }

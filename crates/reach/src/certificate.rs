@@ -1,9 +1,10 @@
-//! Certificates for the separate checker: the worst motion that was found, of kind `motion`, which it follows itself; and of kind `bound`, that no motion comes beyond what
-//! the checks allow, which it shows by sums over steps of its own. How many steps that takes is found by asking it.
+//! Certificates for the separate checker: the worst motion that was found, of kind `motion`, which it follows itself; and that no motion comes beyond what the checks allow, of
+//! kind `bound`, which it shows by sums over steps of its own, how many being found by asking it, or of kind `kept`, a set that no mode leads out of.
 
 use crate::comparison::Comparison;
-use crate::decide::{Decided, Part, Verdict};
-use crate::prepared::Prepared;
+use crate::decide::{Decided, Part, ReachError, Verdict, worst_of};
+use crate::ellipsoid::{Ellipsoid, moving_abscissa};
+use crate::prepared::{Motion, Prepared};
 use crate::system::{Condition, Range, Side, Switching, System};
 use arithmetic::{Cancelled, Progress, Rational, common_denominator, decimal, parse_rational, rational};
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -84,9 +85,9 @@ pub enum Unbounded {
 /// [`Unbounded`].
 pub fn bounded(system: &System, decided: &[Decided], progress: &dyn Progress) -> Result<String, Unbounded> {
     let unfit = |why| Err(Unbounded::Unfit(why));
-    let Some(until) = system.until.as_ref().filter(|until| until.is_positive()) else {
-        return unfit("the checker bounds motions up to a time, and `until` is none");
-    };
+    if system.until.as_ref().is_some_and(|until| !until.is_positive()) {
+        return unfit("the checker bounds motions up to a time above 0, or for ever");
+    }
     if !system.is_written_out() {
         return unfit("the checker bounds platoons of at most 100 followers");
     }
@@ -94,52 +95,99 @@ pub fn bounded(system: &System, decided: &[Decided], progress: &dyn Progress) ->
     if rows.is_empty() {
         return unfit("no check at all times holds that a certificate could be about");
     }
-    let (order, ways): (&str, Vec<Vec<Stretch>>) = match &system.switching {
-        Switching::Arbitrary => ("any", disturbances(system, until, progress)?),
-        switching => match stretches(switching, until) {
-            Some(stretches) => {
-                ("given", vec![stretches.into_iter().map(|(mode, time)| stretch(system, mode, time)).collect()])
-            }
-            None => return unfit("the checker bounds motions with a fixed order of modes, or with any"),
-        },
+    let refused = match stepped(system, &rows, progress) {
+        Err(Unbounded::Cancelled(cancelled)) => return Err(cancelled.into()),
+        Ok(text) => return Ok(text),
+        Err(error) => error,
+    };
+    // What steps of time do not show, a set that no motion leaves may.
+    kept(system, &rows).filter(|text| flockproof_checker::check(text.as_bytes()).is_ok()).ok_or(refused)
+}
+
+/// Rows with their bounds from above.
+type Rows = Vec<(Vec<Rational>, Rational)>;
+
+/// A certificate of kind `kept`: an ellipsoid that no mode leads out of.
+fn kept(system: &System, rows: &Rows) -> Option<String> {
+    let (prepared, n) = (Prepared::new(system), system.states.len());
+    let found =
+        Ellipsoid::find(&prepared.motions, &prepared.start).filter(|found| found.moving.len() == n && n <= LARGEST)?;
+    let (modes, count) = (system.modes.len(), rows.len());
+    let mut text = format!(
+        "flockproof-certificate 1 kept\nclaim no motion of the system of {modes} linear modes and {n} states below, from a start and with inputs within their bounds and with any measurable choice of its \
+         modes, comes at any time with any of the {count} rows to a value above its bound\n"
+    );
+    written(&mut text, system);
+    bounds(&mut text, rows);
+    matrix(&mut text, "P", &found.form);
+    text += &format!("rate {}\nradius {}\n", found.rate, found.radius);
+    let solved = rows.iter().map(|(row, _)| found.solved(row, Rational::clone)).collect::<Option<Vec<_>>>()?;
+    matrix(&mut text, "y", &solved);
+    Some(text + "end\n")
+}
+
+/// Most states of which an ellipsoid is written exactly.
+const LARGEST: usize = 40;
+
+/// The lines of rows and their bounds.
+fn bounds(text: &mut String, rows: &Rows) {
+    let (left, right): (Vec<Vec<Rational>>, Vec<Rational>) = rows.iter().cloned().unzip();
+    *text += &format!("rows {}\n", rows.len());
+    matrix(text, "row", &left);
+    matrix(text, "bound", &[right]);
+}
+
+/// A certificate of kind `bound`, which the checker accepted, by steps of time.
+fn stepped(system: &System, rows: &Rows, progress: &dyn Progress) -> Result<String, Unbounded> {
+    let ways = match fixed(system, progress)? {
+        Some(ways) => ways,
+        None => any(system, progress)?,
     };
     let (n, modes, count) = (system.states.len(), system.modes.len(), rows.len());
-    let how =
-        if order == "any" { "any measurable choice of its modes up to the time" } else { "its modes for the times" };
-    let mut head = format!(
-        "flockproof-certificate 1 bound\nclaim no motion of the system of {modes} linear modes and {n} states below, from a start and with inputs within their bounds and with {how} \
-         below, comes at any of these times with any of the {count} rows to a value above its bound\n"
-    );
-    written(&mut head, system);
-    head += &format!("rows {count}\n");
-    let (left, right): (Vec<Vec<Rational>>, Vec<Rational>) = rows.into_iter().unzip();
-    matrix(&mut head, "row", &left);
-    matrix(&mut head, "bound", &[right]);
-    head += &format!("order {order}\n");
+    let mut body = String::new();
+    written(&mut body, system);
+    bounds(&mut body, rows);
     let mut refused = String::new();
     for finer in 0..FINEST {
+        let mut open = false;
         for way in &ways {
             progress.checkpoint()?;
-            let mut text = head.clone();
-            if order == "given" {
-                text += &format!("stretches {}\n", way.len());
-            }
-            for (begun, time, norm) in way {
+            let (how, times) = (&way.how, if system.until.is_some() { "any of these times" } else { "any time" });
+            let mut text = format!(
+                "flockproof-certificate 1 bound\nclaim no motion of the system of {modes} linear modes and {n} states below, from a start and with inputs within their bounds and with {how}, comes at \
+                 {times} with any of the {count} rows to a value above its bound\n{body}{}",
+                way.begun
+            );
+            for (begun, time, norm) in &way.stretches {
                 // The checker asks for steps of norm at most 1/2.
                 let steps = (norm * time * rational(2 << finer, 1)).ceil().max(Rational::ONE);
                 text += &format!("{begun}time {time}\nsteps {steps}\n");
             }
-            text += "end\n";
+            text += &format!("{}end\n", way.ended);
             match flockproof_checker::check(text.as_bytes()) {
                 Ok(_) => return Ok(text),
-                Err(refusal) => refused = refusal.reason,
+                Err(refusal) => {
+                    open |= !TOO_MUCH.iter().any(|why| refusal.reason.contains(why));
+                    refused = refusal.reason;
+                }
             }
         }
-        if ["too many steps", "take too long", "is expected"].iter().any(|why| refused.contains(why)) {
+        if !open {
             break;
         }
     }
     Err(Unbounded::Refused(refused))
+}
+
+/// What the checker says of files that finer steps only make worse.
+const TOO_MUCH: [&str; 3] = ["too many steps", "take too long", "is expected"];
+
+/// One way to write the orders of modes: how the claim puts it, what stands before and after the stretches, and these.
+struct Way {
+    how: String,
+    begun: String,
+    stretches: Vec<Stretch>,
+    ended: String,
 }
 
 /// How the lines of a stretch begin, how long it lasts, and the norm of its matrix.
@@ -148,9 +196,101 @@ type Stretch = (String, Rational, Rational);
 /// Halvings of the steps.
 const FINEST: u32 = 12;
 
+/// The order of modes where it is fixed; none where it is not, or where it does not repeat itself for ever.
+fn fixed(system: &System, progress: &dyn Progress) -> Result<Option<Vec<Way>>, Unbounded> {
+    let prepared = Prepared::new(system);
+    let way = |how: String, order: Vec<(usize, Rational)>, begun: &str, ended: String| {
+        let begun = format!("{begun}\nstretches {}\n", order.len());
+        let stretch =
+            |(mode, time): (usize, Rational)| (format!("mode {}\n", mode + 1), time, norm(&prepared.motions[mode].a));
+        Way { how, begun, stretches: order.into_iter().map(stretch).collect(), ended }
+    };
+    let how = "its modes for the times below";
+    if let Some(until) = &system.until {
+        let order = stretches(&system.switching, until);
+        return Ok(order.map(|order| vec![way(how.to_string(), order, "order given", String::new())]));
+    }
+    let (order, period) = match &system.switching {
+        Switching::Periodic { order, period } => (order, period.clone()),
+        Switching::Windows { order, windows } if windows.is_empty() => (order, Rational::ONE),
+        _ => return Ok(None),
+    };
+    let motions: Vec<Motion> = order.iter().map(|&mode| prepared.motions[mode].clone()).collect();
+    let lengths = memories(&motions);
+    let found = match worst_of(system, &prepared, None, &prepared.sides(), DIGITS_OF_BOX, progress) {
+        Ok(found) => found,
+        Err(ReachError::Cancelled(cancelled)) => return Err(cancelled.into()),
+        Err(_) => return Ok(None),
+    };
+    let Some(most) = found.into_iter().map(|(worst, _)| worst.hi).collect::<Option<Vec<_>>>() else { return Ok(None) };
+    let ended = |cycle: usize| format!("cycle {cycle}\n{}", sides(system, &most));
+    let how = |cycle: usize| format!("{how}, for ever in cycles of {cycle}");
+    let ways = lengths.into_iter().map(|length| match &order[..] {
+        [mode] => way(how(1), vec![(*mode, length)], "order given for ever", ended(1)),
+        _ => {
+            let cycles =
+                (length / (&period * rational(order.len() as i64, 1))).ceil().to_integer().to_usize().unwrap_or(1);
+            let turns = (0..=cycles).flat_map(|_| order.iter().map(|&mode| (mode, period.clone())));
+            way(how(order.len()), turns.collect(), "order given for ever", ended(order.len()))
+        }
+    });
+    Ok(Some(ways.collect()))
+}
+
+/// Digits of the sides of the box in which states stay.
+const DIGITS_OF_BOX: u32 = 3;
+
+/// How long, roughly, until a start is forgotten, to a few and to twice as many digits.
+fn memories(motions: &[Motion]) -> Vec<Rational> {
+    let slowest = motions.iter().filter_map(moving_abscissa).filter(|x| *x < -1e-9).fold(-1e9, f64::max);
+    [6.0, 12.0].into_iter().filter_map(|digits| Rational::from_float((digits / -slowest * 8.0).ceil() / 8.0)).collect()
+}
+
+/// A box somewhat larger than the greatest values of the states in both signs.
+fn sides(system: &System, most: &[Rational]) -> String {
+    let side =
+        |pair: &[Rational]| pair.iter().max().map_or(Rational::ONE, |x| x * rational(101, 100) + rational(1, 1 << 20));
+    let mut text = String::new();
+    matrix(&mut text, "box", &[most.chunks(2).take(system.states.len()).map(side).collect()]);
+    text
+}
+
+/// Any order of modes: limits of the disturbances by which it is one, some more generous than others.
+fn any(system: &System, progress: &dyn Progress) -> Result<Vec<Way>, Unbounded> {
+    let prepared = Prepared::new(system);
+    let Some(found) = Comparison::find(&prepared, system.until.as_ref(), progress)? else {
+        return Err(Unbounded::Unfit("the disturbances that switching makes are not proved to stay bounded"));
+    };
+    let norm = norm(&found.mean().a);
+    let limits = found.limits(system.states.len());
+    let (times, begun, how, ended) = match &system.until {
+        Some(until) => {
+            (vec![until.clone()], "order any", "any measurable choice of its modes up to the time below", String::new())
+        }
+        None => {
+            let Some(most) = found.bounds(&prepared.sides(), progress)? else {
+                return Err(Unbounded::Unfit("the states are not proved to stay bounded"));
+            };
+            let times = memories(std::slice::from_ref(found.mean()));
+            (times, "order any for ever", "any measurable choice of its modes", sides(system, &most))
+        }
+    };
+    let way = |time: &Rational, more: Rational| {
+        let mut text = String::new();
+        matrix(&mut text, "disturbance", &[limits.iter().map(|x| x * &more).collect()]);
+        Way {
+            how: how.to_string(),
+            begun: format!("{begun}\n"),
+            stretches: vec![(text, time.clone(), norm.clone())],
+            ended: ended.clone(),
+        }
+    };
+    Ok(times.iter().flat_map(|time| [rational(1001, 1000), rational(101, 100)].map(|more| way(time, more))).collect())
+}
+
 /// The rows of all conditions that hold at all times, each once, turned so that they are bounded from above.
-fn rows(decided: &[Decided]) -> Vec<(Vec<Rational>, Rational)> {
-    let mut rows: Vec<(Vec<Rational>, Rational)> = Vec::new();
+fn rows(decided: &[Decided]) -> Rows {
+    let mut rows: Rows = Vec::new();
     let held = decided.iter().filter(|found| found.verdict == Verdict::Holds && found.check.at.is_none());
     for part in held.flat_map(|found| &found.parts) {
         let (row, bound) = turned(part);
@@ -181,10 +321,6 @@ fn norm(a: &[Vec<Rational>]) -> Rational {
     a.iter().map(|row| row.iter().map(|x| x.abs()).sum::<Rational>()).max().unwrap_or_default()
 }
 
-fn stretch(system: &System, mode: usize, time: Rational) -> Stretch {
-    (format!("mode {}\n", mode + 1), time, norm(&Prepared::new(system).motions[mode].a))
-}
-
 /// The modes in a fixed order up to a time, each with how long it lasts; none where the order is not fixed.
 fn stretches(switching: &Switching, until: &Rational) -> Option<Vec<(usize, Rational)>> {
     let ends: Vec<(usize, Rational)> = match switching {
@@ -209,23 +345,6 @@ fn stretches(switching: &Switching, until: &Rational) -> Option<Vec<(usize, Rati
         }
     }
     Some(stretches)
-}
-
-/// Limits of the disturbances by which any order of modes is one, some more generous than others, with the time and the norm.
-fn disturbances(system: &System, until: &Rational, progress: &dyn Progress) -> Result<Vec<Vec<Stretch>>, Unbounded> {
-    let prepared = Prepared::new(system);
-    let Some(found) = Comparison::find(&prepared, Some(until), progress)? else {
-        return Err(Unbounded::Unfit("the disturbances that switching makes are not proved to stay bounded"));
-    };
-    let norm = norm(found.mean());
-    let limits = found.limits(system.states.len());
-    let way = |more: Rational| {
-        let limits = limits.iter().map(|x| x * &more).collect();
-        let mut text = String::new();
-        matrix(&mut text, "disturbance", &[limits]);
-        vec![(text, until.clone(), norm.clone())]
-    };
-    Ok([rational(1001, 1000), rational(101, 100)].map(way).into())
 }
 
 fn ends(text: &mut String, names: [&str; 2], ranges: &[Range]) {

@@ -124,9 +124,9 @@ impl Comparison {
         Ok(closes.then_some(Comparison { prepared: moved, times }))
     }
 
-    /// The matrix of the mean of the modes.
-    pub fn mean(&self) -> &[Vec<Rational>] {
-        &self.prepared.motions[0].a
+    /// The mean of the modes, with its disturbances.
+    pub fn mean(&self) -> &Motion {
+        &self.prepared.motions[0]
     }
 
     /// The limits of the disturbances of the first states, 0 where there is none.
@@ -154,10 +154,7 @@ impl Comparison {
     /// # Errors
     /// [`Cancelled`].
     pub fn kept_box(&self, progress: &dyn Progress) -> Result<Option<Vec<Range>>, Cancelled> {
-        let n = self.prepared.order();
-        let unit = |i: usize, sign: i64| (0..n).map(|j| rational(if i == j { sign } else { 0 }, 1)).collect::<Vec<_>>();
-        let rows: Vec<Vec<Rational>> = (0..n).flat_map(|i| [unit(i, 1), unit(i, -1)]).collect();
-        let Some(bounds) = self.bounds(&rows, progress)? else { return Ok(None) };
+        let Some(bounds) = self.bounds(&self.prepared.sides(), progress)? else { return Ok(None) };
         Ok(Some(bounds.chunks(2).map(|pair| Range { lo: -pair[1].clone(), hi: pair[0].clone() }).collect()))
     }
 }

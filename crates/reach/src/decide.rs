@@ -1,7 +1,7 @@
 //! Verdicts: worst cases against the bounds that are asked for.
 
 use crate::comparison::{Comparison, greatest};
-use crate::ellipsoid::{abscissa, kept_box};
+use crate::ellipsoid::{Ellipsoid, abscissa, kept_box};
 use crate::flow::Flows;
 use crate::guess::bad_order;
 use crate::modal::ModalError;
@@ -13,6 +13,7 @@ use crate::walk::{Depth, Leg, longest_of, worst};
 use crate::witness::{Witness, attaining};
 use crate::worst::Worst;
 use arithmetic::{Cancelled, Enclosure, FloatInterval, Progress, Rational, rational};
+pub use motion::sets::Verdict;
 use num_traits::{Signed, Zero};
 
 /// Why there is no answer.
@@ -44,28 +45,6 @@ pub enum ReachError {
     },
 }
 
-/// What is true of a check.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
-    /// It holds for all inputs, starts and orders of modes, proved.
-    Holds,
-    /// A witness violates it.
-    False,
-    /// Neither was established.
-    Undecided,
-}
-
-impl Verdict {
-    /// As it is written.
-    pub fn word(self) -> &'static str {
-        match self {
-            Verdict::Holds => "holds",
-            Verdict::False => "false",
-            Verdict::Undecided => "undecided",
-        }
-    }
-}
-
 /// What was found about one condition.
 #[derive(Debug, Clone)]
 pub struct Part {
@@ -83,6 +62,24 @@ pub struct Part {
     pub witness: Option<Witness>,
     /// How the value was bounded, or why there is no verdict.
     pub why: String,
+}
+
+impl Part {
+    /// How far the worst value is from the bound; above 0 where the condition holds.
+    pub fn margin(&self) -> Option<Range> {
+        let worst = Range { lo: self.lo.clone()?, hi: self.hi.clone()? };
+        let by = &self.condition.bound;
+        Some(match self.condition.side {
+            Side::AtLeast => worst.moved(&-by),
+            Side::AtMost => worst.negated().moved(by),
+        })
+    }
+
+    /// The time up to which it is drawn: the last one that is looked at, or else the end of the motion that was found.
+    pub fn drawn_until(&self, system: &System) -> Rational {
+        let end = || self.witness.as_ref().map(|witness| witness.at.clone());
+        system.until.clone().or_else(end).unwrap_or(Rational::ONE)
+    }
 }
 
 /// What was found about a check: its conditions, each by itself.
@@ -241,11 +238,12 @@ fn rows<'a>(system: &'a System, order: usize, at: &Option<Rational>) -> (Vec<Ask
 
 const EXACT: &str = "enclosed over all inputs, starts and orders of modes";
 const COMPARED: &str = "bounded for any switching by the mean of the modes with disturbances whose bounds are proved; the other end is attained";
+const KEPT: &str = "bounded for any switching by an ellipsoid that no mode leads out of; the other end is attained";
 const NO_BOUND: &str = "no bound was found: the disturbances that switching makes are not proved to stay bounded";
 const MANY: &str = "the search over durations ended before both ends met";
 
 /// The greatest value of each row, and how it was found.
-fn worst_of(
+pub(crate) fn worst_of(
     system: &System,
     prepared: &Prepared,
     at: Option<&Rational>,
@@ -287,9 +285,15 @@ fn worst_of(
         Some(times) => greatest(prepared, &system.switching, times, rows, digits, progress)?,
         None => None,
     };
-    let bounds = match &compared {
-        Some(comparison) => comparison.bounds(rows, progress)?,
-        None => None,
+    let switched = matches!(system.switching, Switching::Arbitrary | Switching::Dwell { .. });
+    let (bounds, bounded) = match &compared {
+        Some(comparison) => (comparison.bounds(rows, progress)?, COMPARED),
+        None if switched => {
+            let kept = Ellipsoid::find(&prepared.motions, &prepared.start);
+            let bound = |row: &Vec<Rational>| kept.as_ref().and_then(|kept| kept.bound(row, &prepared.start));
+            (rows.iter().map(bound).collect::<Option<Vec<_>>>(), KEPT)
+        }
+        None => (None, NO_BOUND),
     };
     let mut found = Vec::new();
     for (k, row) in rows.iter().enumerate() {
@@ -301,7 +305,7 @@ fn worst_of(
                 (Worst { hi, ..worst }, how)
             }
             None => {
-                let how = if bound.is_some() { COMPARED } else { NO_BOUND };
+                let how = if bound.is_some() { bounded } else { NO_BOUND };
                 (guessed(system, prepared, row, (at, last), bound, progress)?, how)
             }
         });

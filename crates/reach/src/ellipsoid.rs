@@ -3,8 +3,8 @@
 //! With `P > 0` and `A^T P + P A + alpha P <= 0` in every mode, `|x| = sqrt(x^T P x)` obeys `|x|' <= -alpha/2 |x| + beta`, where `beta` bounds `|drift + sum of
 //! inputs|`: so `|x| <= max(|x(0)|, 2 beta / alpha)` for ever.
 
+use crate::family::dyadic_near;
 use crate::prepared::{Motion, Push};
-use crate::scalar::Scalar;
 use crate::system::Range;
 use algebra::matrix::{inertia, solve_over_field};
 use arithmetic::{Enclosure, Field, Interval, Number, Rational, rational};
@@ -14,12 +14,16 @@ use num_traits::{Signed, ToPrimitive, Zero};
 /// Bits of the enclosures that prove.
 const BITS: u32 = 240;
 
-/// `x^T P x <= radius^2` at all times.
+/// `x^T P x <= radius^2` at all times, for the states that move.
 #[derive(Debug, Clone)]
 pub(crate) struct Ellipsoid {
+    /// Those states.
+    pub moving: Vec<usize>,
     /// `P`, by rows.
-    form: Vec<Vec<Rational>>,
-    radius: Interval,
+    pub form: Vec<Vec<Rational>>,
+    /// `A^T P + P A + rate P < 0` in every mode.
+    pub rate: Rational,
+    pub radius: Rational,
 }
 
 /// The fastest growth of a matrix in floats: the largest real part of its eigenvalues.
@@ -30,18 +34,20 @@ pub(crate) fn abscissa(a: &[Vec<Rational>]) -> Option<f64> {
     eigen.values.iter().map(|value| value.re).reduce(f64::max)
 }
 
+/// The same for the states of a mode that move.
+pub(crate) fn moving_abscissa(motion: &Motion) -> Option<f64> {
+    let moving: Vec<usize> = (0..motion.a.len()).filter(|&i| !stands(motion, i)).collect();
+    let row = |&i: &usize| moving.iter().map(|&j| motion.a[i][j].clone()).collect();
+    abscissa(&moving.iter().map(row).collect::<Vec<_>>())
+}
+
 /// A box that no motion of the modes leaves, however they are switched; none where no proof was found. States that do not move keep their range.
 pub(crate) fn kept_box(motions: &[Motion], start: &[Range]) -> Option<Vec<Range>> {
-    let moving: Vec<usize> = (0..start.len()).filter(|&i| !motions.iter().all(|motion| stands(motion, i))).collect();
-    let reduced: Vec<Motion> = motions.iter().map(|motion| without(motion, &moving, start)).collect();
-    let starts: Vec<Range> = moving.iter().map(|&i| start[i].clone()).collect();
+    let ellipsoid = Ellipsoid::find(motions, start)?;
     let mut all = start.to_vec();
-    if moving.is_empty() {
-        return Some(all);
-    }
-    let ellipsoid = Ellipsoid::find(&reduced, &starts)?;
-    for (k, &i) in moving.iter().enumerate() {
-        let reach = ellipsoid.reach(k)?;
+    for &i in &ellipsoid.moving {
+        let unit: Vec<Rational> = (0..start.len()).map(|j| rational(i64::from(i == j), 1)).collect();
+        let reach = ellipsoid.bound(&unit, start)?;
         all[i] = Range { lo: -reach.clone(), hi: reach };
     }
     Some(all)
@@ -71,65 +77,83 @@ fn without(motion: &Motion, moving: &[usize], start: &[Range]) -> Motion {
 }
 
 impl Ellipsoid {
-    /// Tries the Lyapunov function of the mean of the modes, with ever slower decay.
-    fn find(motions: &[Motion], start: &[Range]) -> Option<Self> {
+    /// Tries the Lyapunov function of the mean of the modes, and the sum of those of all modes, with ever slower decay.
+    pub fn find(motions: &[Motion], start: &[Range]) -> Option<Self> {
+        let moving: Vec<usize> =
+            (0..start.len()).filter(|&i| !motions.iter().all(|motion| stands(motion, i))).collect();
+        let motions: Vec<Motion> = motions.iter().map(|motion| without(motion, &moving, start)).collect();
+        let start: Vec<Range> = moving.iter().map(|&i| start[i].clone()).collect();
         let n = start.len();
         let share = rational(1, motions.len() as i64);
         let mean = |i: usize, j: usize| motions.iter().map(|motion| motion.a[i][j].clone()).sum::<Rational>() * &share;
         let mean: Vec<Vec<Rational>> = (0..n).map(|i| (0..n).map(|j| mean(i, j)).collect()).collect();
-        let growth = abscissa(&mean)?;
-        if growth >= 0.0 {
-            return None;
+        let modes: Vec<&Vec<Vec<Rational>>> = motions.iter().map(|motion| &motion.a).collect();
+        if n == 0 {
+            return Some(Ellipsoid { moving, form: Vec::new(), rate: Rational::ONE, radius: Rational::ZERO });
         }
-        [0.9, 0.6, 0.3, 0.1, 0.01].into_iter().find_map(|part| {
-            let shift = Rational::from_float(-growth * part)?;
-            let form = lyapunov(&mean, -growth * part)?;
-            let rate = shift * rational(2, 1);
-            motions.iter().all(|motion| decays(&motion.a, &form, &rate)).then_some(())?;
-            Ellipsoid::around(form, &rate, motions, start)
+        [vec![&mean], modes].into_iter().find_map(|of| {
+            let growth = of.iter().map(|a| abscissa(a)).try_fold(f64::NEG_INFINITY, |most, x| Some(x?.max(most)))?;
+            (growth < 0.0).then_some(())?;
+            [0.9, 0.6, 0.3, 0.1, 0.01].into_iter().find_map(|part| {
+                let rate = Rational::from_float(-growth * part)? * rational(2, 1);
+                let forms = of.iter().map(|a| lyapunov(a, -growth * part)).collect::<Option<Vec<_>>>()?;
+                let sum = |i: usize, j: usize| forms.iter().map(|form| form[i][j].clone()).sum::<Rational>();
+                let form: Vec<Vec<Rational>> = (0..n).map(|i| (0..n).map(|j| sum(i, j)).collect()).collect();
+                motions.iter().all(|motion| decays(&motion.a, &form, &rate)).then_some(())?;
+                let radius = radius(&form, &rate, &motions, &start)?;
+                Some(Ellipsoid { moving: moving.clone(), form, rate, radius })
+            })
         })
     }
 
-    fn around(form: Vec<Vec<Rational>>, rate: &Rational, motions: &[Motion], start: &[Range]) -> Option<Self> {
-        let zero = Interval::from_rational(&Rational::ZERO, BITS);
-        let norm = |x: &[Rational]| -> Option<Interval> {
-            let square: Rational =
-                form.iter().zip(x).map(|(row, y)| y * row.iter().zip(x).map(|(p, z)| p * z).sum::<Rational>()).sum();
-            zero.rational(&square).sqrt().ok()
-        };
-        let centre: Vec<Rational> = start.iter().map(Range::centre).collect();
-        let mut radius = norm(&centre)?;
-        for (i, range) in start.iter().enumerate() {
-            radius = radius + zero.rational(&(form[i][i].clone() * range.radius() * range.radius())).sqrt().ok()?;
-        }
-        for motion in motions {
-            let mut drift = motion.drift.clone();
-            for input in &motion.pushes {
-                drift.iter_mut().zip(&input.column).for_each(|(sum, x)| *sum += &input.centre * x);
-            }
-            let mut push = norm(&drift)?;
-            for input in &motion.pushes {
-                push = push + norm(&input.column)? * zero.rational(&input.radius);
-            }
-            let kept = push.over(&zero.rational(&(rate * rational(1, 2)))).ok()?;
-            radius = radius.joined(&kept);
-        }
-        Some(Ellipsoid { form, radius: radius.top() })
+    /// The solution `y` of `P y = row`, the row restricted to the states that move.
+    pub fn solved<T: Field>(&self, row: &[Rational], scalar: impl Fn(&Rational) -> T) -> Option<Vec<T>> {
+        let rows = self.moving.iter().zip(&self.form);
+        let rows = rows.map(|(&i, form)| form.iter().chain([&row[i]]).map(&scalar).collect());
+        solve_over_field(rows.collect::<Vec<Vec<T>>>()).ok()
     }
 
-    /// A bound of the absolute value of a state.
-    fn reach(&self, i: usize) -> Option<Rational> {
+    /// A bound of a row: `radius sqrt(row P^-1 row)`, and the most of what does not move.
+    pub fn bound(&self, row: &[Rational], start: &[Range]) -> Option<Rational> {
         let zero = Interval::from_rational(&Rational::ZERO, BITS);
-        let unit = |j: usize| zero.rational(&rational(i64::from(i == j), 1));
-        let rows = self
-            .form
-            .iter()
-            .enumerate()
-            .map(|(j, row)| row.iter().map(|q| zero.rational(q)).chain([unit(j)]).collect());
-        let solved = solve_over_field(rows.collect::<Vec<Vec<Interval>>>()).ok()?;
-        let reach = solved.get(i)?.sqrt().ok()? * &self.radius;
-        Some(reach.ends()?.1)
+        let solved = self.solved(row, |q| zero.rational(q))?;
+        let square =
+            solved.into_iter().zip(&self.moving).fold(zero.clone(), |sum, (y, &i)| sum + y * zero.rational(&row[i]));
+        let mut bound = (square.sqrt().ok()? * zero.rational(&self.radius)).ends()?.1;
+        for (i, range) in start.iter().enumerate().filter(|(i, _)| !self.moving.contains(i)) {
+            bound += &row[i] * range.centre() + row[i].abs() * range.radius();
+        }
+        Some(bound)
     }
+}
+
+/// A size of the ellipsoid that holds the start and that no mode leads out of.
+fn radius(form: &[Vec<Rational>], rate: &Rational, motions: &[Motion], start: &[Range]) -> Option<Rational> {
+    let zero = Interval::from_rational(&Rational::ZERO, BITS);
+    let norm = |x: &[Rational]| -> Option<Interval> {
+        let square: Rational =
+            form.iter().zip(x).map(|(row, y)| y * row.iter().zip(x).map(|(p, z)| p * z).sum::<Rational>()).sum();
+        zero.rational(&square).sqrt().ok()
+    };
+    let centre: Vec<Rational> = start.iter().map(Range::centre).collect();
+    let mut radius = norm(&centre)?;
+    for (i, range) in start.iter().enumerate() {
+        radius = radius + zero.rational(&(form[i][i].clone() * range.radius() * range.radius())).sqrt().ok()?;
+    }
+    for motion in motions {
+        let mut drift = motion.drift.clone();
+        for input in &motion.pushes {
+            drift.iter_mut().zip(&input.column).for_each(|(sum, x)| *sum += &input.centre * x);
+        }
+        let mut push = norm(&drift)?;
+        for input in &motion.pushes {
+            push = push + norm(&input.column)? * zero.rational(&input.radius);
+        }
+        radius = radius.joined(&push.over(&zero.rational(&(rate * rational(1, 2)))).ok()?);
+    }
+    // A little more, of few digits, for the checker, which rounds too.
+    let most = radius.ends()?.1 + rational(1, 1 << 60);
+    Some(dyadic_near(&(&most * rational((1 << 20) + 1, 1 << 20)), &(&most * rational(1, 1 << 22))))
 }
 
 /// Whether `P > 0` and `-(A^T P + P A + rate P) > 0`, proved by enclosures of their inertia.

@@ -58,7 +58,8 @@ mod worst;
 
 pub use certificate::{Unbounded, bounded, certificate};
 pub use decide::{Decided, Part, ReachError, Verdict, decide};
-pub use platoon::Platoon;
+pub use motion::sets::Tube;
+pub use platoon::{Platoon, gaps};
 pub use system::{Check, Condition, Input, Mode, Range, Side, Stay, Switching, System};
-pub use tube::{Tube, along, tube};
+pub use tube::tube;
 pub use witness::Witness;

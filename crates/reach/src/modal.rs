@@ -15,6 +15,8 @@ use models::platoon::modes::{Mode, mode_angle, mode_eigenvalue};
 use models::platoon::{Communication, CommunicationGraph, Gains};
 use rayon::prelude::*;
 use std::collections::VecDeque;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::Duration;
 
 /// Terms of the expansions over a step.
 const TERMS: usize = 16;
@@ -182,10 +184,8 @@ impl Modal {
         for (i, row) in rows.iter().enumerate() {
             row.iter().for_each(|(j, x)| matrix[(i, *j)] = x.midpoint());
         }
-        progress.checkpoint()?;
-        let eigen = dense::symmetric_eigen(matrix.as_ref())
+        let eigen = left_alone(progress, move || dense::symmetric_eigen(matrix.as_ref()))?
             .ok_or(ArithmeticError::Domain("matrices whose eigenvalues floats find"))?;
-        progress.checkpoint()?;
         let column = |j: usize| (0..count).map(move |i| (i, j));
         let shares: Vec<f64> = (0..count)
             .map(|j| column(j).map(|(i, j)| eigen.vectors[(i, j)] * roots[i].midpoint()).sum::<f64>())
@@ -288,6 +288,26 @@ impl Modal {
         let mut sum = Sum { support: Support::new(range), left_out: FloatInterval::ZERO };
         sum.run(modes, until, progress)?;
         Ok(sum.support.found(&(sum.left_out + missed)))
+    }
+}
+
+/// What work gives that never asks whether to stop. Where it is not waited for any more, it ends by itself, unheard.
+fn left_alone<R: Send + 'static>(
+    progress: &dyn Progress,
+    work: impl FnOnce() -> R + Send + 'static,
+) -> Result<R, ModalError> {
+    const TICK: Duration = Duration::from_millis(5);
+    let (sender, receiver) = mpsc::channel();
+    std::thread::spawn(move || sender.send(work()));
+    loop {
+        progress.checkpoint()?;
+        match receiver.recv_timeout(TICK) {
+            Ok(result) => return Ok(result),
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(ArithmeticError::Domain("matrices whose eigenvalues floats find").into());
+            }
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Platoons behind a leader of bounded acceleration: the section `[platoon]`, and the linear system that it stands for.
 
-use crate::cascade;
+use crate::cascade::{self, Order};
+use crate::decide::ReachError;
 use crate::modal::{Modal, ModalError, balance};
 use crate::support::Found;
 use crate::system::{Input, Mode, Range, System};
@@ -26,6 +27,8 @@ pub(crate) enum Way {
     Modes(Vec<Rational>),
     /// Car by car, where each tracks the one in front.
     Cascade,
+    /// Car by car, where each tracks some that come earlier in an order.
+    Ordered(Order),
 }
 
 /// Most followers whose motion is written out as one matrix.
@@ -66,7 +69,7 @@ impl Platoon {
         if self.graph.followers() > 1 && in_front.is_ok_and(|graph| graph == self.graph) {
             return Some(Way::Cascade);
         }
-        balance(&self.graph).map(Way::Modes)
+        balance(&self.graph).map(Way::Modes).or_else(|| Order::of(&self.graph).map(Way::Ordered))
     }
 
     /// States, inputs, start and the mode of the system; the matrices are left out where there are too many followers, so that only sums over modes are possible.
@@ -115,7 +118,10 @@ pub(crate) fn greatest(
     let m = platoon.graph.followers();
     let rows: Vec<Vec<Rational>> = rows.iter().map(|row| row[..m].to_vec()).collect();
     let found = match way {
-        Way::Cascade => cascade::greatest(&platoon.gains, &rows, &platoon.acceleration, until, progress)?,
+        Way::Cascade => cascade::greatest(&platoon.gains, None, &rows, &platoon.acceleration, until, progress)?,
+        Way::Ordered(order) => {
+            cascade::greatest(&platoon.gains, Some(order), &rows, &platoon.acceleration, until, progress)?
+        }
         Way::Modes(weights) => {
             let modal = Modal::new(&platoon.graph, weights, &platoon.gains, progress)?;
             let one = |row: &Vec<Rational>| modal.greatest(row, &platoon.acceleration, until, progress);
@@ -129,6 +135,37 @@ pub(crate) fn greatest(
         Ok(Swung { lo, hi, witness })
     };
     found.into_iter().map(swung).collect()
+}
+
+/// For some cars, the first and the last among them, the least and the greatest gap to the car in front up to the last time, each rounded outwards; none where there is no
+/// platoon, or one whose matrices are all that is known.
+///
+/// # Errors
+/// [`ReachError`].
+pub fn gaps(system: &System, cars: usize, progress: &dyn Progress) -> Result<Option<Vec<(usize, Range)>>, ReachError> {
+    let Some((platoon, way)) = system.platoon.as_ref().and_then(|platoon| Some((platoon, platoon.way()?))) else {
+        return Ok(None);
+    };
+    let m = platoon.graph.followers();
+    let steps = cars.clamp(2, m.max(2)) - 1;
+    let mut chosen: Vec<usize> = (0..=steps).map(|i| 1 + i * (m - 1) / steps).collect();
+    chosen.dedup();
+    let row = |car: usize, sign: i64| {
+        let mut row = vec![Rational::ZERO; m];
+        row[car - 1] = rational(sign, 1);
+        if car > 1 {
+            row[car - 2] = rational(-sign, 1);
+        }
+        row
+    };
+    let rows: Vec<Vec<Rational>> = chosen.iter().flat_map(|&car| [row(car, 1), row(car, -1)]).collect();
+    let found = match greatest(system, (platoon, &way), &rows, system.until.as_ref(), progress) {
+        Ok(found) => found,
+        Err(ModalError::Cancelled(cancelled)) => return Err(cancelled.into()),
+        Err(error) => return Err(ReachError::Platoon(error.to_string())),
+    };
+    let ends = found.chunks(2).map(|pair| Range { lo: -&pair[1].hi, hi: pair[0].hi.clone() });
+    Ok(Some(chosen.into_iter().zip(ends).collect()))
 }
 
 /// The acceleration that follows the sign of the response, backwards from the end.

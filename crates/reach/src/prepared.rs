@@ -1,7 +1,7 @@
 //! The system as the algorithms see it: unknown constants are states that do not move, and every input is its centre and a radius.
 
 use crate::system::{Range, System};
-use arithmetic::Rational;
+use arithmetic::{Rational, rational};
 use num_traits::Zero;
 
 /// A measurable input of a mode: within its radius of its centre, along its column.
@@ -41,6 +41,13 @@ impl Prepared {
     /// How many states.
     pub fn order(&self) -> usize {
         self.start.len()
+    }
+
+    /// Each state as a row, in both signs.
+    pub fn sides(&self) -> Vec<Vec<Rational>> {
+        let n = self.order();
+        let unit = |i: usize, sign: i64| (0..n).map(|j| rational(if i == j { sign } else { 0 }, 1)).collect();
+        (0..n).flat_map(|i| [unit(i, 1), unit(i, -1)]).collect()
     }
 }
 

@@ -75,7 +75,7 @@ fn of_platoon(source: &Source, section: &Section) -> Read<System> {
     let only_lags = checks.iter().flat_map(|check| &check.conditions).all(|c| c.row[m..].iter().all(Zero::is_zero));
     if m > WRITTEN_OUT && !(only_lags && platoon.way().is_some()) {
         return Err(section.problem(Problem::Range(format!(
-            "of at most {WRITTEN_OUT} followers, not {m}, unless each tracks the one in front, or all track each other in both directions, the gains are below 0, the acceleration may be 0, and \
+            "of at most {WRITTEN_OUT} followers, not {m}, unless followers track each other nowhere in a circle, or everywhere in both directions, the gains are below 0, the acceleration may be 0, and \
              checks are about lags and gaps"
         ))));
     }

@@ -81,6 +81,8 @@ impl Support {
     /// The worst case, where the integral of the absolute value of what was left out of the response is bounded by `missed`.
     pub fn found(self, missed: &FloatInterval) -> Found {
         let value = self.total + FloatInterval::symmetric(&(*missed * self.most).top());
+        // An input that rests attains 0.
+        let value = value.intersection(&FloatInterval::between(0.0, f64::MAX)).unwrap_or(value);
         Found { value, time: self.time, signs: self.signs, unsigned: self.unsigned.hi() }
     }
 }

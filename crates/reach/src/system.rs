@@ -1,38 +1,8 @@
 //! What is asked: modes, inputs, start, switching, checks. All numbers are rationals.
 
 use crate::platoon::Platoon;
-use arithmetic::{Rational, rational};
-
-/// From `lo` to `hi`, both included.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Range {
-    /// The lower end.
-    pub lo: Rational,
-    /// The upper end, not below the lower one.
-    pub hi: Rational,
-}
-
-impl Range {
-    /// One number.
-    pub fn point(x: Rational) -> Self {
-        Range { lo: x.clone(), hi: x }
-    }
-
-    /// Half the sum of the ends.
-    pub fn centre(&self) -> Rational {
-        (&self.lo + &self.hi) * rational(1, 2)
-    }
-
-    /// Half the difference of the ends.
-    pub fn radius(&self) -> Rational {
-        (&self.hi - &self.lo) * rational(1, 2)
-    }
-
-    /// Whether it is one number.
-    pub fn is_point(&self) -> bool {
-        self.lo == self.hi
-    }
-}
+use arithmetic::Rational;
+pub use motion::sets::Range;
 
 /// An input: any measurable function of time within the range, or an unknown constant.
 #[derive(Debug, Clone, PartialEq)]

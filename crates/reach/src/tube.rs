@@ -1,31 +1,39 @@
-//! What is drawn: the least and greatest value of a row at each of some times, and a motion in it.
+//! What is drawn: a quantity over time, enclosed over all motions, and a motion in it.
 
+use crate::answer::left_side;
+use crate::decide::Part;
 use crate::orders::Times;
 use crate::prepared::Prepared;
-use crate::system::{Condition, Switching, System};
+use crate::system::{Condition, Range, Switching, System};
 use crate::witness::Witness;
 use crate::worst::Solver;
-use arithmetic::{Cancelled, Progress, Rational, rational};
+use arithmetic::{Cancelled, FloatInterval, Progress, Rational, rational};
+use motion::sets::Tube;
 use num_traits::ToPrimitive;
 
 /// A matrix of floats by rows.
 type Rows = Vec<Vec<f64>>;
 
-/// Times, and the ends of a quantity at each.
-pub type Tube = Vec<(f64, f64, f64)>;
-
-/// The least and greatest value of the left side of a condition at so many times up to the end, rounded outwards; empty where the order of modes is
-/// not fixed.
+/// The left side of a condition in so many sections of the time that it is drawn for: enclosed over all motions where the order of modes is fixed, and along
+/// the motion that was found.
 ///
 /// # Errors
 /// [`Cancelled`].
-pub fn tube(
+pub fn tube(system: &System, part: &Part, samples: usize, progress: &dyn Progress) -> Result<Tube, Cancelled> {
+    let (condition, witness) = (&part.condition, part.witness.as_ref());
+    Ok(Tube {
+        quantity: left_side(system, condition),
+        sections: sections(system, condition, (&part.drawn_until(system), samples), progress)?,
+        runs: witness.map(|witness| along(system, condition, witness, samples)).into_iter().collect(),
+    })
+}
+
+fn sections(
     system: &System,
     condition: &Condition,
-    until: &Rational,
-    samples: usize,
+    (until, samples): (&Rational, usize),
     progress: &dyn Progress,
-) -> Result<Tube, Cancelled> {
+) -> Result<Vec<[f64; 4]>, Cancelled> {
     let fixed = match &system.switching {
         Switching::Periodic { .. } => true,
         Switching::Windows { windows, .. } => windows.iter().all(|window| window.is_point()),
@@ -41,19 +49,23 @@ pub fn tube(
     let mut row = condition.row.clone();
     row.resize(prepared.order(), Rational::ZERO);
     let turned: Vec<Rational> = row.iter().map(|x| -x).collect();
-    let shift = condition.constant.to_f64().unwrap_or(0.0);
-    let mut tube = Vec::new();
-    for k in 0..=samples {
+    let constant = FloatInterval::from_rational(&condition.constant);
+    let shifted = |x: f64| FloatInterval::point(x) + constant;
+    let at = |k: usize| until * rational(k as i64, samples.max(1) as i64);
+    let float = |x: &Rational| x.to_f64().unwrap_or(f64::NAN);
+    let mut sections = Vec::new();
+    for k in 0..samples {
         progress.checkpoint()?;
-        let time = until * rational(k as i64, samples.max(1) as i64);
-        let (Some(high), Some(low)) = (solver.at(&row, &time), solver.at(&turned, &time)) else { continue };
-        tube.push((time.to_f64().unwrap_or(0.0), shift - low, shift + high));
+        let time = Range { lo: at(k), hi: at(k + 1) };
+        if let (Some(high), Some(low)) = (solver.over(&row, &time), solver.over(&turned, &time)) {
+            sections.push([float(&time.lo), float(&time.hi), shifted(-low).lo(), shifted(high).hi()]);
+        }
     }
-    Ok(tube)
+    Ok(sections)
 }
 
 /// The left side of a condition along a witness, in floats.
-pub fn along(system: &System, condition: &Condition, witness: &Witness, samples: usize) -> Vec<(f64, f64)> {
+fn along(system: &System, condition: &Condition, witness: &Witness, samples: usize) -> Vec<[f64; 4]> {
     if !system.is_written_out() {
         return Vec::new();
     }
@@ -83,7 +95,8 @@ pub fn along(system: &System, condition: &Condition, witness: &Witness, samples:
     let (end, row) = (float(&witness.at), floats(&condition.row));
     let mut x = floats(&witness.start);
     let value = |x: &[f64]| x.iter().zip(&row).map(|(x, c)| x * c).sum::<f64>() + float(&condition.constant);
-    let mut points = vec![(0.0, value(&x))];
+    let point = |t: f64, x: f64| [t, t, x, x];
+    let mut points = vec![point(0.0, value(&x))];
     const FINE: usize = 10;
     let h = end / (samples * FINE).max(1) as f64;
     for k in 0..samples * FINE {
@@ -96,7 +109,7 @@ pub fn along(system: &System, condition: &Condition, witness: &Witness, samples:
         let k4 = rate(t, &shifted(&k3, h));
         x = (0..x.len()).map(|i| x[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i])).collect();
         if (k + 1).is_multiple_of(FINE) {
-            points.push(((k + 1) as f64 * h, value(&x)));
+            points.push(point((k + 1) as f64 * h, value(&x)));
         }
     }
     points

@@ -109,18 +109,36 @@ impl<'a> Solver<'a> {
         rows.par_iter().map(|row| self.greatest(row)).collect()
     }
 
-    /// An upper bound of the row at one time, in floats, where the order of modes is fixed.
-    pub fn at(&self, row: &[Rational], time: &Rational) -> Option<f64> {
+    /// An upper bound of the row over a stretch of time, in floats, where the order of modes is fixed.
+    pub fn over(&self, row: &[Rational], time: &Range) -> Option<f64> {
         let row: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
+        let (mut most, mut covered) = (f64::NEG_INFINITY, Rational::ZERO);
         for family in &self.orders.families {
             let [range] = &family.variables[..] else { continue };
-            let point = &range.lo + time - family.time(std::slice::from_ref(&Range::point(range.lo.clone()))).lo;
-            if point >= range.lo && point <= range.hi {
-                let sums = family.worst(&self.flows, &row, &[Range::point(point)], Depth::Value);
-                return sums.value.map(|value| value.upper());
+            let begun = family.time(std::slice::from_ref(&Range::point(range.lo.clone()))).lo - &range.lo;
+            let part =
+                Range { lo: (&time.lo - &begun).max(range.lo.clone()), hi: (&time.hi - &begun).min(range.hi.clone()) };
+            if part.lo < part.hi {
+                covered += &part.hi - &part.lo;
+                most = most.max(self.most(family, &row, part)?);
             }
         }
-        None
+        (covered == &time.hi - &time.lo).then_some(most)
+    }
+
+    /// An upper bound over an interval of durations: at an end where the derivative has a sign, or else by the mean value.
+    fn most(&self, family: &Family, row: &[FloatInterval], part: Range) -> Option<f64> {
+        let slopes = family.worst(&self.flows, row, std::slice::from_ref(&part), Depth::Slopes).slopes;
+        let [slope] = &slopes[..] else { return None };
+        let place = match slope {
+            slope if slope.lo() >= 0.0 => part.hi.clone(),
+            slope if slope.hi() <= 0.0 => part.lo.clone(),
+            _ => part.centre(),
+        };
+        let value = family.worst(&self.flows, row, &[Range::point(place.clone())], Depth::Value).value?;
+        let away = slope.around(&(&part.lo - &place), &(&part.hi - &place));
+        let reach = if place == part.centre() { (*slope * away).hi() } else { 0.0 };
+        Some((value + FloatInterval::point(reach)).hi())
     }
 
     fn search<T: Scalar>(

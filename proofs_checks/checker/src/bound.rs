@@ -13,6 +13,10 @@
 //! disturbances `|w_i(t)| <= w_i` beside its inputs, keeps `|(A_m - A)_i x|` with the bound of the rest strictly below `w_i`, for every mode, then its motions include the switched ones:
 //! up to the first time at which a bound is reached, which is one more, they are such motions.
 //!
+//! For ever: the modes of the last stretches, a cycle, follow each other again and again as those before them do. The file gives a box `|x_i| < X_i`. Up to the first time at which a motion leaves
+//! it, what is in the last cycle, or in a later one, began some whole cycles earlier in the box: so its values there are bounded as above with the box for the start. These bounds are below `X`, so that
+//! no motion leaves. Where one mode is on for ever, all times after the end of its stretch lie that long after one in the box.
+//!
 //! Numbers are integers over `2^96` with bounds of their errors; what is carried through all steps of a stretch has more bits.
 
 use crate::Refusal;
@@ -99,39 +103,31 @@ pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
     let count = reader.count("rows", 1, MOST_ROWS)?;
     let rows = reader.matrix("row", count, system.states)?;
     let bounds = reader.matrix("bound", 1, count)?;
-    let any = match reader.value("order")? {
-        "given" => false,
-        "any" => true,
-        _ => return Err(reader.refusal("`order given` or `order any` is expected")),
+    let (any, ever) = match reader.value("order")? {
+        "given" => (false, false),
+        "any" => (true, false),
+        "given for ever" => (false, true),
+        "any for ever" => (true, true),
+        _ => return Err(reader.refusal("`order given` or `order any` is expected, and `for ever` where it is so")),
     };
     let (flows, order, kept) = if any { disturbed(reader, &system)? } else { flows(reader, &system)? };
     let start = start(reader, &system)?;
+    let cycle = if ever && !any { reader.count("cycle", 1, order.len())? } else { order.len() };
+    let repeats = order[cycle..].iter().zip(&order).all(|(later, earlier)| later == earlier);
+    reader.require(repeats, "the stretches are not those of a cycle earlier")?;
+    let ever = if ever { Some(Ever::read(reader, &system, &start, cycle)?) } else { None };
     let n = start[0].entries.len();
     let row = |i: usize| {
         let entry = |j: usize| if j < system.states { rows.at(i, j).clone() } else { BigInt::from(0) };
         Matrix::from_fn(1, n, rows.denominator.clone(), |_, j| entry(j))
     };
-    // How large states become: X <= M + k X + l.
-    let mut known = Vec::new();
-    for k in 0..n {
-        let unit = Matrix::from_fn(1, n, BigInt::from(1), |_, j| BigInt::from(j == k));
-        let most = nodes(reader, &unit, &flows, &order, &start, true)?;
-        let (mut share, mut rest) = (BigInt::from(0), BigInt::from(0));
-        for flow in &flows {
-            let between = flow.between(reader, &unit)?;
-            share = share.max(between.0.iter().sum());
-            rest = rest.max(between.1);
-        }
-        known.push((most, share, rest));
-    }
-    let one = BigInt::from(1) << SCALE;
-    let share = known.iter().map(|x| x.1.clone()).max().unwrap_or_default();
-    reader.require(share < one, "the steps are too long")?;
-    let largest = known.iter().map(|x| &x.0 + &x.2).max().unwrap_or_default();
-    let largest = up(largest << SCALE, &(&one - share));
-    let states: Vec<BigInt> = known.into_iter().map(|(m, k, l)| m + shift(k * &largest, SCALE) + l).collect();
+    let unit = |k: usize| Matrix::from_fn(1, n, BigInt::from(1), |_, j| BigInt::from(j == k));
+    let states = match &ever {
+        Some(ever) => ever.states.clone(),
+        None => states(reader, &flows, &order, &start)?,
+    };
     let mut largest = |row: &Matrix, absolute: bool| -> Result<BigInt, Refusal> {
-        let most = nodes(reader, row, &flows, &order, &start, absolute)?;
+        let most = nodes(reader, row, &flows, &order, (&start, ever.as_ref()), absolute)?;
         let mut added = BigInt::from(0);
         for flow in &flows {
             let (shares, rest) = flow.between(reader, row)?;
@@ -150,17 +146,81 @@ pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
     for Kept { row, rest, limit } in &kept {
         closed &= largest(row, true)? + rest < *limit;
     }
+    let mut stays = true;
+    for (k, limit) in ever.iter().flat_map(|ever| ever.limits.iter().enumerate()) {
+        stays &= largest(&unit(k), true)? < *limit;
+    }
     reader.require(closed, "the disturbances are not shown to stay below their bounds")?;
+    reader.require(stays, "the states are not shown to stay in the box")?;
     if let Some(i) = above {
         return Err(reader.refusal(format!("row {i} is not shown to stay within its bound")));
     }
-    let modes = if any { "any measurable choice of its modes up to the time" } else { "its modes for the times" };
+    let (modes, times) = match (any, ever.is_some()) {
+        (false, false) => ("its modes for the times below".to_string(), "any of these times"),
+        (true, false) => ("any measurable choice of its modes up to the time below".to_string(), "any of these times"),
+        (false, true) => (format!("its modes for the times below, for ever in cycles of {cycle}"), "any time"),
+        (true, true) => ("any measurable choice of its modes".to_string(), "any time"),
+    };
     Ok(format!(
-        "no motion of the system of {} linear modes and {} states below, from a start and with inputs within their bounds and with {modes} below, comes at any of \
-         these times with any of the {count} rows to a value above its bound",
+        "no motion of the system of {} linear modes and {} states below, from a start and with inputs within their bounds and with {modes}, comes at {times} with any of the {count} rows to \
+         a value above its bound",
         system.modes.len(),
         system.states
     ))
+}
+
+/// What is known where time does not end.
+struct Ever {
+    /// How many of the last stretches follow each other for ever.
+    cycle: usize,
+    /// The box, of inputs that keep one value too, as a start.
+    start: [Vector; 2],
+    /// The sizes of its sides, rounded up, and those below which states are to stay, rounded down.
+    states: Vec<BigInt>,
+    limits: Vec<BigInt>,
+}
+
+impl Ever {
+    fn read(reader: &mut Reader, system: &System, start: &[Vector; 2], cycle: usize) -> Result<Self, Refusal> {
+        let sides = reader.matrix("box", 1, system.states)?;
+        let positive = sides.entries.iter().all(|x| x.sign() == Sign::Plus);
+        reader.require(positive, "a side of the box is not positive")?;
+        reader.pay(4 * system.states, sides.bits() + SCALE, sides.bits())?;
+        let mut own = start.clone();
+        let mut states: Vec<BigInt> =
+            own[0].entries.iter().zip(&own[1].entries).map(|(m, r)| size(m) + r + 1).collect();
+        let mut limits = Vec::new();
+        for (i, side) in sides.entries.iter().enumerate() {
+            states[i] = up(side << SCALE, &sides.denominator);
+            limits.push((side << SCALE) / &sides.denominator);
+            own[0].entries[i] = BigInt::from(0);
+            own[1].entries[i] = states[i].clone();
+        }
+        Ok(Ever { cycle, start: own, states, limits })
+    }
+}
+
+/// How large states become: X <= M + k X + l.
+fn states(reader: &mut Reader, flows: &[Flow], order: &[usize], start: &[Vector; 2]) -> Result<Vec<BigInt>, Refusal> {
+    let n = start[0].entries.len();
+    let mut known = Vec::new();
+    for k in 0..n {
+        let unit = Matrix::from_fn(1, n, BigInt::from(1), |_, j| BigInt::from(j == k));
+        let most = nodes(reader, &unit, flows, order, (start, None), true)?;
+        let (mut share, mut rest) = (BigInt::from(0), BigInt::from(0));
+        for flow in flows {
+            let between = flow.between(reader, &unit)?;
+            share = share.max(between.0.iter().sum());
+            rest = rest.max(between.1);
+        }
+        known.push((most, share, rest));
+    }
+    let one = BigInt::from(1) << SCALE;
+    let share = known.iter().map(|x| x.1.clone()).max().unwrap_or_default();
+    reader.require(share < one, "the steps are too long")?;
+    let largest = known.iter().map(|x| &x.0 + &x.2).max().unwrap_or_default();
+    let largest = up(largest << SCALE, &(&one - share));
+    Ok(known.into_iter().map(|(m, k, l)| m + shift(k * &largest, SCALE) + l).collect())
 }
 
 /// A row whose absolute value, with the rest, is to stay below a limit, all over `2^SCALE` but the row.
@@ -272,7 +332,7 @@ fn nodes(
     row: &Matrix,
     flows: &[Flow],
     order: &[usize],
-    start: &[Vector; 2],
+    (start, ever): (&[Vector; 2], Option<&Ever>),
     absolute: bool,
 ) -> Result<BigInt, Refusal> {
     let mut most: Option<BigInt> = None;
@@ -280,7 +340,7 @@ fn nodes(
         let flow = &flows[last];
         let costates = flow.costates(reader, row)?;
         let sums = flow.sums(reader, &costates[0], true)?;
-        for (p, sum) in costates.into_iter().zip(sums) {
+        for (i, (p, sum)) in costates.into_iter().zip(sums).enumerate() {
             let (mut p, mut sum) = (p, sum);
             for &earlier in order[..k].iter().rev() {
                 let flow = &flows[earlier];
@@ -289,9 +349,13 @@ fn nodes(
                 }
                 p = flow.whole.applied(reader, &p, SCALE)?;
             }
-            let value = started(reader, &p, start, sum, absolute)?;
-            if most.as_ref().is_none_or(|most| value > *most) {
-                most = Some(value);
+            let far =
+                if order.len() == 1 { i == flow.steps } else { ever.is_some_and(|own| k + own.cycle >= order.len()) };
+            for start in [Some(start), ever.filter(|_| far).map(|ever| &ever.start)].into_iter().flatten() {
+                let value = started(reader, &p, start, sum.clone(), absolute)?;
+                if most.as_ref().is_none_or(|most| value > *most) {
+                    most = Some(value);
+                }
             }
         }
     }

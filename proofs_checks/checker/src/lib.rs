@@ -32,6 +32,7 @@ mod bound;
 mod budget;
 mod flock;
 mod inertia;
+mod kept;
 mod limit;
 mod matrix;
 mod motion;
@@ -72,7 +73,7 @@ pub const EXAMPLE: (&str, &str) = (
 
 type Check = fn(&mut Reader) -> Result<String, Refusal>;
 
-const KINDS: [(&str, Check); 8] = [
+const KINDS: [(&str, Check); 9] = [
     ("product", product::check),
     ("limit", limit::check),
     ("switches", flock::check),
@@ -81,6 +82,7 @@ const KINDS: [(&str, Check); 8] = [
     ("sos", sos::check),
     ("motion", motion::check),
     ("bound", bound::check),
+    ("kept", kept::check),
 ];
 
 /// Checks one certificate.

@@ -121,7 +121,7 @@ fn may_differ(kind: &str, before: &[&str], line: usize) -> bool {
             let without_weight = before[place("D over ") + 1].split(' ').any(|d| d == "0");
             without_weight && place("L over ") < line && line < place("D over ")
         }
-        "motion" | "bound" => line > 1,
+        "motion" | "bound" | "kept" => line > 1,
         _ => false,
     }
 }

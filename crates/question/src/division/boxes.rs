@@ -7,8 +7,8 @@ use crate::error::QuestionError;
 use crate::names::Subject;
 use crate::outcome::Decided;
 use crate::truth::{Doubt, Margin, Truth};
-use arithmetic::Rational;
 use arithmetic::threads::side_by_side;
+use motion::sets::Range;
 use std::collections::BinaryHeap;
 
 /// Boxes that are divided in one round.
@@ -86,7 +86,7 @@ impl Cell {
         }
     }
 
-    fn halves(&self, original: &[(usize, Rational, Rational)], bounds: Margin) -> Option<[Cell; 2]> {
+    fn halves(&self, original: &[(usize, Range)], bounds: Margin) -> Option<[Cell; 2]> {
         // Every third time the widest one, so that no side is forgotten.
         let shares = if self.depth % 3 == 2 { &[][..] } else { &self.shares };
         let (side, halves) = halved(&self.bindings, original, shares)?;
@@ -254,7 +254,7 @@ impl Division<'_> {
         }
         for choice in 0..1usize << boxes.len() {
             let mut corner = bindings.clone();
-            for (side, (place, lo, hi)) in boxes.iter().enumerate() {
+            for (side, (place, Range { lo, hi })) in boxes.iter().enumerate() {
                 corner.set(*place, Value::Number(if choice >> side & 1 == 1 { hi.clone() } else { lo.clone() }));
             }
             if self.fails_at(corner, found, missing)? {

@@ -6,6 +6,7 @@ use crate::error::{Problem, QuestionError};
 use crate::question::{Expression, Question};
 use arithmetic::{ArithmeticError, Interval, Number, Rational, Sign, Signed, rational};
 use expressions::{Comparison, Hearing, Kind, Parameter, Relation, Time};
+use motion::sets::Range;
 use num_traits::ToPrimitive;
 use polynomials::Side;
 use std::sync::Arc;
@@ -117,7 +118,7 @@ impl Instance {
         };
         let bound = |name: &str| match bindings.get(name) {
             Some(Value::Number(q)) => Some(Side::point(q.clone())),
-            Some(Value::Box(lo, hi)) => Some(Side::between(lo.clone(), hi.clone())),
+            Some(Value::Box(Range { lo, hi })) => Some(Side::between(lo.clone(), hi.clone())),
             Some(Value::Any) => Some(Side::line()),
             _ => None,
         };

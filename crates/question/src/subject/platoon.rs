@@ -22,6 +22,7 @@ use models::platoon::{
     Resonance, ResonanceError, SIGNS, amplitude_one_sided, amplitude_two_sided, gain_squared_one_sided,
     peak_of_platoon, resonance, slowest_rate, strongest_one_sided_square,
 };
+use motion::sets::Range;
 use num_traits::ToPrimitive;
 
 /// A platoon of a case.
@@ -76,7 +77,7 @@ impl<'p> PlatoonSubject<'p> {
         }
         let interval = |name: &str| match bindings.get(name) {
             Some(Value::Number(q)) => Ok((q.clone(), q.clone())),
-            Some(Value::Box(lo, hi)) => Ok((lo.clone(), hi.clone())),
+            Some(Value::Box(Range { lo, hi })) => Ok((lo.clone(), hi.clone())),
             _ => Err(refused(format!("`{name}` must be a number or an interval"))),
         };
         let (f, g) = (interval("f")?, interval("g")?);
@@ -131,7 +132,7 @@ impl<'p> PlatoonSubject<'p> {
                     continue;
                 }
                 Some(Value::Number(q)) => (q.clone(), q.clone()),
-                Some(Value::Box(lo, hi)) => (lo.clone(), hi.clone()),
+                Some(Value::Box(Range { lo, hi })) => (lo.clone(), hi.clone()),
                 Some(_) => {
                     let why = "a number, an interval, or a number for each follower: each:3/5,1/2,1";
                     return Err(refused(format!("`{name}` must be {why}")));
@@ -509,7 +510,7 @@ impl<'p> PlatoonSubject<'p> {
 pub(crate) fn signs(bindings: &Bindings) -> Option<String> {
     let largest = |name: &str| match bindings.get(name)? {
         Value::Number(q) => Some(q.clone()),
-        value => value.ends().map(|(_, hi)| hi),
+        value => value.ends().map(|range| range.hi),
     };
     let wrong = ["f", "g"].into_iter().filter_map(|name| Some((name, largest(name)?)));
     let wrong = wrong.filter(|(_, q)| q.sign() != Some(Sign::Negative));

@@ -129,11 +129,99 @@ fn bounds_that_are_altered_are_refused() {
 fn what_cannot_be_bounded_is_named() {
     let refused = |text: &str| bound_of(text).expect_err("refused").to_string();
     assert!(refused(&asking(SWITCHED, &["x <= 1/1000"])).contains("no check"));
-    assert!(
-        refused(&OSCILLATOR.replace("until = 9", "until = \"inf\"").replace("x <= 1", "x <= 99"))
-            .contains("up to a time")
-    );
+    assert!(refused(&asking(&OSCILLATOR.replace("until = 9", "until = 0"), &["x <= 99"])).contains("above 0"));
     let (_, hi) = super::worst(&asking(OSCILLATOR, &["x <= 0"]), 10);
     let near = hi + rational(1, 1_000_000_000);
     assert!(refused(&asking(OSCILLATOR, &[&format!("x <= {near}")])).contains("too near"));
+}
+
+/// The certificate of a bound above the worst case by this share of it.
+fn near_to_the_worst(text: &str, row: &str, share: arithmetic::Rational) -> String {
+    let (_, hi) = super::worst(&asking(text, &[&format!("{row} <= 0")]), 6);
+    let near = &hi + hi.clone() * share;
+    bound_of(&asking(text, &[&format!("{row} <= {near}")])).unwrap_or_else(|error| panic!("{error}: {near}\n{text}"))
+}
+
+fn for_ever(text: &str) -> String {
+    let (head, tail) = text.split_once("until = ").expect("a time");
+    let (_, rest) = tail.split_once('\n').expect("a line");
+    format!("{head}until = \"inf\"\n{rest}")
+}
+
+const ANY: &str = "kind = \"arbitrary\"";
+const PERIODIC: &str = "kind = \"periodic\"\norder = [\"a\", \"b\"]\nperiod = \"3/2\"";
+
+#[test]
+fn time_without_end_is_bounded() {
+    for (text, order) in [
+        (for_ever(OSCILLATOR), "order given for ever\nstretches 1\n"),
+        (for_ever(SWITCHED), "order given for ever\nstretches "),
+        (for_ever(&SWITCHED.replace(PERIODIC, ANY)), "order any for ever\n"),
+        (for_ever(&SWITCHED.replace(PERIODIC, "kind = \"dwell\"\nat_least = { a = 2 }")), "order any for ever\n"),
+    ] {
+        for row in ["x", "-v"] {
+            let certificate = near_to_the_worst(&text, row, rational(2, 100));
+            assert!(certificate.contains(order), "{certificate}");
+            assert_eq!(check(certificate.as_bytes()).expect("accepted").kind, "bound");
+        }
+    }
+}
+
+#[test]
+fn durations_that_are_free_are_bounded_with_any_order() {
+    for switching in [
+        "kind = \"windows\"\norder = [\"a\", \"b\", \"a\"]\nwindows = [[1, 2], [3, 4]]",
+        "kind = \"dwell\"\nat_least = { a = 2, b = 1 }\nat_most = { b = 2 }",
+    ] {
+        // Any order bounds these, and so do bounds of any order.
+        let (_, hi) = super::worst(&asking(&SWITCHED.replace(PERIODIC, ANY), &["x <= 0"]), 6);
+        let near = hi * rational(102, 100);
+        let certificate = bound_of(&asking(&SWITCHED.replace(PERIODIC, switching), &[&format!("x <= {near}")]));
+        assert!(certificate.expect("a proof").contains("order any\n"));
+    }
+}
+
+#[test]
+fn bounds_for_ever_that_are_altered_are_refused() {
+    let periodic = near_to_the_worst(&for_ever(SWITCHED), "x", rational(2, 100));
+    let any = near_to_the_worst(&for_ever(&SWITCHED.replace(PERIODIC, ANY)), "x", rational(2, 100));
+    let altered = |certificate: &str, from: &str, to: &str| {
+        let at = certificate.lines().position(|line| line.starts_with(from)).expect(from);
+        let mut lines: Vec<String> = certificate.lines().map(str::to_string).collect();
+        let rows = to.split('\n').count();
+        lines.splice(at..at + rows, to.split('\n').map(str::to_string));
+        check((lines.join("\n") + "\n").as_bytes()).expect_err(to).reason
+    };
+    for certificate in [&periodic, &any] {
+        // A box that motions leave, and one from which they come too far.
+        assert!(altered(certificate, "box over", "box over 1000\n1 1").contains("not shown to stay in the box"));
+        assert!(altered(certificate, "box over", "box over 1\n1000000 1000000").contains("not shown to stay"));
+        assert!(altered(certificate, "box over", "box over 1\n0 1").contains("not positive"));
+        assert!(altered(certificate, "box over", "box over 1\n-9 1").contains("not positive"));
+        assert!(altered(certificate, "bound over", "bound over 1000\n1").contains("row 1 is not shown"));
+        assert!(altered(certificate, "claim", "claim all is well").contains("what is shown is"));
+        // Time that is too short to forget.
+        assert!(altered(certificate, "time", "time 1/100\nsteps 4").contains("not"));
+    }
+    assert!(altered(&periodic, "cycle", "cycle 1").contains("not those of a cycle earlier"));
+    assert!(altered(&periodic, "cycle", "cycle 0").contains("a number from 1"));
+    assert!(altered(&periodic, "order", "order for ever").contains("is expected"));
+    // What is attained is never shown to be avoided.
+    let (lo, _) = super::worst(&asking(&for_ever(SWITCHED), &["x <= 0"]), 6);
+    let below = format!("bound over {}\n{}", lo.denom(), lo.numer());
+    assert!(altered(&periodic, "bound over", &below).contains("row 1 is not shown"));
+}
+
+/// Modes that grow by themselves and are stable in turn only.
+#[test]
+fn modes_that_are_stable_in_turn_only() {
+    let turning = "[system]\nstates = [\"x\", \"y\"]\nstart = { x = 1, y = 0 }\n[[mode]]\nname = \"a\"\nA = [[\"-3/2\", 0], [0, \"1/2\"]]\n\
+        [[mode]]\nname = \"b\"\nA = [[\"1/2\", 0], [0, \"-3/2\"]]\n[switching]\nkind = \"periodic\"\norder = [\"a\", \"b\"]\nperiod = 1\n\
+        [run]\nuntil = \"inf\"\n[[check]]\nholds = \"x <= 2\"\n";
+    if let Ok(certificate) = bound_of(turning) {
+        assert!(certificate.contains("order given for ever"), "{certificate}");
+        // In another order the same modes grow.
+        let wrong = certificate.replacen("mode 2\n", "mode 1\n", 1);
+        assert!(check(wrong.as_bytes()).is_err());
+    }
 }

@@ -8,6 +8,7 @@ mod inputs;
 mod platoon;
 mod random;
 mod switching;
+mod tubes;
 
 use arithmetic::{Enclosure, Interval, Number, Rational, Real, Ring, Unwatched, parse_rational, rational};
 use reach::{Decided, Part, System, Verdict, decide};

@@ -256,9 +256,102 @@ fn each_car_more_costs_the_resonance_of_one() {
 }
 
 #[test]
+fn cars_that_track_cars_before_them_are_what_the_written_out_system_is() {
+    let cases: [Case; 6] = [
+        ("tracks = [[0], [0, 1]]", &[&[0], &[0, 1]], "-1", "-1", "[-1, 1]", "lag2 - lag1 <= 9"),
+        ("tracks = [[0], [1], [1]]", &[&[0], &[1], &[1]], "-1", "-2", "[-9, 1]", "lag2 + lag3 >= -90"),
+        ("tracks = [[0], [0, 1], [0, 1, 2]]", &[&[0], &[0, 1], &[0, 1, 2]], "-3", "-1", "[-1, 2]", "lag3 <= 9"),
+        ("tracks = [[3], [0], [2, 0]]", &[&[3], &[0], &[2, 0]], "-1", "-1/3", "[-1, 2]", "2*lag1 - lag3 <= 90"),
+        (
+            "tracks = [[0], [1], [1, 2], [2, 3]]",
+            &[&[0], &[1], &[1, 2], &[2, 3]],
+            "-2",
+            "-3",
+            "[-1, 1]",
+            "lag4 - lag3 >= -9",
+        ),
+        ("tracks = [[0], [0], [1, 2], [0]]", &[&[0], &[0], &[1, 2], &[0]], "-1", "-5", "[0, 1]", "lag3 - lag4 <= 9"),
+    ];
+    for (graph, tracks, f, g, range, check) in cases {
+        for until in ["\"1/100\"", "3", "\"17/3\"", "12"] {
+            let keys = format!("{graph}\nf = \"{f}\"\ng = \"{g}\"\nacceleration = {range}");
+            let one = worst(&platoon(&keys, until, check), 8);
+            let other = worst(&written_out(tracks, f, g, range, until, check), 8);
+            let slack = rational(1, 1_000_000_000);
+            assert!(one.0 <= &other.1 + &slack && other.0 <= &one.1 + &slack, "{keys} {until}: {one:?} {other:?}");
+            assert!(&one.1 - &one.0 < rational(1, 100_000_000), "{keys} {until}: {one:?}");
+        }
+    }
+    // A car more that nobody tracks makes of the line another graph, whose lags are followed themselves.
+    let line = worst(&one_sided(30, "-1", "-1", "[-1, 1]", "\"inf\"", "lag30 <= 9")[0], 8);
+    let tracks: Vec<String> = (0..31).map(|k| format!("[{}]", if k == 30 { 3 } else { k })).collect();
+    let keys = format!("tracks = [{}]\nf = -1\ng = -1\nacceleration = [-1, 1]", tracks.join(", "));
+    let more = worst(&platoon(&keys, "\"inf\"", "lag30 <= 9"), 8);
+    assert!(line.0 <= more.1 && more.0 <= line.1, "{line:?} {more:?}");
+    assert!(&more.1 - &more.0 < &more.1 * rational(1, 100_000_000), "{more:?}");
+}
+
+#[test]
+fn a_thousand_cars_on_a_directed_graph() {
+    // Car k tracks car k/2 and the one before that: at most ten deep.
+    let tracked = |k: usize| if k == 1 { "[0]".to_string() } else { format!("[{}, {}]", k / 2, k / 4) };
+    let tracks: Vec<String> = (1..=1000).map(tracked).collect();
+    let keys = format!("tracks = [{}]\nf = -1\ng = -1\nacceleration = [-1, 1]", tracks.join(", "));
+    let (lo, hi) = worst(&platoon(&keys, "\"inf\"", "lag1000 <= 9"), 8);
+    assert!(lo.is_positive() && &hi - &lo < &hi * rational(1, 100_000_000), "{lo} {hi}");
+    // All cars of a star are alike, and each is the first one of a line.
+    let star =
+        worst(&platoon("graph = \"star:1001\"\nf = -1\ng = -1\nacceleration = [-1, 1]", "\"inf\"", "lag1000 <= 2"), 8);
+    let one = worst(&platoon("followers = 1\nf = -1\ng = -1\nacceleration = [-1, 1]", "\"inf\"", "lag1 <= 2"), 8);
+    assert!(star.0 <= one.1 && one.0 <= star.1 && &star.1 - &star.0 < rational(1, 1_000_000_000), "{star:?} {one:?}");
+}
+
+#[test]
+fn tiny_times_and_weights_that_vanish_are_enclosed() {
+    // From rest the first gap is t^2/2 at most, and those behind less: whether floats can hold that or not.
+    let power = |x: u32| format!("\"1/1{}\"", "0".repeat(x as usize));
+    for digits in [3, 100, 155, 200] {
+        let most = (0..2 * digits).fold(rational(1, 2), |x, _| x * rational(1, 10));
+        for (m, range) in [(1, "[-1, 1]"), (2, "[-1, 1]"), (3, "[0, 1]")] {
+            let (lo, hi) = worst(&one_sided(m, "-1", "-2", range, &power(digits), &format!("gap{m} <= 9"))[0], 8);
+            assert!(!lo.is_negative() && lo <= most, "{digits} {m}: {lo}");
+            assert!(m > 1 || hi >= &most * rational(99, 100), "{digits}: {hi}");
+        }
+    }
+}
+
+/// Asked so many times before it stops.
+struct Later(std::sync::atomic::AtomicUsize);
+
+impl arithmetic::Progress for Later {
+    fn is_cancelled(&self) -> bool {
+        use std::sync::atomic::Ordering::Relaxed;
+        self.0.fetch_update(Relaxed, Relaxed, |left| left.checked_sub(1)).is_err()
+    }
+}
+
+#[test]
+fn eigenvectors_of_many_cars_can_be_left() {
+    // A line in which cars 1 and 3 track each other as well.
+    let tracked = |k: usize| match k {
+        1 => "[0, 2, 3]".to_string(),
+        3 => "[1, 2, 4]".to_string(),
+        400 => "[399]".to_string(),
+        _ => format!("[{}, {}]", k - 1, k + 1),
+    };
+    let tracks: Vec<String> = (1..=400).map(tracked).collect();
+    let keys = format!("tracks = [{}]\nf = -1\ng = -1\nacceleration = [-1, 1]", tracks.join(", "));
+    let system = read(&platoon(&keys, "\"inf\"", "lag1 <= 1"));
+    for asked in [0, 1, 2, 4] {
+        let stopped = decide(&system, 8, &Later(asked.into()));
+        assert!(matches!(stopped, Err(ReachError::Cancelled(_))), "{asked}: {stopped:?}");
+    }
+}
+
+#[test]
 fn directed_platoons_are_written_out() {
-    let keys = "tracks = [[0], [0, 1]]\nf = -1\ng = -1\nacceleration = [-1, 1]";
-    let other = written_out(&[&[0], &[0, 1]], "-1", "-1", "[-1, 1]", "9", "lag2 - lag1 <= 3");
+    let keys = "tracks = [[0, 3], [1], [2]]\nf = -1\ng = -1\nacceleration = [-1, 1]";
+    let other = written_out(&[&[0, 3], &[1], &[2]], "-1", "-1", "[-1, 1]", "9", "lag2 - lag1 <= 3");
     assert_eq!(worst(&platoon(keys, "9", "gap2 <= 3"), 6), worst(&other, 6));
     let rate = worst(&platoon("followers = 1\nf = -1\ng = -2\nacceleration = [-1, 1]", "\"inf\"", "rate1 <= 3"), 6);
     // The integral of |(1 - t) e^-t|: 2/e.

@@ -27,6 +27,7 @@ use crate::page::{Frame, Links};
 use crate::plot::Picture;
 use arithmetic::{Interval, decimals};
 use maud::{Markup, PreEscaped, html};
+use motion::sets::Verdict;
 
 /// A page of its own: its title, the command that makes it again, and what is shown.
 pub fn page(title: &str, command: &str, shown: &str) -> String {
@@ -49,6 +50,17 @@ pub fn certificate(said: &Result<(&str, String), (usize, String)>) -> String {
         Err((line, reason)) => verdict("false", "✗", "refused", &format!("Line {line}: {reason}.")),
     };
     shown.into_string()
+}
+
+/// The verdict on a statement about a set of motions.
+fn decided(found: Verdict, sentence: &str) -> Markup {
+    let (class, mark) = match found {
+        Verdict::Holds => ("holds", "✓"),
+        Verdict::False => ("false", "✗"),
+        Verdict::Undecided => ("undecided", "?"),
+        Verdict::Withheld => ("not_checkable", "–"),
+    };
+    verdict(class, mark, found.word(), sentence)
 }
 
 /// A verdict in one sentence; `class` is that of a verdict of the ledger.

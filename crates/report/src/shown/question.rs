@@ -1,6 +1,6 @@
 //! The answer to a question, with its counterexample drawn.
 
-use super::{flock, graph, picture, played, verdict};
+use super::{decided, flock, graph, picture, played};
 use crate::page::player::Motion;
 use crate::plot::{Axis, Panel, Picture, Series};
 use algebra::matrix::StochasticMatrix;
@@ -16,7 +16,7 @@ pub fn question(question: &Question, answer: &Answer, progress: &dyn Progress) -
     let (refuted, total) = (answer.controls.iter().filter(|refuted| **refuted).count(), answer.controls.len());
     let shown = html! {
         @if let Some(statement) = question.statement() { blockquote.statement { p { (statement) } } }
-        (judged(answer))
+        (decided(answer.verdict, &answer.why))
         dl.facts {
             @if !answer.grades.is_empty() { dt { "Evidence" } dd { (answer.grades.join(", ")) } }
             dt { "Cases looked at" } dd { (answer.cases) @if answer.undecided > 0 { ", " (answer.undecided) " of them undecided" } }
@@ -52,16 +52,6 @@ fn over_time(question: &Question, answer: &Answer, progress: &dyn Progress) -> M
         }
         _ => html! {},
     }
-}
-
-fn judged(answer: &Answer) -> Markup {
-    let (class, mark) = match answer.verdict {
-        Verdict::Holds => ("holds", "✓"),
-        Verdict::False => ("false", "✗"),
-        Verdict::Undecided => ("undecided", "?"),
-        Verdict::Withheld => ("not_checkable", "–"),
-    };
-    verdict(class, mark, answer.verdict.word(), &answer.why)
 }
 
 /// What the names stand for.

@@ -1,35 +1,37 @@
-//! The quantities of a question over time, for all starts of its boxes at once.
+//! Quantities over time, for all motions of a set at once.
 
-use crate::plot::{Axis, Panel, Picture, Series};
+use crate::plot::{Axis, Panel, Picture, Series, literal};
+use motion::sets::Tube;
 use question::{Question, Tubes};
 
 const WORST: &str = "#c22f2f";
 const OTHERS: &str = "#6b6b6b";
 
-/// A panel for each quantity: the tube of all starts, with runs in it.
+/// A panel for each quantity of a question: the tube of all starts, with runs in it.
 pub fn tubes(question: &Question, drawn: &Tubes) -> Picture {
-    let mut picture = Picture::new(question.id());
-    for tube in &drawn.tubes {
-        // In a label an underscore would begin an index.
-        let quantity = tube.quantity.replace('_', " ");
-        let mut panel = Panel::new("", Axis::linear("t"), Axis::linear(quantity));
-        for (number, part) in together(&tube.sections).enumerate() {
-            let name = if number == 0 { "all starts, enclosed" } else { "" };
-            panel = panel.series(Series::area(name, outline(part)).colour(crate::plot::PALETTE[0]));
-        }
-        let lines = tube.runs.iter().enumerate().filter(|(run, _)| Some(*run) != drawn.worst);
-        for (number, (_, run)) in lines.enumerate() {
-            let name = if number == 0 { "single starts" } else { "" };
-            panel = panel.series(Series::line(name, middles(run)).colour(OTHERS).size(0.9));
-        }
-        if let Some(run) = drawn.worst.and_then(|worst| tube.runs.get(worst)) {
-            panel = panel.series(Series::line("the worst of them", middles(run)).colour(WORST));
-        }
-        picture = picture.panel(panel);
-    }
+    let panels = drawn.tubes.iter().map(|tube| panel(tube, ["all starts, enclosed", "the worst of them"], drawn.worst));
+    let picture = panels.fold(Picture::new(question.id()), Picture::panel);
     match drawn.worst.and_then(|worst| drawn.runs.get(worst)) {
         Some(worst) => picture.caption(&format!("The worst of the starts that are drawn: {worst}.")),
         None => picture,
+    }
+}
+
+/// One quantity: the enclosure of all motions, single ones, and the worst of these.
+pub(super) fn panel(tube: &Tube, [all, bad]: [&str; 2], worst: Option<usize>) -> Panel {
+    let mut panel = Panel::new("", Axis::linear("t"), Axis::linear(literal(&tube.quantity)));
+    for (number, part) in together(&tube.sections).enumerate() {
+        let name = if number == 0 { all } else { "" };
+        panel = panel.series(Series::area(name, outline(part)).colour(crate::plot::PALETTE[0]));
+    }
+    let lines = tube.runs.iter().enumerate().filter(|(run, _)| Some(*run) != worst);
+    for (number, (_, run)) in lines.enumerate() {
+        let name = if number == 0 { "single starts" } else { "" };
+        panel = panel.series(Series::line(name, middles(run)).colour(OTHERS).size(0.9));
+    }
+    match worst.and_then(|worst| tube.runs.get(worst)) {
+        Some(run) => panel.series(Series::line(bad, middles(run)).colour(WORST)),
+        None => panel,
     }
 }
 

@@ -4,8 +4,8 @@ use super::super::Texts;
 use super::cases::{self, Case};
 use super::runs::RunsError;
 use super::starts::{
-    BIRDS, CERTIFICATE, GAINS, GAP, PAIRS, PAIRS_FLOCK, PATTERN, PHASES, PHASES_SCENARIO, PLAA01, PLAD01, PLATOON,
-    SWITCHING, THREE, TWO_CARS,
+    BIRDS, CERTIFICATE, FORTY_CARS, GAINS, GAP, PAIRS, PAIRS_FLOCK, PATTERN, PHASES, PHASES_SCENARIO, PLAA01, PLAD01,
+    PLATOON, SWITCHING, THREE, TWO_CARS,
 };
 use maud::{Markup, PreEscaped, html};
 
@@ -213,7 +213,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         name: "live-reach",
         title: "Worst cases of a switched system",
         about: "Linear modes with bounded inputs, switched in turn, at unknown times or at will: how small can a distance become? For a fixed order of modes the worst \
-                case is enclosed, with the input that attains it.",
+                case is enclosed, with the input that attains it. The same of platoons behind a leader of bounded acceleration: how far apart must cars drive so that they never touch?",
         ask: "system",
         command: "flockproof reach SYSTEM.toml --json",
         fields: &[text("system", "The system", 18, TWO_CARS)],
@@ -223,6 +223,7 @@ pub(in super::super) const LIVE: &[Live] = &[
             ("Two cars, communication on and off", &[("system", TWO_CARS)]),
             ("Three followers, on and off in turn (PLAD01)", &[("system", PLAD01)]),
             ("Three followers, any loss (PLAA01)", &[("system", PLAA01)]),
+            ("How far apart must forty cars drive?", &[("system", FORTY_CARS)]),
         ],
     },
     Live {

@@ -17,10 +17,11 @@ pub(super) const PLATOON: &str = "assets/scenarios/platoon.toml";
 pub(super) const TWO_CARS: &str = "assets/systems/two_cars.toml";
 pub(super) const PLAD01: &str = "assets/systems/platoon_plad01.toml";
 pub(super) const PLAA01: &str = "assets/systems/platoon_plaa01.toml";
+pub(super) const FORTY_CARS: &str = "assets/systems/forty_cars.toml";
 pub(super) const CERTIFICATE: &str = "proofs_checks/checker/corpus/pass/chazelle.lem3.3.one_edge.cert";
 
 /// All that are paths.
-pub(in super::super) const FILES: [&str; 14] = [
+pub(in super::super) const FILES: [&str; 15] = [
     GAP,
     GAINS,
     PAIRS,
@@ -34,5 +35,6 @@ pub(in super::super) const FILES: [&str; 14] = [
     TWO_CARS,
     PLAD01,
     PLAA01,
+    FORTY_CARS,
     CERTIFICATE,
 ];
