@@ -124,5 +124,7 @@ fn bounds_of_worst_cases_are_certified() {
     assert_eq!(certified.kind, "bound");
     // What cannot be certified is told after the answer.
     let output = flockproof(&["reach", &asset("forty_cars"), "--bound", &out.to_string_lossy()]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
     assert!(String::from_utf8_lossy(&output.stdout).contains("gap1 <= 3020"), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("at most 40 states"), "{output:?}");
 }

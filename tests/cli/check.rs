@@ -203,7 +203,7 @@ fn quantities_are_drawn_over_time() {
     let output = flockproof(&["check", &path, "--plot", &plot]);
     assert!(output.status.success() && stdout(&output).ends_with(&format!("written: {plot}\n")), "{output:?}");
     let drawn = std::fs::read_to_string(&plot).expect("a picture");
-    for text in ["min distance", "all starts, enclosed", "single starts", "The worst of the starts"] {
+    for text in ["min_distance", "all starts, enclosed", "single starts", "The worst of the starts"] {
         assert!(drawn.contains(text), "{text}");
     }
     // Nothing moves there, and one question is drawn at a time.

@@ -37,7 +37,8 @@ pub struct Answer {
     pub shorter: Option<String>,
     /// A question of this one instance, as the text of a file; `None` where there is no counterexample, or the question is that already.
     pub replay: Option<String>,
-    /// Encloses the smallest margin of all cases that were looked at; of a property that is false, the margin at the counterexample.
+    /// Encloses the smallest margin of all cases that were looked at; of a property that is false, the margin at the counterexample, of the inequality that fails
+    /// there where not all of the property was looked at.
     pub margin: Option<Margin>,
     /// A point at which the margin is 0, where the property holds on a continuum.
     pub attained: Option<Spot>,
@@ -208,7 +209,7 @@ impl Answer {
         if let Some(spot) = &self.closed {
             let _ = writeln!(text, "counterexample: {spot}, exactly");
         }
-        if let Some(Decisive { inequality, left, right, time }) = &self.decisive {
+        if let Some(Decisive { inequality, left, right, time, .. }) = &self.decisive {
             let at = time.as_ref().map_or(String::new(), |time| format!(", at t = {time}"));
             let _ = writeln!(text, "there {inequality} has {left} on its left and {right} on its right{at}");
         }

@@ -16,7 +16,7 @@ use arithmetic::Progress;
 const BITS: [u32; 3] = [FIRST_BITS + 1, 4 * FIRST_BITS, 32 * FIRST_BITS];
 
 /// An inequality with the values of its sides.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Decisive {
     /// The inequality as it stands in the property.
     pub inequality: String,
@@ -24,6 +24,8 @@ pub struct Decisive {
     pub left: String,
     /// What stands on its right.
     pub right: String,
+    /// Its own margin.
+    pub margin: Margin,
     /// The time, or the times `[from, to]`, of a property with time operators.
     pub time: Option<String>,
 }
@@ -106,6 +108,7 @@ fn found(evaluator: &Evaluator, node: &Node, wanted: bool) -> Result<Option<Deci
                 inequality: links[place].to_string(),
                 left: left?.text(),
                 right: right?.text(),
+                margin: evaluator.judge(&links[place])?.1,
                 time: evaluator.piece.map(time_of),
             }))
         }

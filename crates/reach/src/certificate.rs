@@ -91,6 +91,9 @@ pub fn bounded(system: &System, decided: &[Decided], progress: &dyn Progress) ->
     if !system.is_written_out() {
         return unfit("the checker bounds platoons of at most 100 followers");
     }
+    if system.until.is_none() && system.states.len() > LARGEST {
+        return unfit("for ever the checker bounds systems of at most 40 states");
+    }
     let rows = rows(decided);
     if rows.is_empty() {
         return unfit("no check at all times holds that a certificate could be about");
@@ -126,7 +129,7 @@ fn kept(system: &System, rows: &Rows) -> Option<String> {
     Some(text + "end\n")
 }
 
-/// Most states of which an ellipsoid is written exactly.
+/// Most states of a system that is bounded for ever: of a box each side is a worst case, and an ellipsoid is written exactly.
 const LARGEST: usize = 40;
 
 /// The lines of rows and their bounds.

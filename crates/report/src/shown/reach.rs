@@ -29,8 +29,13 @@ pub fn worst_cases(system: &System, decided: &[Decided], progress: &dyn Progress
         }
     }
     if let Some(witness) = parts.iter().find_map(|part| part.witness.as_ref()) {
-        picture = picture.panel(modes(system, witness));
-        picture = picture.panel(inputs(system, witness));
+        if system.modes.len() > 1 {
+            picture = picture.panel(modes(system, witness));
+        }
+        // More jumps than these are one grey area.
+        if witness.inputs.iter().all(|values| values.len() <= MOST_JUMPS) {
+            picture = picture.panel(inputs(system, witness));
+        }
     }
     Ok(picture.caption(caption))
 }
@@ -51,9 +56,11 @@ fn quantities(system: &System, parts: &[&Part], progress: &dyn Progress) -> Resu
 
 const MOST_PANELS: usize = 8;
 
+/// Most values of one input that are drawn.
+const MOST_JUMPS: usize = 200;
+
 const OVER_TIME: &str = "Areas: all values at these times, proved. Lines: the motion found for the worst case, in floats; modes and inputs are those of the first quantity.";
-const BY_CAR: &str =
-    "Bounds of the gap of each car that is drawn to the one in front, proved; the input is that of the first check.";
+const BY_CAR: &str = "Bounds of the gap of each car that is drawn to the one in front, proved; inputs, where they are drawn, are those of the first check.";
 
 /// Followers of a platoon whose motions are drawn over time; of longer ones gaps are drawn over the cars.
 const MOST_FOLLOWED: usize = 10;
