@@ -4,6 +4,7 @@ use crate::decide::{Decided, Part, Verdict};
 use crate::system::{Condition, Range, Side, System};
 use crate::witness::Witness;
 use arithmetic::{Rational, decimal, rational};
+use models::platoon::SIGNS;
 use num_traits::Signed;
 use serde_json::{Value, json};
 
@@ -109,6 +110,14 @@ fn shown(lo: Option<&Rational>, hi: Option<&Rational>, digits: u32) -> String {
     }
 }
 
+/// A line for each gain of a platoon that does not pull, with the convention; empty where both do.
+fn pushing(system: &System) -> String {
+    let Some(platoon) = &system.platoon else { return String::new() };
+    let gains = [("f", &platoon.gains.f), ("g", &platoon.gains.g)].into_iter().filter(|(_, gain)| !gain.is_negative());
+    let line = |(name, gain): (&str, &Rational)| format!("{name} = {gain} is not below 0: {SIGNS}\n");
+    gains.map(line).collect()
+}
+
 /// The answers for people.
 pub fn text(system: &System, decided: &[Decided], digits: u32) -> String {
     let mut text = String::new();
@@ -132,7 +141,7 @@ pub fn text(system: &System, decided: &[Decided], digits: u32) -> String {
             }
         }
     }
-    text
+    text + &pushing(system)
 }
 
 /// The distance between bound and attained value, where they have few digits in common.

@@ -382,6 +382,9 @@ fn what_is_no_platoon_is_refused() {
         let error = System::read(&platoon(keys, "9", "lag1 <= 1")).expect_err(keys).to_string();
         assert!(error.contains(said), "{error}\ninstead of\n{said}");
     }
+    let pushed = read(&platoon("followers = 2\nf = 1\ng = -1\nacceleration = [-1, 1]", "1", "lag1 <= 1"));
+    let text = reach::answer::text(&pushed, &decide(&pushed, 8, &Unwatched).expect("an answer"), 8);
+    assert!(text.contains("f = 1 is not below 0: the law is"), "{text}");
     let unstable = read(&platoon("followers = 2\nf = 1\ng = -1\nacceleration = [-1, 1]", "\"inf\"", "lag1 <= 1"));
     assert!(matches!(decide(&unstable, 8, &Unwatched), Err(ReachError::Unstable { .. })));
 }
