@@ -149,3 +149,16 @@ def test_a_file_is_named_as_in_questions(tmp_path: Path) -> None:
     assert [str(e.value) for e in named] == [str(e.value) for e in plain]
     with pytest.raises(ValueError, match=r"there is no file .*nowhere\.txt"):
         flockproof.spectrum(f"file:{tmp_path / 'nowhere.txt'}")
+
+
+def test_a_vertex_called_leader_leads(tmp_path: Path) -> None:
+    """As on the command line; other vertices have their names, or their numbers in the file."""
+    path = tmp_path / "cars.txt"
+    path.write_text("a b\nb leader\n")
+    found = flockproof.peak(f"file:{path}", -1, -1, car="a", digits=6)
+    line = flockproof.resonance(2, -1, -1, digits=6)
+    assert str(found.amplitude) == str(line.amplitude)
+    for leader in ("leader", 3):
+        assert flockproof.peak(path, -1, -1, leader=leader, car=1, digits=6) == found
+    with pytest.raises(ValueError, match="leader: 'c' is not a vertex"):
+        flockproof.peak(path, -1, -1, leader="c")

@@ -246,6 +246,17 @@ def test_functions_of_graphs_are_defined() -> None:
         {**question, "holds": {"property": "handshake"}}, define={"handshake": "sum(i, degree(i)) = 2*edges"}
     )
     assert texts.verdict == "holds"
+    # Weights and loops arrive as they are.
+    weighted = {"question": {"id": "mine.total"}, "for": {"graph": "edges:3:1-2*5,2-3*1/2,3-3*2"}}
+
+    def total(graph: Any) -> Fraction:
+        return Fraction(sum(data.get("weight", 1) for _, _, data in graph.edges(data=True)))
+
+    answer = flockproof.check({**weighted, "holds": {"property": "total = 15/2"}}, define={"total": total})
+    assert answer.verdict == "holds"
+    assert list(flockproof.graphs("edges:3:1-2*5,2-3", edges=True)) == [(3, [(1, 2, 5), (2, 3, 1)])]
+    assert next(flockproof.graphs("edges:2:1-1*1,1-2")).has_edge(1, 1)
+    assert next(flockproof.graphs("platoon1:2")).is_directed()
     with pytest.raises(ValueError, match="`triangles` has no value: the function gave None"):
         flockproof.check(question, define={"triangles": lambda graph: None})
     with pytest.raises(ValueError, match="KeyError"):

@@ -80,6 +80,20 @@ def test_the_file_is_the_dictionary(tmp_path: Path) -> None:
     assert json.loads(json.dumps(dict(flockproof.reach(file)[0].witness or {})))
 
 
+def test_a_platoon_has_its_graph_in_a_file(tmp_path: Path) -> None:
+    (tmp_path / "cars.txt").write_text("a b\nb leader\n")
+    keys = {"f": -1, "g": -1, "acceleration": [-1, 1]}
+    rest = {"run": {"until": 9}, "check": [{"holds": "lag1 <= 1"}]}
+    path = tmp_path / "system.toml"
+    path.write_text(
+        '[platoon]\ngraph = "file:cars.txt"\nf = -1\ng = -1\nacceleration = [-1, 1]\n'
+        '[run]\nuntil = 9\n[[check]]\nholds = "lag1 <= 1"\n'
+    )
+    written = flockproof.reach({"platoon": {"tracks": [[2], [0, 1]], **keys}, **rest})
+    assert flockproof.reach(path)[0].worst == written[0].worst
+    assert flockproof.reach(path).tube(samples=4).shape == (4, 4)
+
+
 @pytest.mark.parametrize("change", [{"run": {"until": -1}}, {"check": [{"holds": "y <= 1"}]}, {"mode": []}])
 def test_bad_systems_are_refused(change: dict[str, Any]) -> None:
     with pytest.raises(ValueError):
