@@ -88,7 +88,7 @@ impl Certified {
             "main resonance of {followers}, front and back tracked, f = {}, g = {}\n\
              {omega}{amplitude}\
              Theorem 1: omega ~ {first_omega}, amplitude ~ {first_amplitude}\n\
-             No omega > 0 gives the last car a larger amplitude: notes/resonance.md.\n",
+             No omega > 0 (rad/s) gives the last car a larger amplitude: notes/resonance.md.\n",
             self.gains.f, self.gains.g
         )
     }

@@ -90,7 +90,7 @@ impl Found {
                     None => "omega without bound: the amplitude is a limit\n".to_string(),
                 };
                 format!(
-                    "{head}\n{place}{}No omega >= 0 gives a larger amplitude: notes/resonance.md.\n\
+                    "{head}\n{place}{}No omega >= 0 (rad/s) gives a larger amplitude: notes/resonance.md.\n\
                      stable: every motion behind a resting leader dies out (decided exactly)\n",
                     of("amplitude", amplitude)
                 )
