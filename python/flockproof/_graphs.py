@@ -25,7 +25,9 @@ FLOATS = "the weights are floats, which stand for their exact values"
 class Given:
     """A graph for the native half, with what it is called and the names of its vertices."""
 
-    def __init__(self, native: Native, name: str, labels: list[Hashable] | None = None, floats: bool = False) -> None:
+    def __init__(
+        self, native: Native, name: str, labels: Sequence[Hashable] | None = None, floats: bool = False
+    ) -> None:
         self.native = native
         self.name = name
         self.labels = labels

@@ -509,7 +509,11 @@ def reach(found: Reach, check: int = 0, axes: Any = None) -> Any:
     if sections:
         ends = np.array(sections)
         axes.fill_between(
-            ends[:, :2].ravel(), np.repeat(ends[:, 2], 2), np.repeat(ends[:, 3], 2), alpha=0.3, label="all motions, enclosed"
+            ends[:, :2].ravel(),
+            np.repeat(ends[:, 2], 2),
+            np.repeat(ends[:, 3], 2),
+            alpha=0.3,
+            label="all motions, enclosed",
         )
     if run:
         points = np.array(run)
