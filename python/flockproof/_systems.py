@@ -90,8 +90,8 @@ class Reach(Sequence[Check]):
         Returns
         -------
         numpy.ndarray
-            Rows of the times between which the values lie, the least and the greatest one, rounded outwards; none where the
-            order of the modes is not fixed.
+            Rows of the times between which the values lie, the least and the greatest one, rounded outwards; none where
+            the order of the modes is not fixed.
         """
         return np.array(self._drawn(check, samples)[2]).reshape(-1, 4)
 

@@ -483,7 +483,9 @@ def portrait(simulation: Simulation, coordinate: int = 0, axes: Any = None) -> A
 
 
 def reach(found: Reach, check: int = 0, axes: Any = None) -> Any:
-    """The quantity of a check over time: enclosed for all motions where the order of modes is fixed, and along the worst motion that was found.
+    """The quantity of a check over time: enclosed for all motions, and along the worst one that was found.
+
+    It is enclosed where the order of modes is fixed.
 
     Parameters
     ----------
