@@ -40,8 +40,9 @@ pub(super) fn body(site: &Site, paper: Paper) -> Markup {
     html! {
         h1 { "Errata: " (paper.title) }
         p.lead { (paper.citation()) }
-        p { (errata(site, paper).count()) " of " (site.entries().iter().filter(|e| e.paper == paper.key).count())
-            " statements fail as printed. Each correction is checked by the same computation that refutes the printed form." }
+        p { "Each correction is checked by the same computation that refutes the printed form. What was read \
+            is the text of a scan, which may have lost a sign, an index or the extent of a radical: compare each item with the printed page." @if paper.key == "tanner2" {
+            " Sections and equations are those of the authors' preprint, which cites by author and year, not of the pages of the journal." } }
         p { "Symbols, equations and places are those of the paper. " b { "By hand" } " is a program of a few lines that needs Python and NumPy and nothing else: \
             it prints what stands behind " code { "#" } ". " b { "Check" } " names the command that computes the whole entry again, with proofs and \
             enclosures, by the program flockproof " (env!("CARGO_PKG_VERSION")) "." }

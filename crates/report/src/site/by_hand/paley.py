@@ -28,9 +28,9 @@ z = np.tile([1, 0.6 + 0.8j, -1, -0.6 - 0.8j], 3)
 L = 2 * np.eye(12) - np.roll(np.eye(12), 1, axis=0) - np.roll(np.eye(12), -1, axis=0)
 print(np.allclose(L @ z, 2 * z), np.diff(np.unique(np.round(np.degrees(np.angle(z)) % 360, 1))))  # True [ 53.1 126.9  53.1]
 
-# paley.fig3.gain: C12, neighbours 5/12 of a turn apart, omega_0 = K0 = 0.1: whether (22), linearised in the rotating frame, is stable but for rotation and translation, for K1 = 0.1, 1, 10
+# paley.fig3.gain: C12, neighbours 5/12 of a turn apart, omega_0 = 0.1, K0 = 1.2 as in Figure 3: whether (22), linearised in the rotating frame, is stable but for rotation and translation, for K1 = 0.1, 1, 10
 import numpy as np
-N, w, K0 = 12, 0.1, 0.1
+N, w, K0 = 12, 0.1, 1.2
 L = 2 * np.eye(N) - np.roll(np.eye(N), 1, axis=0) - np.roll(np.eye(N), -1, axis=0)
 inner = lambda a, b: (np.conj(a) * b).real
 def field(y, K1):
