@@ -85,6 +85,12 @@ impl Place {
     /// Whether all literals are false at the place, which has to lie in the domain.
     pub(super) fn fails<F: Function>(&self, clause: &[Literal<F>], domain: &[Side]) -> bool {
         let Some(free) = only_free(domain) else { return false };
+        let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
+        self.lies_in(&domain[free]) && self.truth(clause, &point, free) == Signs::Fails
+    }
+
+    /// Whether it is known to lie within a side, exactly; at an end of it, it is a rational point, which is looked at as such.
+    fn lies_in(&self, side: &Side) -> bool {
         let end = |end: &Option<Rational>, sign: Sign| {
             let apart = |q: &Rational| {
                 exact::computed(
@@ -94,10 +100,7 @@ impl Place {
             };
             end.as_ref().is_none_or(|q| apart(q) == Some(sign))
         };
-        let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
-        end(&domain[free].lo, Sign::Positive)
-            && end(&domain[free].hi, Sign::Negative)
-            && self.truth(clause, &point, free) == Signs::Fails
+        end(&side.lo, Sign::Positive) && end(&side.hi, Sign::Negative)
     }
 
     /// The point with this number in the place of one of its own.
@@ -276,6 +279,9 @@ pub(super) fn zeros<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Vec<
     let Some(free) = only_free(domain).filter(|&k| !domain[k].integer) else { return Vec::new() };
     let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
     let is_zero = |place: &Place| {
+        if !place.lies_in(&domain[free]) {
+            return false;
+        }
         let sign = |literal: &Literal<F>| {
             let of = |one: &Exact| literal.function.value(&place.on_line(&point, free, one).ok()?).ok()?.sign();
             exact::computed(of, |_| true)

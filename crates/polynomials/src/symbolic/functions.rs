@@ -11,6 +11,9 @@ use num_traits::{Signed as _, ToPrimitive, Zero};
 const MOST_PARTS: usize = 4;
 const MOST_COUNT: i64 = 8;
 
+/// Larger multiples of an angle are not added up one by one.
+const MOST_TURNS: i64 = 32;
+
 /// Arguments of exponentials and sines of larger denominators have no common grid.
 const FINEST: i64 = 720;
 
@@ -90,7 +93,12 @@ impl Symbolic {
         let part = |(monomial, c): &(Vec<u32>, Rational)| {
             let whole = monomial.is_empty() || self.extension.is_circle(monomial);
             match c.is_negative() {
-                _ if !whole => self.multiple(monomial, c),
+                _ if !whole => Some(self.multiple(monomial, c))
+                    .filter(|(_, count)| count.abs() <= MOST_TURNS)
+                    .unwrap_or_else(|| {
+                        let sign = if c.is_negative() { -1 } else { 1 };
+                        (self.term(monomial, c.abs()), sign)
+                    }),
                 true => (self.term(monomial, -c), -1),
                 false => (self.term(monomial, c.clone()), 1),
             }

@@ -123,3 +123,28 @@ fn a_margin_of_zero_has_its_place() {
         assert!(text.contains("smallest margin = 0 at (") && text.contains(place), "{text}");
     }
 }
+
+/// A place just outside of the domain is not where the margin is 0, however near it is for floats.
+#[test]
+fn a_margin_of_zero_is_told_within_the_domain() {
+    let factor = |q: i64| format!("(exp(x) - exp(sqrt({q}))*(1 + x - sqrt({q})))");
+    let text = asked(
+        "x = \"[141421356237309504881/100000000000000000000, 2]\"",
+        &format!("{}*{} >= 0", factor(2), factor(3)),
+        "x < 0",
+    );
+    let found = answer(&text);
+    assert_eq!(found.verdict, Verdict::Holds);
+    assert!(found.text(None).contains("= 0 at (x = sqrt(3))"), "{}", found.text(None));
+}
+
+/// Fine parts of an angle beside large multiples of it are not added up without end.
+#[test]
+fn fine_parts_of_angles_take_no_time() {
+    let text = asked(
+        "x = \"[1, 2]\"",
+        "exp(x^2 - 2) >= x^2 - 1 + (sin(x) - 2*sin(x/2)*cos(x/2))*cos(8*x)*sin(x/16)*sin(x/45)",
+        "x < 0",
+    );
+    assert_ne!(answer(&text).verdict, Verdict::False);
+}

@@ -99,7 +99,8 @@ fn quantity<'a>(
     let (until, tube) = (part.drawn_until(system), tube(system, part, SAMPLES, progress)?);
     let mut panel = super::tube::panel(&tube, ["all motions, enclosed", "the worst that was found"], Some(0));
     for (k, other) in bounds.enumerate() {
-        let bound = float(&other.condition.bound);
+        // On the scale of the first condition, whose constant the tube has.
+        let bound = float(&(&other.condition.bound - &other.condition.constant + &part.condition.constant));
         let name = if k == 0 { "bounds asked for" } else { "" };
         panel = panel.series(Series::dashed(name, [(0.0, bound), (float(&until), bound)]).colour("#d1580b"));
     }
