@@ -252,8 +252,9 @@ impl Ledger {
         let known: BTreeSet<String> = self.listed_ids().chain(self.ids()).map(paper_of).collect();
         for paper in papers {
             if !known.iter().any(|known| is_of_paper(known, paper)) {
-                let mut known: Vec<String> = known.into_iter().collect();
-                known.push("tanner (both of Tanner's)".to_string());
+                let group = |paper: &String| paper.trim_end_matches(|c: char| c.is_ascii_digit()).to_string();
+                let groups: BTreeSet<String> = known.iter().map(group).collect();
+                let known: Vec<String> = known.union(&groups).cloned().collect();
                 return Err(LedgerError::NoPaper(paper.clone(), known.join(", ")));
             }
         }

@@ -37,8 +37,7 @@ pub struct Answer {
     pub shorter: Option<String>,
     /// A question of this one instance, as the text of a file; `None` where there is no counterexample, or the question is that already.
     pub replay: Option<String>,
-    /// Encloses the smallest margin of all cases that were looked at; of a property that is false, the margin at the counterexample, of the inequality that fails
-    /// there where not all of the property was looked at.
+    /// Encloses the smallest margin of all cases that were looked at; of a property that is false, the margin at the counterexample.
     pub margin: Option<Margin>,
     /// A point at which the margin is 0, where the property holds on a continuum.
     pub attained: Option<Spot>,
@@ -224,6 +223,9 @@ impl Answer {
             let at = self.attained.as_ref().map_or(String::new(), |at| format!(" at ({at})"));
             let what = if self.verdict == Verdict::False { "margin there" } else { "smallest margin" };
             let _ = writeln!(text, "{what} {between}{at}");
+        } else if let Some(between) = between(self.decisive.as_ref().map(|own| &own.margin)) {
+            // Not all of the property was looked at.
+            let _ = writeln!(text, "margin of that inequality {between}");
         }
         let several = self.is_conjunction && self.inequalities.len() > 1;
         for (inequality, margin) in self.inequalities.iter().filter(|_| several) {
@@ -254,7 +256,8 @@ impl Answer {
             for Member { bindings, decisive, margin } in &list.members {
                 let sides =
                     decisive.as_ref().map(|own| format!("; {}: {} and {}", own.inequality, own.left, own.right));
-                let margin = between(Some(margin)).map(|between| format!("; margin {between}"));
+                let own = || between(decisive.as_ref().map(|own| &own.margin));
+                let margin = between(Some(margin)).or_else(own).map(|between| format!("; margin {between}"));
                 let _ = writeln!(text, "  {bindings}{}{}", sides.unwrap_or_default(), margin.unwrap_or_default());
             }
         }

@@ -266,7 +266,6 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
     answer.why = std::iter::once(answer.why).chain(remarks).collect::<Vec<String>>().join(" ");
     answer.made = made;
     answer.decisive = decisive.filter(|_| answer.counterexample.is_some());
-    answer.margin = answer.margin.map(|margin| margin.or_of(answer.decisive.as_ref()));
     if let Some(law) = question.law().filter(|_| answer.verdict == Verdict::Holds) {
         let (grades, how) = law.told();
         answer.grades = grades;

@@ -16,7 +16,7 @@ pub struct Member {
     pub bindings: Bindings,
     /// The inequality that decides, with the values of its sides; `None` where none does.
     pub decisive: Option<Decisive>,
-    /// The margin of the property there; of the inequality that decides, where not all of it was looked at.
+    /// The margin of the property there.
     pub margin: Margin,
 }
 
@@ -101,7 +101,6 @@ impl Question {
                 }
                 let margin = self.decide_point(property, &bindings, progress)?.margin;
                 let decisive = self.decisive(shown, &bindings, wanted == Truth::True, progress)?;
-                let margin = margin.or_of(decisive.as_ref());
                 listed.members.push(Member { bindings, decisive, margin });
             }
             progress.tell("members", next.min(total), Some(total));

@@ -1,6 +1,5 @@
 //! Three truth values, and how far an inequality is from failing.
 
-use crate::decisive::Decisive;
 use arithmetic::{Dyadic, decimal};
 
 /// True, false, or not known yet.
@@ -95,12 +94,6 @@ impl Margin {
             all.extend_from_slice(others);
         }
         all.iter_mut().zip(others).for_each(|(own, other)| *own = own.least(*other));
-    }
-
-    /// The same, or that of the inequality that decides, where this one has an end without a bound: not all of the property was looked at.
-    pub(crate) fn or_of(self, decisive: Option<&Decisive>) -> Self {
-        let bounded = self.lo.is_finite() && self.hi.is_finite();
-        decisive.filter(|_| !bounded).map_or(self, |decisive| decisive.margin)
     }
 
     /// Both ends as decimals rounded outward; `None` where there is no finite one.

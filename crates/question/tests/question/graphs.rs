@@ -317,9 +317,14 @@ fn loops_and_weights_are_refused_where_they_would_be_dropped() {
 fn graphs_with_names_have_neighbours() {
     for name in ["ring:5", "edges:5:1-2,2-3,3-4,4-5,1-5", "path:5", "petersen"] {
         let family = format!("g = \"{name}\"\ngraph = \"with_link(g)\"");
-        assert_eq!(answer(&asked(&family, "tree or edges >= 4", "edges < 4")).verdict, Holds, "{name}");
+        assert_eq!(
+            answer(&asked(&family, "graph.tree or graph.edges >= 4", "graph.edges < 4")).verdict,
+            Holds,
+            "{name}"
+        );
     }
-    let error = refusal(&asked("g = \"edges:3:1-2*2,2-3\"\ngraph = \"with_link(g)\"", "edges > 0", "edges < 0"));
+    let error =
+        refusal(&asked("g = \"edges:3:1-2*2,2-3\"\ngraph = \"with_link(g)\"", "graph.edges > 0", "graph.edges < 0"));
     assert!(error.contains("weight 1"), "{error}");
 }
 
