@@ -365,7 +365,14 @@ fn guessed(
     let walk: Vec<Leg> = legs.iter().map(Leg::fixed).collect();
     let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
     let value = worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value.and_then(|value| value.ends());
-    Ok(Worst { lo: value.map(|(lo, _)| lo), hi, at: Some(Range::point(until)), legs })
+    let value = value.map(|(lo, _)| lo);
+    // The start itself may be worse than what any order makes of it in the end.
+    let most = |(x, side): (&Rational, &Range)| (x * &side.lo).max(x * &side.hi);
+    let begun: Rational = row.iter().zip(&prepared.start).map(most).sum();
+    if at.is_none() && value.as_ref().is_none_or(|value| *value < begun) {
+        return Ok(Worst { lo: Some(begun), hi, at: Some(Range::point(Rational::ZERO)), legs: Vec::new() });
+    }
+    Ok(Worst { lo: value, hi, at: Some(Range::point(until)), legs })
 }
 
 fn witness(system: &System, prepared: &Prepared, row: &[Rational], worst: &Worst, digits: u32) -> Witness {

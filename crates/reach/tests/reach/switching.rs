@@ -127,3 +127,18 @@ fn long_stays_count_for_ever() {
     // 30 on from nothing: 40 (1 - e^(-3/4)) > 21.
     assert!(ever.1 > rational(21, 1), "{ever:?}");
 }
+
+/// A start beyond the bound refutes it, though all motions lead away from there.
+#[test]
+fn the_start_is_a_motion_too() {
+    for until in ["3", "\"inf\""] {
+        let text = format!(
+            "[system]\nstates = [\"x\"]\ninputs = {{}}\nstart = {{ x = [1, 5] }}\n[[mode]]\nname = \"a\"\nA = [[-1]]\n[[mode]]\nname = \"b\"\nA = [[\"-3/2\"]]\n\
+             [switching]\nkind = \"arbitrary\"\n[run]\nuntil = {until}\n[[check]]\nholds = \"x <= 4\"\n[[check]]\nholds = \"x <= 6\"\n"
+        );
+        let found = decided(&text, 8);
+        assert_eq!([&found[0].verdict, &found[1].verdict], [&Verdict::False, &Verdict::Holds], "{until}");
+        let witness = found[0].parts[0].witness.as_ref().expect("a motion");
+        assert_eq!((&witness.at, &witness.start[0]), (&Rational::ZERO, &rational(5, 1)));
+    }
+}
