@@ -52,6 +52,11 @@ fn root_branches(class: Class) -> Option<String> {
         .then(|| "f(x) = 2 sqrt|x|: from x(0) = 0 there are the solutions x = 0 and x = t²".to_string())
 }
 
+/// Speeds of rays, each by itself: what lies between two of them is none.
+fn speeds(rays: &[i64]) -> String {
+    rays.iter().map(|c| format!("c = {c}")).collect::<Vec<_>>().join(" and ")
+}
+
 fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     // Where a step jumps its value does not matter for almost all x, y: the sides are compared.
     let member = |step: &StepField| {
@@ -65,12 +70,12 @@ fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, Che
         let into: Vec<i64> = StepField { left: -left, right: -right }.rays();
         Ok(if field.rays().len() != 1 {
             Some(format!(
-                "f(x) = {left} for x < 0 and {right} for x >= 0 is measurable and bounded; from x(0) = 0 there are the solutions x = ct with c = {:?}",
-                field.rays()
+                "f(x) = {left} for x < 0 and {right} for x >= 0 is measurable and bounded; from x(0) = 0 there are the solutions x = ct with {}",
+                speeds(&field.rays())
             ))
         } else {
             let several = variant.backwards && into.len() != 1;
-            several.then(|| format!("f(x) = {left} for x < 0 and {right} for x >= 0: x = -ct with c = {into:?} all end in x(0) = 0"))
+            several.then(|| format!("f(x) = {left} for x < 0 and {right} for x >= 0: x = -ct with {} all end in x(0) = 0", speeds(&into)))
         })
     });
     let detail = "2 sqrt|x|, which x = 0 and x = t² solve, is not of the class";
