@@ -70,7 +70,7 @@ fn erratum(site: &Site, e: &Entry, number: usize) -> Markup {
                 @if let Some(text) = &e.corrected { dt { "Correct" } dd { (rich(text)) } }
                 @if let Some(text) = &e.counterexample { dt { "Fails at" } dd { (rich(text)) } }
                 @if let Some(text) = site.derivation(&e.id).filter(|text| !text.is_empty()) { dt { "Why" } dd { (rich(text)) } }
-                @if let Some(plain) = by_hand(&e.id) { dt { "By hand" } dd { (rich(plain.what)) pre { code { (plain.code) } } } }
+                @if let Some(plain) = by_hand(&e.id) { dt { "By hand" } dd { (rich(plain.what)) pre tabindex="0" { code { (plain.code) } } } }
                 dt { "Check" }
                 dd { code { "flockproof explain " (e.id) } ", " a href={ "../claims/" (e.id) ".html" } { (e.id) } " (" (spoken(e.verdict)) ")" }
             }
