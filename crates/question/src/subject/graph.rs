@@ -8,7 +8,7 @@ pub(crate) use spectra::second_modulus;
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::timeline::Measured;
-use algebra::graph::invariants::{distances, is_rooted, period};
+use algebra::graph::invariants::{LARGEST_CUT, LARGEST_SEARCHED, distances, is_rooted, period};
 use algebra::graph::{AnyGraph, Graph, LaplacianKind};
 use algebra::matrix::SparseMatrix;
 use arithmetic::RealNumber as Number;
@@ -132,16 +132,7 @@ impl<'q> GraphSubject<'q> {
             let why = format!("`{name}` is of graphs without loops, and vertex {} has one", vertex + 1);
             return Err(refused(why));
         }
-        let weighted = ["automorphisms", "cheeger", "isoperimetric_number"];
-        if weighted.contains(&name) {
-            self.need_no_weights(name)?;
-        }
         let progress = self.progress;
-        let found = |number: Option<usize>, most: usize| match number {
-            Some(n) => count(n),
-            None => Err(Failure::open(format!("`{name}` is found for graphs of up to {most} vertices"), None)),
-        };
-        use algebra::graph::invariants::{LARGEST_CUT, LARGEST_SEARCHED};
         match name {
             "girth" => known(graph.girth(), "the girth of a graph without cycles"),
             "bipartite" => truth(graph.is_bipartite()),
@@ -150,13 +141,22 @@ impl<'q> GraphSubject<'q> {
             "tree" => truth(graph.is_tree()),
             "edge_connectivity" => count(graph.edge_connectivity(progress)?),
             "vertex_connectivity" => count(graph.vertex_connectivity(progress)?),
-            "clique_number" => found(graph.clique_number(progress)?, LARGEST_SEARCHED),
-            "independence_number" => found(graph.independence_number(progress)?, LARGEST_SEARCHED),
-            "chromatic_number" => found(graph.chromatic_number(progress)?, LARGEST_SEARCHED),
+            "clique_number" => searched(name, graph.clique_number(progress)?, LARGEST_SEARCHED),
+            "independence_number" => searched(name, graph.independence_number(progress)?, LARGEST_SEARCHED),
+            "chromatic_number" => searched(name, graph.chromatic_number(progress)?, LARGEST_SEARCHED),
             "matching_number" => count(graph.matching_number()),
-            "automorphisms" if graph.order() > LARGEST_SEARCHED => found(None, LARGEST_SEARCHED),
+            _ if self.graph.is_unweighted() => self.measure_unweighted(graph, name, arguments, precision),
+            _ => Err(refused(format!("`{name}` is of graphs whose edges all have weight 1"))),
+        }
+    }
+
+    /// Quantities that depend on weights, of a graph whose edges all have weight 1.
+    fn measure_unweighted(&self, graph: &Graph, name: &str, arguments: &[Number], precision: u32) -> Found {
+        let progress = self.progress;
+        match name {
+            "automorphisms" if graph.order() > LARGEST_SEARCHED => searched(name, None, LARGEST_SEARCHED),
             "automorphisms" => exact(Rational::from_integer(graph.automorphism_count(progress)?.into())),
-            "cheeger" | "isoperimetric_number" if graph.order() > LARGEST_CUT => found(None, LARGEST_CUT),
+            "cheeger" | "isoperimetric_number" if graph.order() > LARGEST_CUT => searched(name, None, LARGEST_CUT),
             "cheeger" => {
                 let missing = "the Cheeger constant of a graph without a cut between vertices that have edges";
                 known_exact(graph.cheeger_constant(progress)?, missing)
@@ -164,23 +164,6 @@ impl<'q> GraphSubject<'q> {
             "isoperimetric_number" => {
                 known_exact(graph.isoperimetric_number(progress)?, "the isoperimetric number of a single vertex")
             }
-            _ => {
-                self.need_no_weights(name)?;
-                self.measure_unweighted(graph, name, arguments, precision)
-            }
-        }
-    }
-
-    fn need_no_weights(&self, name: &str) -> Result<(), Failure> {
-        match self.graph.is_unweighted() {
-            true => Ok(()),
-            false => Err(refused(format!("`{name}` is of graphs whose edges all have weight 1"))),
-        }
-    }
-
-    /// Quantities of the Laplacian of a graph whose edges all have weight 1.
-    fn measure_unweighted(&self, graph: &Graph, name: &str, arguments: &[Number], precision: u32) -> Found {
-        match name {
             "spanning_trees" => exact(Rational::from_integer(graph.spanning_trees())),
             "kirchhoff_index" => {
                 known_exact(graph.kirchhoff_index(), "the Kirchhoff index of a graph that is not connected")
@@ -282,6 +265,12 @@ fn index(what: &str, argument: Option<&Number>, most: usize) -> Result<usize, Fa
 
 fn largest(reached: &[Option<usize>]) -> Option<usize> {
     reached.iter().copied().try_fold(0, |most, distance| distance.map(|d| most.max(d)))
+}
+
+/// A number that is searched for in graphs up to a size.
+fn searched(name: &str, number: Option<usize>, most: usize) -> Found {
+    let open = || Failure::open(format!("`{name}` is found for graphs of up to {most} vertices"), None);
+    number.map_or_else(|| Err(open()), count)
 }
 
 fn count(n: usize) -> Found {
