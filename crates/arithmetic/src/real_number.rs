@@ -614,6 +614,11 @@ impl Real for PreciseNumber {
 }
 
 impl Number for PreciseNumber {
+    fn either(&self, other: &Self) -> Option<Self> {
+        let [own, other] = [self, other].map(|x| x.number.enclosure(self.precision));
+        Some(self.with(RealNumber::interval(own.hull(&other))))
+    }
+
     fn circle(&self) -> Result<Self, ArithmeticError> {
         Ok(self.pi())
     }

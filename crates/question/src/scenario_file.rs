@@ -6,7 +6,7 @@ use arithmetic::{Rational, rational};
 use expressions::Law;
 use models::averaging::Start;
 use models::averaging::read::{Model, flock_of};
-use scenario::{ConfigError, ExactMotion, OwnSteps, Path, Scenario, Source, Step, WithLaw, own_law, with_law};
+use scenario::{ConfigError, ExactMotion, OwnFlock, Path, Scenario, Source, Step, WithLaw, own_law, with_law};
 use serde_json::Value as Json;
 use std::sync::Arc;
 
@@ -99,7 +99,7 @@ impl ScenarioFile {
 
     /// Whether it is a law of one's own in discrete time, whose future may be decided.
     pub fn is_discrete(&self) -> bool {
-        matches!(&self.file, File::Motion { source, .. } if OwnSteps::are_of(source))
+        matches!(&self.file, File::Motion { source, .. } if OwnFlock::is_of(source))
     }
 
     fn no_place(&self, name: &str) -> String {
@@ -149,14 +149,20 @@ impl ScenarioFile {
         Scenario::of(&self.source(bindings, until)?).map_err(|error| self.refused(&error))
     }
 
-    /// The flock under a law of one's own in discrete time, where it is one: exact, or why it is not.
-    pub fn steps(&self, bindings: &Bindings) -> Result<Option<Result<OwnSteps, &'static str>>, String> {
+    /// The flock under a law of one's own in discrete time, where it is one, with the intervals of its start; or why it is not followed.
+    pub fn steps(&self, bindings: &Bindings) -> Result<Option<Result<OwnFlock, String>>, String> {
         let (source, wide) = self.bound(bindings, None)?;
-        let found = OwnSteps::of(&source).map_err(|error| self.refused(&error))?;
-        Ok(found.map(|flock| match wide.is_empty() {
-            true => flock,
-            false => Err("starts of laws in discrete time are single numbers"),
-        }))
+        let found = OwnFlock::of(&source).map_err(|error| self.refused(&error))?;
+        let widened = |mut flock: OwnFlock| {
+            for (list, agent, coordinate, lo, hi) in wide {
+                let is_there = matches!(&list, List::Own(part) if flock.widen(part, agent, coordinate, [lo, hi]));
+                if !is_there {
+                    return Err("only numbers of the state may range over an interval".to_string());
+                }
+            }
+            Ok(flock)
+        };
+        Ok(found.map(|flock| flock.map_err(str::to_string).and_then(widened)))
     }
 
     /// The motion with the numbers that are bound, and those that are intervals.

@@ -1,4 +1,4 @@
-//! Laws of one's own in discrete time on rational numbers: states one by one, for ever where a state comes to rest.
+//! Laws of one's own in discrete time: states one by one, exact where they are rational and enclosed elsewhere, for ever where an exact state comes to rest.
 
 use crate::failure::Failure;
 use crate::names::Quantity;
@@ -6,11 +6,11 @@ use crate::number::Number;
 use crate::subject::measured::measured;
 use crate::timeline::{Covered, Measured, Moment, Piece, Steps};
 use crate::truth::Doubt;
-use arithmetic::{Progress, Rational};
+use arithmetic::{Dyadic, PreciseNumber, Progress, Rational};
 use expressions::Asked;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
-use scenario::{Links, Model, OwnSteps, Rows, View};
+use scenario::{Links, Model, OwnFlock, OwnSteps, Rows, RunError, View};
 use std::cell::RefCell;
 
 /// Most steps that are taken.
@@ -19,15 +19,19 @@ const MOST_STEPS: usize = 1000;
 /// States whose numbers have more bits together are not followed further.
 const MOST_BITS: u64 = 1 << 24;
 
+/// Bits of enclosures at first, and the most.
+const BITS: [u32; 2] = [256, 4096];
+
 /// A flock of a case, followed as far as it was needed.
 pub(crate) struct StepsSubject<'c> {
-    followed: RefCell<Followed>,
-    /// Whether the law has observables.
-    observes: bool,
+    flock: OwnFlock,
+    followed: RefCell<Option<Followed>>,
     progress: &'c dyn Progress,
 }
 
+/// States that were reached, with enclosures of so many bits.
 struct Followed {
+    bits: u32,
     flock: OwnSteps,
     states: Vec<State>,
     /// The first time from which on nothing changes.
@@ -36,12 +40,20 @@ struct Followed {
 
 #[derive(Clone)]
 struct State {
-    positions: Vec<Vec<Rational>>,
-    velocities: Vec<Vec<Rational>>,
+    positions: Vec<Vec<PreciseNumber>>,
+    velocities: Vec<Vec<PreciseNumber>>,
     links: (usize, Vec<(usize, usize)>),
-    numbers: Vec<Rational>,
+    numbers: Vec<PreciseNumber>,
     /// Those of the observables, where there are some.
     observed: Option<Result<Vec<Number>, String>>,
+}
+
+/// The number itself, where it is known.
+fn exact(x: &PreciseNumber) -> Option<&Rational> {
+    match &x.number {
+        Number::Exact(q) => Some(q),
+        _ => None,
+    }
 }
 
 impl State {
@@ -60,6 +72,59 @@ impl State {
             observed: observes.then(|| flock.observed().map_err(|fault| fault.to_string())),
         }
     }
+
+    fn is_exact(&self) -> bool {
+        self.numbers.iter().all(|x| exact(x).is_some())
+    }
+
+    /// Whether every number is exact or in an interval narrower than `2^-bits`.
+    fn is_within(&self, bits: u32) -> bool {
+        let least = Dyadic::new(1.into(), -i64::from(bits));
+        let narrow = |x: &Number| matches!(x, Number::Exact(_)) || x.enclosure(bits).width() <= least;
+        let observed = match &self.observed {
+            None => true,
+            Some(Ok(all)) => all.iter().all(narrow),
+            Some(Err(_)) => self.is_exact(),
+        };
+        observed && self.numbers.iter().all(|x| narrow(&x.number))
+    }
+}
+
+impl Followed {
+    fn start(flock: &OwnFlock, bits: u32, observes: bool) -> Result<Self, Failure> {
+        let flock = flock.start(bits).map_err(open)?;
+        let states = vec![State::of(&flock, observes)];
+        Ok(Followed { bits, flock, states, rest: None })
+    }
+
+    /// Goes on to a time, or to a rest before.
+    fn follow(&mut self, time: usize, observes: bool, progress: &dyn Progress) -> Result<(), Failure> {
+        let Followed { flock, states, rest, .. } = self;
+        while states.len() <= time && rest.is_none() {
+            progress.checkpoint()?;
+            let before = flock.state().to_vec();
+            let exact_bits = before.iter().filter_map(exact).map(|q| q.numer().bits() + q.denom().bits());
+            if exact_bits.sum::<u64>() > MOST_BITS {
+                let why = format!("the numbers grow beyond all use after t = {}", states.len() - 1);
+                return Err(Failure::open(why, None));
+            }
+            flock.step().map_err(open)?;
+            // What is enclosed may change by less than the enclosures tell.
+            let stays = |(now, before): (&PreciseNumber, &PreciseNumber)| {
+                exact(now).is_some_and(|now| Some(now) == exact(before))
+            };
+            if flock.state().iter().zip(&before).all(stays) && flock.is_autonomous() {
+                *rest = Some(states.len() - 1);
+            } else {
+                states.push(State::of(flock, observes));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn open(error: RunError) -> Failure {
+    Failure::open(error.to_string(), None)
 }
 
 fn too_far() -> String {
@@ -67,38 +132,37 @@ fn too_far() -> String {
 }
 
 impl<'c> StepsSubject<'c> {
-    pub fn new(flock: OwnSteps, progress: &'c dyn Progress) -> Self {
-        let observes = !flock.law().observables().is_empty();
-        let states = vec![State::of(&flock, observes)];
-        StepsSubject { followed: RefCell::new(Followed { flock, states, rest: None }), observes, progress }
+    pub fn new(flock: OwnFlock, progress: &'c dyn Progress) -> Self {
+        StepsSubject { flock, followed: RefCell::new(None), progress }
     }
 
-    /// The state at a time, or where it rests before.
-    fn state(&self, time: usize) -> Result<State, Failure> {
-        let mut followed = self.followed.borrow_mut();
-        let Followed { flock, states, rest } = &mut *followed;
-        while states.len() <= time && rest.is_none() {
-            self.progress.checkpoint()?;
-            let before = flock.state().to_vec();
-            if before.iter().map(|q| q.numer().bits() + q.denom().bits()).sum::<u64>() > MOST_BITS {
-                let why = format!("the numbers grow beyond all use after t = {}", states.len() - 1);
-                return Err(Failure::open(why, None));
+    /// The state at a time, or where it rests before, enclosed to so many bits where the start allows it. Where enclosures do not decide a step, it
+    /// begins anew with twice as many bits.
+    fn state(&self, time: usize, precision: u32) -> Result<State, Failure> {
+        let observes = !self.flock.law().observables().is_empty();
+        let mut kept = self.followed.borrow_mut();
+        let mut followed = match kept.take() {
+            Some(followed) => followed,
+            None => Followed::start(&self.flock, BITS[0], observes)?,
+        };
+        loop {
+            let reached = followed.follow(time, observes, self.progress);
+            let place = followed.rest.map_or(followed.states.len() - 1, |rest| rest.min(time));
+            let last = &followed.states[place.min(time)];
+            let is_final = !self.flock.is_exact() || 2 * followed.bits > BITS[1] || last.is_exact();
+            if matches!(reached, Err(Failure::Cancelled)) || is_final || reached.is_ok() && last.is_within(precision) {
+                let found = reached.map(|()| last.clone());
+                *kept = Some(followed);
+                return found;
             }
-            flock.step().map_err(|error| Failure::open(error.to_string(), None))?;
-            if flock.state() == before && flock.is_autonomous() {
-                *rest = Some(states.len() - 1);
-            } else {
-                states.push(State::of(flock, self.observes));
-            }
+            followed = Followed::start(&self.flock, 2 * followed.bits, observes)?;
         }
-        let place = rest.map_or(time, |rest| rest.min(time));
-        states.get(place).cloned().ok_or_else(|| Failure::open(too_far(), None))
     }
 
     /// The time of rest, where there is one up to a time.
     fn rest(&self, until: usize) -> Result<Option<usize>, Failure> {
-        self.state(until)?;
-        Ok(self.followed.borrow().rest)
+        self.state(until, 0)?;
+        Ok(self.followed.borrow().as_ref().and_then(|followed| followed.rest))
     }
 }
 
@@ -134,19 +198,19 @@ struct At<'f, 'c> {
 }
 
 impl At<'_, '_> {
-    fn state(&self) -> Result<State, Failure> {
+    fn state(&self, precision: u32) -> Result<State, Failure> {
         // All times from one beyond the last step on are one stretch: it is known only where nothing changes any more.
         let time = self.time.to_usize().filter(|time| *time <= MOST_STEPS);
         if time.is_none() && self.flock.rest(MOST_STEPS)?.is_none() {
             return Err(Failure::open(too_far(), None));
         }
-        self.flock.state(time.unwrap_or(MOST_STEPS))
+        self.flock.state(time.unwrap_or(MOST_STEPS), precision)
     }
 }
 
 impl Moment for At<'_, '_> {
     fn measure(&self, quantity: &Quantity, _: &[Number], precision: u32) -> Result<Measured, Failure> {
-        let State { positions, velocities, links: (order, links), .. } = self.state()?;
+        let State { positions, velocities, links: (order, links), .. } = self.state(precision)?;
         let view = View {
             positions: Rows::of(positions.len(), || positions),
             velocities: Rows::of(velocities.len(), || velocities),
@@ -157,16 +221,16 @@ impl Moment for At<'_, '_> {
         measured(found.ok_or_else(none)?, 1, precision)
     }
 
-    fn own(&self, name: &str, _: u32) -> Result<Measured, Failure> {
-        let state = self.state()?;
-        let followed = self.flock.followed.borrow();
-        let law = followed.flock.law();
-        let is_past_rest = followed.rest.is_some_and(|rest| self.time > BigInt::from(rest));
+    fn own(&self, name: &str, precision: u32) -> Result<Measured, Failure> {
+        let state = self.state(precision)?;
+        let law = self.flock.flock.law();
+        let rest = self.flock.followed.borrow().as_ref().and_then(|followed| followed.rest);
+        let is_past_rest = rest.is_some_and(|rest| self.time > BigInt::from(rest));
         let number = match law.number(name) {
             Some(Asked::Observed(_)) if law.observes_time() && is_past_rest => {
                 return Err(Failure::open(format!("`{name}` depends on the time"), None));
             }
-            Some(Asked::State(place)) => state.numbers.get(place).cloned().map(Number::Exact),
+            Some(Asked::State(place)) => state.numbers.get(place).map(|x| x.number.clone()),
             Some(Asked::Observed(place)) => match state.observed {
                 Some(Ok(all)) => all.get(place).cloned(),
                 Some(Err(why)) => return Err(Failure::open(why, None)),

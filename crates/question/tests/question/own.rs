@@ -29,14 +29,109 @@ fn numbers_of_its_start_may_be_intervals() {
 
 #[test]
 fn what_is_not_enclosed_says_so() {
-    let discrete =
-        PAIR.replace("continuous", "discrete").replace("law.rates", "law.next").replace("/2\"", "/2 + sin(v)\"");
+    let noisy =
+        PAIR.replace("continuous", "discrete").replace("law.rates", "law.next").replace("/2\"", "/2 + normal(1)\"");
     let within = PAIR.replace("[state]", "[graph]\nkind = \"within\"\nradius = 2\n[state]");
-    for (scenario, why) in [(discrete, "discrete time"), (within, "do not depend on the distances")] {
+    for (scenario, why) in [(noisy, "noise"), (within, "do not depend on the distances")] {
         let answer = answered(&scenario, "n = 1", "always[0, 1](min_distance > 0)", "1 < 0");
         assert_eq!(answer.verdict, Verdict::Undecided);
         assert!(answer.why.contains(why), "{}", answer.why);
     }
+}
+
+/// Headings that are averaged in discrete time (Vicsek's rule without noise), in enclosures: against the same steps in floats.
+const HEADINGS: &str = "model = \"own\"\n[law]\ntime = \"discrete\"\nstate = { x = \"vector\", theta = \"angle\" }\n\
+    [law.next]\nx = \"x + vector(cos(theta), sin(theta))/10\"\n\
+    theta = \"heading(vector(cos(theta), sin(theta)) + sum(j, vector(cos(theta[j]), sin(theta[j]))))\"\n\
+    [graph]\nkind = \"within\"\nradius = 1\n[state]\nx = [[0, 0], [\"4/5\", 0], [\"8/5\", \"1/5\"], [5, 5]]\n\
+    theta = [0, 1, 2, \"1/2\"]\n[run]\nuntil = 4\n";
+
+/// The headings after some steps, in floats.
+fn headings(steps: usize) -> ([f64; 4], [[f64; 2]; 4]) {
+    let (mut theta, mut x): ([f64; 4], [[f64; 2]; 4]) =
+        ([0.0, 1.0, 2.0, 0.5], [[0.0, 0.0], [0.8, 0.0], [1.6, 0.2], [5.0, 5.0]]);
+    for _ in 0..steps {
+        let near = |i: usize, j: usize| f64::hypot(x[i][0] - x[j][0], x[i][1] - x[j][1]) <= 1.0;
+        let mean = |i: usize| {
+            let all = (0..4).filter(|&j| near(i, j)).map(|j| theta[j].sin_cos());
+            let (sin, cos) = all.fold((0.0, 0.0), |(s, c), (sin, cos)| (s + sin, c + cos));
+            sin.atan2(cos)
+        };
+        let next = std::array::from_fn(mean);
+        x = std::array::from_fn(|i| [x[i][0] + theta[i].cos() / 10.0, x[i][1] + theta[i].sin() / 10.0]);
+        theta = next;
+    }
+    (theta, x)
+}
+
+#[test]
+fn functions_in_discrete_time_are_enclosed() {
+    for steps in [1, 7, 60] {
+        let (theta, x) = headings(steps);
+        for (name, value) in [("theta[2]", theta[1]), ("theta[3]", theta[2]), ("x[3].2", x[2][1]), ("x[1].1", x[0][0])]
+        {
+            let close = format!("always[{steps}, {steps}](abs({name} - {value}) < 1/10^9)");
+            let answer =
+                answered(HEADINGS, "n = 1", &close, &format!("always[{steps}, {steps}]({name} < {})", value - 1e-8));
+            assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{name} {}", answer.why);
+        }
+    }
+    // What never comes to rest in exact numbers is open for ever, and what is false at some time is false.
+    let answer = answered(HEADINGS, "n = 1", "always[0, inf](theta[1] < 3)", "always[0, 2](theta[1] > 3)");
+    assert_eq!(answer.verdict, Verdict::Undecided, "{}", answer.why);
+    assert_eq!(answered(HEADINGS, "n = 1", "always[0, inf](theta[1] < 1/10)", "1 < 0").verdict, Verdict::False);
+}
+
+/// A map on one number.
+fn map(next: &str, start: &str) -> String {
+    format!(
+        "model = \"own\"\n[law]\ntime = \"discrete\"\ndimension = 1\nstate = {{ x = \"number\" }}\n\
+         [law.next]\nx = \"{next}\"\n[state]\nx = [\"{start}\"]\n[run]\nuntil = 4\n"
+    )
+}
+
+#[test]
+fn enclosures_of_steps_are_made_as_narrow_as_needed() {
+    // A map that doubles errors: 300 steps need more than 256 bits. x = sin(y)^2 makes it y -> 2 y.
+    let doubling = map("if(x < 1/2, 2*x, 2 - 2*x) + 0*sqrt(2)", "1/3");
+    assert_eq!(
+        answered(&doubling, "n = 1", "always[1, 300](x[1] = 2/3)", "always[0, 2](x[1] = 2/3)").verdict,
+        Verdict::Holds
+    );
+    let chaotic = map("abs(1 - 2*abs(x)) + sqrt(2) - sqrt(2)", "sqrt2");
+    let start = chaotic.replace("\"sqrt2\"", "\"1/5\"");
+    // 1/5, 3/5, 1/5, ..: the roots cancel, which enclosures cannot tell, so that every step loses a bit.
+    let answer =
+        answered(&start, "n = 1", "always[0, 400](x[1] > 19/100 and x[1] < 61/100)", "always[0, 2](x[1] > 1/4)");
+    assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{}", answer.why);
+    // A fixed point is reached in the limit only: no step attains it.
+    let root = map("sqrt(2 + x)", "1");
+    assert_eq!(
+        answered(&root, "n = 1", "always[0, 100](x[1] < 2)", "always[0, 5](x[1] < 199/100)").verdict,
+        Verdict::Holds
+    );
+    assert_eq!(answered(&root, "n = 1", "eventually[0, 100](x[1] >= 2)", "1 < 0").verdict, Verdict::False);
+    // Equality of numbers by different ways, and a condition on it.
+    let two = map("if(sqrt(x)*sqrt(x) = x, 1, 2)", "2");
+    assert_eq!(answered(&two, "n = 1", "always[1, 9](x[1] = 1)", "always[0, 2](x[1] = 1)").verdict, Verdict::Holds);
+}
+
+#[test]
+fn starts_of_steps_may_be_intervals() {
+    let averages = OPINIONS.replace("kind = \"within\"\nradius = 1\n", "kind = \"path\"\n");
+    let place = "\"state.x[1]\" = \"[-1, 1]\"";
+    let property = "always[0, 20](x[2] >= -1 and x[9] <= 5) and always[1, 20](x[1] <= 3)";
+    let answer = answered(&averages, place, property, "always[0, 20](x[9] >= 9/2)");
+    assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{}", answer.why);
+    // One start of the box fails.
+    let answer = answered(&averages, place, "always[0, 20](x[1] > -99/100)", "1 < 0");
+    assert_eq!(answer.verdict, Verdict::False, "{}", answer.why);
+    // Whether a link is there depends on the start: the box is divided, and what stays open is at the radius.
+    let two = OPINIONS.replace("[\"0\", \"1/2\", \"1\", \"3/2\", \"9/4\", \"3\", \"17/5\", \"4\", \"5\"]", "[0, 3]");
+    let far = answered(&two, "\"state.x[1]\" = \"[0, 19/10]\"", "always[0, 5](components = 2)", "1 < 0");
+    assert_eq!(far.verdict, Verdict::Holds, "{}", far.why);
+    let near = answered(&two, "\"state.x[1]\" = \"[0, 2]\"", "always[0, 5](components = 2)", "1 < 0");
+    assert_eq!(near.verdict, Verdict::False, "{}", near.why);
 }
 
 const OPINIONS: &str = "model = \"own\"\n[law]\ntime = \"discrete\"\ndimension = 1\nstate = { x = \"number\" }\n\

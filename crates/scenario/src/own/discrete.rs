@@ -1,4 +1,4 @@
-//! A law of one's own in discrete time, over floats or exact rationals.
+//! A law of one's own in discrete time, over floats, exact rationals, or numbers that are exact where they can be and enclosed elsewhere.
 
 use super::measured::{Heard, frame, in_words, observe};
 use super::read::Described;
@@ -6,13 +6,13 @@ use crate::error::RunError;
 use crate::network::{Change, Network, Pair, Rule};
 use crate::observables::Observable;
 use crate::simulation::{Event, Frame, Simulation};
+use crate::start::float;
 use arithmetic::random::{normal, uniform};
-use arithmetic::{ArithmeticError, Number, Progress, Rational, Sign, rational};
+use arithmetic::{ArithmeticError, Number, PreciseNumber, Progress, Rational, RealNumber, Sign};
 use expressions::{Blocks, Drawn, Evaluator, Fault, Hearing, Law};
 use num_traits::ToPrimitive;
 use rand_chacha::ChaCha8Rng;
 use std::cell::RefCell;
-use std::cmp::Ordering;
 use std::sync::Arc;
 
 /// A scalar over which laws are followed step by step.
@@ -20,7 +20,16 @@ pub(super) trait Stepped: Number {
     /// What computes the next state.
     type Machine;
 
-    fn machine(law: &Law) -> Self::Machine;
+    /// What computes for scalars like this one.
+    fn machine(&self, law: &Law) -> Self::Machine;
+
+    /// The nearest float, roughly.
+    fn rounded(&self) -> f64;
+
+    /// How far the number may be from that float, beyond its rounding.
+    fn spread(&self) -> f64 {
+        0.0
+    }
 
     /// Writes the next state.
     fn write(
@@ -31,15 +40,19 @@ pub(super) trait Stepped: Number {
         next: &mut [Self],
     ) -> Result<(), Fault>;
 
-    /// Sets the numbers that were drawn for a step.
-    fn set_drawn(machine: &mut Self::Machine, law: &Law, drawn: &[Vec<f64>]);
+    /// Sets the numbers that were drawn for a step; what is not in floats draws nothing.
+    fn set_drawn(_: &mut Self::Machine, _: &Law, _: &[Vec<f64>]) {}
 }
 
 impl Stepped for f64 {
     type Machine = Blocks;
 
-    fn machine(law: &Law) -> Blocks {
+    fn machine(&self, law: &Law) -> Blocks {
         Blocks::rates(law)
+    }
+
+    fn rounded(&self) -> f64 {
+        *self
     }
 
     fn write(
@@ -60,8 +73,12 @@ impl Stepped for f64 {
 impl Stepped for Rational {
     type Machine = Evaluator<Rational>;
 
-    fn machine(law: &Law) -> Evaluator<Rational> {
-        law.evaluator(&rational(0, 1))
+    fn machine(&self, law: &Law) -> Evaluator<Rational> {
+        law.evaluator(self)
+    }
+
+    fn rounded(&self) -> f64 {
+        float(self)
     }
 
     fn write(
@@ -73,9 +90,38 @@ impl Stepped for Rational {
     ) -> Result<(), Fault> {
         law.write_rates(machine, moment, hearing, next)
     }
+}
 
-    /// Exact runs draw nothing.
-    fn set_drawn(_: &mut Evaluator<Rational>, _: &Law, _: &[Vec<f64>]) {}
+impl Stepped for PreciseNumber {
+    type Machine = Evaluator<PreciseNumber>;
+
+    fn machine(&self, law: &Law) -> Evaluator<PreciseNumber> {
+        law.evaluator(self)
+    }
+
+    fn rounded(&self) -> f64 {
+        match &self.number {
+            RealNumber::Exact(q) => float(q),
+            other => other.enclosure(self.precision).midpoint(64).lo().to_f64(),
+        }
+    }
+
+    fn spread(&self) -> f64 {
+        match &self.number {
+            RealNumber::Exact(_) => 0.0,
+            other => other.enclosure(self.precision).width().to_f64(),
+        }
+    }
+
+    fn write(
+        machine: &mut Evaluator<PreciseNumber>,
+        law: &Law,
+        moment: (&PreciseNumber, &[PreciseNumber]),
+        hearing: &dyn Hearing,
+        next: &mut [PreciseNumber],
+    ) -> Result<(), Fault> {
+        law.write_rates(machine, moment, hearing, next)
+    }
 }
 
 /// The law with its state.
@@ -91,7 +137,6 @@ pub(super) struct Stepping<T: Stepped> {
     machine: T::Machine,
     random: ChaCha8Rng,
     observed: RefCell<Blocks>,
-    rounded: fn(&T) -> f64,
     declaration: Vec<String>,
 }
 
@@ -106,10 +151,13 @@ fn draw(law: &Law, random: &mut ChaCha8Rng) -> Vec<Vec<f64>> {
 
 impl<T: Stepped> Stepping<T> {
     /// The law at its start; `zero` tells the scalar.
-    pub fn new(own: Described, state: Vec<T>, zero: &T, rounded: fn(&T) -> f64) -> Self {
+    ///
+    /// # Errors
+    /// [`RunError`] where it cannot be told who is linked.
+    pub fn new(own: Described, state: Vec<T>, zero: &T) -> Result<Self, RunError> {
         let mut stepping = Stepping {
             radius: own.radius.map(|radius| zero.rational(&radius)),
-            machine: T::machine(&own.law),
+            machine: zero.machine(&own.law),
             random: own.random,
             observed: RefCell::new(Blocks::observables(&own.law)),
             next: vec![zero.clone(); state.len()],
@@ -118,11 +166,10 @@ impl<T: Stepped> Stepping<T> {
             step: own.step,
             taken: 0,
             state,
-            rounded,
             declaration: own.declaration,
         };
-        stepping.relink();
-        stepping
+        stepping.relink()?;
+        Ok(stepping)
     }
 
     /// One step; the links that came and went with it.
@@ -135,13 +182,13 @@ impl<T: Stepped> Stepping<T> {
         let moment = (&scalar, &self.state[..]);
         let written = T::write(&mut self.machine, &self.law, moment, &Heard(&self.network), &mut self.next);
         written.map_err(|fault| RunError::Own { time: now, fault: in_words(&self.law, &fault) })?;
-        if self.next.iter().any(|x| !(self.rounded)(x).is_finite()) {
+        if self.next.iter().any(|x| !x.rounded().is_finite()) {
             return Err(RunError::Own { time: now, fault: "a number grows beyond the floats".to_string() });
         }
         std::mem::swap(&mut self.state, &mut self.next);
         self.taken += 1;
         let time = self.time().to_f64().unwrap_or(f64::NAN);
-        Ok(self.relink().iter().map(|change| Event::new(time, change)).collect())
+        Ok(self.relink()?.iter().map(|change| Event::new(time, change)).collect())
     }
 
     pub fn state(&self) -> &[T] {
@@ -171,7 +218,7 @@ impl<T: Stepped> Stepping<T> {
     }
 
     fn floats(&self) -> Vec<f64> {
-        self.state.iter().map(self.rounded).collect()
+        self.state.iter().map(T::rounded).collect()
     }
 
     pub fn time(&self) -> Rational {
@@ -192,7 +239,7 @@ impl<T: Stepped> Stepping<T> {
     }
 
     /// The links of the places, or those that are due; what has changed.
-    fn relink(&mut self) -> Vec<Change> {
+    fn relink(&mut self) -> Result<Vec<Change>, RunError> {
         let pairs = match self.network.rule() {
             Rule::Fixed => {
                 let now = self.time().to_f64().unwrap_or(f64::NAN);
@@ -200,46 +247,59 @@ impl<T: Stepped> Stepping<T> {
                 while self.network.next_time().is_some_and(|due| due <= now) {
                     changes.extend(self.network.replace());
                 }
-                return changes;
+                return Ok(changes);
             }
-            Rule::Within(radius) => self.within(radius),
-            Rule::Nearest(count) => self.nearest(count),
+            Rule::Within(radius) => self.within(radius)?,
+            Rule::Nearest(count) => self.nearest(count)?,
         };
-        self.network.exchange(pairs)
+        Ok(self.network.exchange(pairs))
+    }
+
+    /// The sign of a number on which links depend.
+    fn told(&self, number: &T, what: impl Fn() -> String) -> Result<Sign, RunError> {
+        let untold = || RunError::Own { time: self.time().to_f64().unwrap_or(f64::NAN), fault: what() };
+        number.sign().ok_or_else(untold)
     }
 
     /// Floats propose who may be near, the scalar decides: at most the radius.
-    fn within(&self, radius: f64) -> Vec<Pair> {
-        let Some(exact) = &self.radius else { return Vec::new() };
+    fn within(&self, radius: f64) -> Result<Vec<Pair>, RunError> {
+        let Some(exact) = &self.radius else { return Ok(Vec::new()) };
         let floats = self.floats();
         let far = floats.iter().fold(radius, |most: f64, x| most.max(x.abs()));
-        let is_near = |pair: &Pair| {
-            let excess = self.square(*pair).map(|square| (square - exact.square()).sign());
-            matches!(excess, Some(Some(Sign::Negative | Sign::Zero)))
-        };
-        self.network.within(&floats, radius + 1e-9 * far).into_iter().filter(is_near).collect()
+        let spread = self.state.iter().fold(0.0, |most: f64, x| most.max(x.spread()));
+        let mut pairs = Vec::new();
+        for pair in self.network.within(&floats, radius + 1e-9 * far + 4.0 * spread) {
+            let Some(square) = self.square(pair) else { continue };
+            let (i, j) = (pair.0 + 1, pair.1 + 1);
+            let what = || format!("whether agents {i} and {j} are within the radius of each other cannot be told");
+            if self.told(&(square - exact.square()), what)? != Sign::Positive {
+                pairs.push(pair);
+            }
+        }
+        Ok(pairs)
     }
 
     /// The so many nearest of each; of two at one distance the one with the smaller number.
-    fn nearest(&self, count: usize) -> Vec<Pair> {
+    fn nearest(&self, count: usize) -> Result<Vec<Pair>, RunError> {
         let agents = self.law.agents();
         let mut arcs = Vec::new();
         for agent in 0..agents {
-            let mut others: Vec<(T, usize)> = (0..agents)
-                .filter(|other| *other != agent)
-                .filter_map(|other| Some((self.square((agent, other))?, other)))
-                .collect();
-            others.sort_by(|a, b| {
-                let order = match (a.0.clone() - &b.0).sign() {
-                    Some(Sign::Negative) => Ordering::Less,
-                    Some(Sign::Positive) => Ordering::Greater,
-                    _ => Ordering::Equal,
-                };
-                order.then(a.1.cmp(&b.1))
-            });
-            arcs.extend(others.into_iter().take(count).map(|(_, other)| (agent, other)));
+            let others = (0..agents).filter(|other| *other != agent);
+            let mut rest: Vec<(T, usize)> =
+                others.filter_map(|other| Some((self.square((agent, other))?, other))).collect();
+            for _ in 0..count.min(rest.len()) {
+                let mut nearest = 0;
+                for k in 1..rest.len() {
+                    let (i, j, of) = (rest[k].1 + 1, rest[nearest].1 + 1, agent + 1);
+                    let what = || format!("which of agents {i} and {j} is nearer to agent {of} cannot be told");
+                    if self.told(&(rest[k].0.clone() - &rest[nearest].0), what)? == Sign::Negative {
+                        nearest = k;
+                    }
+                }
+                arcs.push((agent, rest.remove(nearest).1));
+            }
         }
-        arcs
+        Ok(arcs)
     }
 }
 

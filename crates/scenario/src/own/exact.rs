@@ -1,52 +1,41 @@
-//! A law of one's own in discrete time on rational numbers, step by step: for what is decided exactly.
+//! A law of one's own in discrete time, step by step, for what is decided: on rational numbers where it has no other functions, else enclosed.
 
 use super::discrete::Stepping;
-use super::read::describe;
+use super::read::{Described, describe};
 use crate::error::{ConfigError, RunError};
 use crate::source::{Entry, Source};
 use crate::view::Links;
-use arithmetic::{Interval, Rational, RealNumber, rational};
-use expressions::{Fault, Kind, Law, Time, Variable};
-use num_traits::ToPrimitive;
+use arithmetic::{Interval, PreciseNumber, Rational, RealNumber, rational};
+use expressions::{Fault, Kind, Law, Variable};
 
-/// A flock under a law in discrete time, exact; its steps are of length 1.
-pub struct OwnSteps {
-    stepping: Stepping<Rational>,
+/// A flock under a law in discrete time at its start; its steps are of length 1.
+pub struct OwnFlock {
+    described: Described,
+    /// Numbers of the start that are only known to lie between two others, by their places in the state.
+    wide: Vec<(usize, [Rational; 2])>,
 }
 
-impl std::fmt::Debug for OwnSteps {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("OwnSteps").field("state", &self.stepping.state()).finish_non_exhaustive()
-    }
-}
-
-impl OwnSteps {
-    /// The flock of a scenario at its start: nothing for other models and for continuous time; in words why it is not followed exactly.
+impl OwnFlock {
+    /// The flock of a scenario at its start: nothing for other models and for continuous time; in words why it is not followed.
     ///
     /// # Errors
     /// [`ConfigError`].
     pub fn of(source: &Source) -> Result<Option<Result<Self, &'static str>>, ConfigError> {
-        if !OwnSteps::are_of(source) {
+        if !OwnFlock::is_of(source) {
             return Ok(None);
         }
-        let mut described = describe(source)?;
-        Ok(Some(if described.time != Time::Discrete {
-            Err("time is continuous")
-        } else if !described.law.drawn().is_empty() {
-            Err("laws with noise are not exact")
-        } else if !described.law.is_rational() {
-            Err("the law has functions whose values are not rational, and laws in discrete time are not enclosed")
+        let described = describe(source)?;
+        Ok(Some(if !described.law.drawn().is_empty() {
+            Err("laws with noise are not enclosed")
         } else if described.step != rational(1, 1) {
             Err("laws in discrete time are followed in steps of length 1")
         } else {
-            let state = std::mem::take(&mut described.state);
-            let rounded = |x: &Rational| x.to_f64().unwrap_or(f64::NAN);
-            Ok(OwnSteps { stepping: Stepping::new(described, state, &rational(0, 1), rounded) })
+            Ok(OwnFlock { described, wide: Vec::new() })
         }))
     }
 
     /// Whether a scenario is of a law of one's own in discrete time.
-    pub fn are_of(source: &Source) -> bool {
+    pub fn is_of(source: &Source) -> bool {
         let word = |entry: Option<Entry>, wanted: &str| {
             entry.is_some_and(|entry| entry.word().is_ok_and(|word| word == wanted))
         };
@@ -54,37 +43,69 @@ impl OwnSteps {
         word(source.top().get("model"), "own") && law.is_some_and(|law| word(law.get("time"), "discrete"))
     }
 
+    /// The law.
+    pub fn law(&self) -> &Law {
+        &self.described.law
+    }
+
+    /// Lets a number of the start lie anywhere between two others; agents and coordinates count from 0. Whether there is such a number.
+    pub fn widen(&mut self, part: &str, agent: usize, coordinate: usize, ends: [Rational; 2]) -> bool {
+        let law = &self.described.law;
+        let part = law.variables().iter().find(|variable| variable.name == part);
+        let Some(part) = part.filter(|part| agent < law.agents() && coordinate < part.width) else { return false };
+        self.wide.push((part.start + agent * part.stride + coordinate, ends));
+        true
+    }
+
+    /// Whether all numbers of the start are known exactly.
+    pub fn is_exact(&self) -> bool {
+        self.wide.is_empty()
+    }
+
+    /// The flock at its start, whose enclosures have so many bits.
+    ///
+    /// # Errors
+    /// [`RunError`] where it cannot be told who is linked.
+    pub fn start(&self, bits: u32) -> Result<OwnSteps, RunError> {
+        let exact = |q: &Rational| PreciseNumber::exact(q.clone(), bits);
+        let mut state: Vec<PreciseNumber> = self.described.state.iter().map(exact).collect();
+        for (place, [lo, hi]) in &self.wide {
+            let [lo, hi] = [lo, hi].map(|end| Interval::from_rational(end, bits));
+            state[*place].number = RealNumber::interval(lo.hull(&hi));
+        }
+        let stepping = Stepping::new(self.described.clone(), state, &exact(&rational(0, 1)))?;
+        Ok(OwnSteps { stepping })
+    }
+}
+
+/// A flock under a law in discrete time after some steps: numbers are exact where they are rational by their making, and enclosed elsewhere.
+pub struct OwnSteps {
+    stepping: Stepping<PreciseNumber>,
+}
+
+impl OwnSteps {
     /// One step.
     ///
     /// # Errors
-    /// [`RunError`] where a number has no value.
+    /// [`RunError`] where a number has no value, or it cannot be told which one.
     pub fn step(&mut self) -> Result<(), RunError> {
         self.stepping.step().map(drop)
     }
 
     /// The whole state.
-    pub fn state(&self) -> &[Rational] {
+    pub fn state(&self) -> &[PreciseNumber] {
         self.stepping.state()
     }
 
-    /// The law.
-    pub fn law(&self) -> &Law {
-        self.stepping.law()
-    }
-
-    /// The numbers of the observables: exact, or enclosed.
+    /// The numbers of the observables.
     ///
     /// # Errors
-    /// [`Fault`] where one has no value.
+    /// [`Fault`] where one has no value, or it cannot be told which one.
     pub fn observed(&self) -> Result<Vec<RealNumber>, Fault> {
-        const BITS: u32 = 192;
-        if let Ok(all) = self.stepping.observed(&self.stepping.time(), self.state()) {
-            return Ok(all.into_iter().map(RealNumber::Exact).collect());
-        }
-        let enclosed = |q: &Rational| Interval::from_rational(q, BITS);
-        let state: Vec<Interval> = self.state().iter().map(enclosed).collect();
-        let all = self.stepping.observed(&enclosed(&self.stepping.time()), &state)?;
-        Ok(all.into_iter().map(RealNumber::interval).collect())
+        let Some(like) = self.state().first() else { return Ok(Vec::new()) };
+        let time = PreciseNumber::exact(self.stepping.time(), like.precision);
+        let all = self.stepping.observed(&time, self.state())?;
+        Ok(all.into_iter().map(|x| x.number).collect())
     }
 
     /// Whether a state that stays as it is in a step stays so for ever: neither the law nor the network depends on the time from now on.
@@ -93,7 +114,7 @@ impl OwnSteps {
     }
 
     /// The rows of a part of the state.
-    fn rows(&self, part: Option<&Variable>) -> Vec<Vec<Rational>> {
+    fn rows(&self, part: Option<&Variable>) -> Vec<Vec<PreciseNumber>> {
         let agents = self.stepping.law().agents();
         let row =
             |part: &Variable, agent: usize| self.state()[part.start + agent * part.stride..][..part.width].to_vec();
@@ -101,12 +122,12 @@ impl OwnSteps {
     }
 
     /// Where the agents are.
-    pub fn positions(&self) -> Vec<Vec<Rational>> {
+    pub fn positions(&self) -> Vec<Vec<PreciseNumber>> {
         self.rows(self.stepping.law().position())
     }
 
     /// The part `v` of the state, where it is no angle.
-    pub fn velocities(&self) -> Vec<Vec<Rational>> {
+    pub fn velocities(&self) -> Vec<Vec<PreciseNumber>> {
         let law = self.stepping.law();
         self.rows(law.variables().iter().find(|part| part.name == "v" && part.kind != Kind::Angle))
     }

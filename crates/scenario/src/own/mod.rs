@@ -11,6 +11,6 @@ mod run;
 mod start;
 
 pub use enclosed::OwnMotion;
-pub use exact::OwnSteps;
+pub use exact::{OwnFlock, OwnSteps};
 pub(super) use read::describe;
 pub use read::{law_problem, own_law, read_law};

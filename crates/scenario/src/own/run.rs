@@ -6,7 +6,7 @@ use super::enclosed::OwnMotion;
 use super::noisy::Noisy;
 use super::read::Described;
 use crate::described::{Built, Described as Motion};
-use crate::error::{ConfigError, Problem};
+use crate::error::{ConfigError, Problem, RunError};
 use crate::exact::ExactMotion;
 use crate::simulation::{Continuous, Simulation};
 use crate::source::Source;
@@ -31,13 +31,14 @@ fn simulation(mut own: Described, source: &Source, tolerance: f64) -> Result<Bui
             return Err(run.need("exact", "true or false")?.range(why));
         }
         let step = own.step.clone();
+        let untold = |error: RunError| source.top().problem(Problem::Start(error.to_string()));
         let state = std::mem::take(&mut own.state);
         let simulation: Box<dyn Simulation> = if exact {
             own.declaration.push("exact steps on rational numbers, rounded once where they are written".to_string());
-            Box::new(Stepping::new(own, state, &rational(0, 1), float))
+            Box::new(Stepping::new(own, state, &rational(0, 1)).map_err(untold)?)
         } else {
             let state = state.iter().map(float).collect();
-            Box::new(Stepping::new(own, state, &0.0, |x| *x))
+            Box::new(Stepping::new(own, state, &0.0).map_err(untold)?)
         };
         return Ok((simulation, Some(step)));
     }
