@@ -39,8 +39,6 @@ pub struct LawText {
     pub state: Vec<(String, Kind)>,
     /// The vector, or in one dimension the number, that says where an agent is.
     pub position: Option<String>,
-    /// Whether positions on a line have a second coordinate, which is not looked at and whose rate is 0: for networks that are kept in the plane.
-    pub planar: bool,
     /// Parameters: one value, or a list with one for each agent.
     pub parameters: Vec<(String, Parameter)>,
     /// Abbreviations, `name` or `name(i, j)` with the agents that they speak of.
@@ -105,8 +103,6 @@ pub struct Variable {
     pub start: usize,
     /// Numbers for each agent.
     pub width: usize,
-    /// From one agent to the next.
-    pub stride: usize,
 }
 
 /// A compiled law for so many agents. A state is a list: the numbers of the position of all agents, agent by agent, then those of the other parts in
@@ -158,7 +154,7 @@ impl Law {
 
     /// Numbers of a state.
     pub fn size(&self) -> usize {
-        self.variables.iter().map(|variable| variable.stride * self.agents).sum()
+        self.variables.iter().map(|variable| variable.width * self.agents).sum()
     }
 
     /// The observables with how many numbers each has.
@@ -205,7 +201,7 @@ impl Law {
     fn put<T>(&self, agent: usize, output: usize, value: T, to: &mut [T]) {
         let (variable, component) = self.targets[output];
         let variable = &self.variables[variable];
-        to[variable.start + agent * variable.stride + component] = value;
+        to[variable.start + agent * variable.width + component] = value;
     }
 
     /// Whether rational states stay rational.
@@ -278,7 +274,7 @@ impl Law {
                 None if component.is_empty() && variable.width == 1 => 0,
                 _ => return None,
             };
-            let place = variable.start + agent * variable.stride + component;
+            let place = variable.start + agent * variable.width + component;
             return (component < variable.width).then_some(Asked::State(place));
         }
         let (name, component) = name.split_once('.').map_or((name, None), |(name, k)| (name, Some(k)));

@@ -49,6 +49,20 @@ impl NearLists {
         &lists.numbers[lists.starts[k]..lists.starts[k + 1]]
     }
 
+    /// Leaves of each point's neighbours those that are meant, asked with both numbers.
+    pub fn retain(&mut self, keep: impl Fn(usize, usize) -> bool) {
+        let mut points = vec![0; self.places.len()];
+        self.places.iter().enumerate().for_each(|(point, &place)| points[place] = point);
+        for (lists, points) in self.tasks.iter_mut().zip(points.chunks(TASK)) {
+            let old = std::mem::take(lists);
+            lists.starts.push(0);
+            for (ends, &point) in old.starts.windows(2).zip(points) {
+                lists.numbers.extend(old.numbers[ends[0]..ends[1]].iter().filter(|other| keep(point, **other)));
+                lists.starts.push(lists.numbers.len());
+            }
+        }
+    }
+
     /// The number of points.
     pub fn points(&self) -> usize {
         self.places.len()

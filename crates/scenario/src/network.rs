@@ -82,6 +82,8 @@ pub(super) struct Change {
 #[derive(Debug, Clone)]
 pub(super) struct Network {
     order: usize,
+    /// Coordinates of a place, with which the state begins.
+    width: usize,
     rule: Rule,
     directed: bool,
     /// Edges `i < j`, or arcs, in order; empty for an implicit all-to-all network.
@@ -128,7 +130,7 @@ impl Network {
         };
         let needs = |needs| entry.problem(Problem::Network { model: can.model, needs });
         if !can.positions && matches!(kind, Kind::Within | Kind::Nearest) {
-            return Err(needs("a fixed graph: it has no positions in the plane"));
+            return Err(needs("a fixed graph: it has no positions"));
         }
         if !can.directed && kind == Kind::Nearest {
             return Err(needs("an undirected graph: that of the nearest is not"));
@@ -184,7 +186,7 @@ impl Network {
         if !edges {
             let (pairs, lists) = (Vec::new(), None);
             let (rule, directed, radius, coming, weights) = (Rule::Fixed, false, None, Vec::new(), None);
-            return Ok(Network { order, rule, directed, pairs, lists, radius, coming, weights, declaration });
+            return Ok(Network { order, width: 2, rule, directed, pairs, lists, radius, coming, weights, declaration });
         }
         if order.saturating_mul(order) / 2 > MOST_EDGES {
             return Err(Problem::Range(format!("a graph of at most {MOST_EDGES} edges")));
@@ -270,11 +272,21 @@ impl Network {
         network
     }
 
+    /// The same where places have so many coordinates, 1 to 3.
+    pub fn of_width(self, width: usize) -> Self {
+        Network { width, ..self }
+    }
+
+    /// The number of coordinates of a place.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
     /// Links by a rule, none as yet.
     pub fn switching(order: usize, rule: Rule, directed: bool, declaration: String) -> Self {
         let lists = Some(Neighbours::from_arcs(order, []));
         let (pairs, radius, coming, weights) = (Vec::new(), None, Vec::new(), None);
-        Network { order, rule, directed, pairs, lists, radius, coming, weights, declaration }
+        Network { order, width: 2, rule, directed, pairs, lists, radius, coming, weights, declaration }
     }
 
     /// The lists of neighbours from the pairs.

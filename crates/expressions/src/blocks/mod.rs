@@ -118,7 +118,7 @@ impl Blocks {
         for (agent, row) in outputs.chunks_exact(width.max(1)).enumerate() {
             for (x, (variable, component)) in row.iter().zip(&law.targets) {
                 let variable = &law.variables[*variable];
-                rates[variable.start + agent * variable.stride + component] = *x;
+                rates[variable.start + agent * variable.width + component] = *x;
             }
         }
         let missing = |row: &[f64]| row.iter().any(|x| x.is_nan());

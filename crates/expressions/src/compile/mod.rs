@@ -204,9 +204,8 @@ impl<'a> Compiler<'a> {
         let mut start = 0;
         for (name, kind) in order {
             let width = if *kind == Kind::Vector { text.dimension } else { 1 };
-            let stride = if text.planar && width == 1 && first == Some(name) { 2 } else { width };
-            self.variables.push(Variable { name: name.clone(), kind: *kind, start, width, stride });
-            start += stride * self.agents;
+            self.variables.push(Variable { name: name.clone(), kind: *kind, start, width });
+            start += width * self.agents;
         }
         Ok(())
     }

@@ -133,7 +133,7 @@ impl<'a> Compiler<'a> {
             return self.refuse(node.at, Problem::unknown("name", base, known));
         };
         let of = self.agent(node, base, index, scope)?;
-        let part = |component| Op::State { start: variable.start, stride: variable.stride, component, of };
+        let part = |component| Op::State { start: variable.start, stride: variable.width, component, of };
         if let Some(component) = component {
             let number = component.parse::<usize>().ok().filter(|k| (1..=variable.width).contains(k));
             let Some(number) = number.filter(|_| variable.kind == Kind::Vector) else {

@@ -132,7 +132,7 @@ impl Instance {
             for component in 0..variable.width {
                 let mut column = Vec::new();
                 for agent in 0..agents {
-                    let place = variable.start + agent * variable.stride + component;
+                    let place = variable.start + agent * variable.width + component;
                     let number = format!("{}[{}]", variable.name, agent + 1);
                     let vector = variable.kind == Kind::Vector && variable.width > 1;
                     let name = if vector { format!("{number}.{}", component + 1) } else { number };

@@ -22,8 +22,6 @@ pub(super) struct Moving {
     rates: RefCell<Blocks>,
     observed: RefCell<Blocks>,
     declaration: Vec<String>,
-    /// Whether places on a line have a second coordinate.
-    planar: bool,
     /// What had no value last.
     fault: RefCell<Option<Fault>>,
 }
@@ -31,9 +29,7 @@ pub(super) struct Moving {
 impl Moving {
     pub fn new(own: Described) -> Self {
         let (rates, observed) = (Blocks::rates(&own.law), Blocks::observables(&own.law));
-        let planar = own.law.position().is_some_and(|position| position.stride > position.width);
         Moving {
-            planar,
             rates: RefCell::new(rates),
             observed: RefCell::new(observed),
             law: own.law,
@@ -66,10 +62,6 @@ impl Moving {
         hearing: &dyn Hearing,
         rates: &mut [f64],
     ) -> Result<(), Fault> {
-        // Second coordinates on a line rest.
-        if self.planar {
-            rates.fill(0.0);
-        }
         self.rates.borrow_mut().write_rates(&self.law, (time, state), hearing, rates)
     }
 
@@ -77,8 +69,12 @@ impl Moving {
     pub fn stepped(self, state: Vec<f64>, step: f64) -> Stepped<Self> {
         let Rule::Within(radius) = self.network.rule() else { return Stepped::settled(self, state, step) };
         let rate = move |law: &mut Self, time: f64, state: &[f64], rates: &mut [f64]| {
-            let points = &state.as_chunks().0[..law.law.agents()];
-            let near = NearLists::new(points, radius).map_err(|_| FollowError::from(IntegrationError::Stuck(time)))?;
+            let points = law.network.points(state);
+            let mut near =
+                NearLists::new(&points, radius).map_err(|_| FollowError::from(IntegrationError::Stuck(time)))?;
+            if !law.network.is_planar() {
+                near.retain(|i, j| law.network.squared(state, (i, j)) <= radius * radius);
+            }
             let written = law.written_as_heard(time, state, &Near(&near), rates);
             law.kept(written).map_err(|error| RunError::law(time, error))
         };

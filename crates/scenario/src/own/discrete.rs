@@ -228,7 +228,7 @@ impl<T: Stepped> Stepping<T> {
     /// The numbers of an agent's place.
     fn place(&self, agent: usize) -> &[T] {
         self.law.position().map_or(&[], |position| {
-            let from = position.start + agent * position.stride;
+            let from = position.start + agent * position.width;
             &self.state[from..from + position.width]
         })
     }

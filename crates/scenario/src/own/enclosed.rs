@@ -60,14 +60,14 @@ impl OwnMotion {
 
     /// The start of a part, a row for each agent.
     pub fn rows(&self, part: &Variable) -> Vec<Vec<Rational>> {
-        let row = |agent: usize| self.start[part.start + agent * part.stride..][..part.width].to_vec();
+        let row = |agent: usize| self.start[part.start + agent * part.width..][..part.width].to_vec();
         (0..self.agents()).map(row).collect()
     }
 
     /// Where a number of an agent stands in the state, all from 0.
     pub fn place(&self, part: &str, agent: usize, coordinate: usize) -> Option<usize> {
         let part = self.part(part).filter(|part| agent < self.agents() && coordinate < part.width)?;
-        Some(part.start + agent * part.stride + coordinate)
+        Some(part.start + agent * part.width + coordinate)
     }
 
     /// A number of the flock by its name in a property, at a state: of the state itself, or an observable of the law; nothing where there is none of that name.

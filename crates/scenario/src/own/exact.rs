@@ -53,7 +53,7 @@ impl OwnFlock {
         let law = &self.described.law;
         let part = law.variables().iter().find(|variable| variable.name == part);
         let Some(part) = part.filter(|part| agent < law.agents() && coordinate < part.width) else { return false };
-        self.wide.push((part.start + agent * part.stride + coordinate, ends));
+        self.wide.push((part.start + agent * part.width + coordinate, ends));
         true
     }
 
@@ -117,7 +117,7 @@ impl OwnSteps {
     fn rows(&self, part: Option<&Variable>) -> Vec<Vec<PreciseNumber>> {
         let agents = self.stepping.law().agents();
         let row =
-            |part: &Variable, agent: usize| self.state()[part.start + agent * part.stride..][..part.width].to_vec();
+            |part: &Variable, agent: usize| self.state()[part.start + agent * part.width..][..part.width].to_vec();
         part.map_or_else(Vec::new, |part| (0..agents).map(|agent| row(part, agent)).collect())
     }
 

@@ -29,7 +29,7 @@ fn rows(law: &Law, name: &str, state: &[f64]) -> Vec<Vec<f64>> {
     let variable = law.variables().iter().find(|variable| variable.name == name);
     let row = |agent: usize| {
         variable.map_or_else(Vec::new, |variable| {
-            let from = variable.start + agent * variable.stride;
+            let from = variable.start + agent * variable.width;
             state[from..from + variable.width].to_vec()
         })
     };

@@ -120,24 +120,23 @@ fn law_text(section: &Section) -> Result<(LawText, Rational), ConfigError> {
 /// Everything but how it is run.
 pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
     let section = source.needed("law")?;
-    let (mut text, step) = law_text(&section)?;
+    let (text, step) = law_text(&section)?;
     let rates = if text.time == Time::Discrete { "next" } else { "rates" };
     let seed = section.get("seed").map_or(Ok(1), |entry| entry.count(0, usize::MAX))?;
     let ranges = Ranges::of(&text);
     let (parts, agents, drawn) = start(source, &ranges)?;
-    let planar = text.dimension <= 2 && text.position.is_some();
     let can = Abilities {
         model: "own",
-        positions: planar,
+        positions: text.position.is_some(),
         directed: true,
         edges: false,
         weighted: false,
         timed: true,
         default: Some(NetworkKind::AllToAll),
     };
-    let network = network(source, agents, can, text.dimension)?;
-    text.planar = text.dimension == 1 && network.switches();
+    let network = Network::read(source, agents, can)?;
     let law = text.compile(agents).map_err(|error| refused(&section, rates, error))?;
+    let network = network.of_width(law.position().map_or(2, |position| position.width));
     let state = laid_out(&law, &parts);
     let radius = network.exact_radius().cloned();
     let name = section.get("name").map(|entry| entry.word()).transpose()?;
@@ -168,19 +167,6 @@ fn usual_position(text: &LawText) -> Option<String> {
     text.state.iter().find(|(_, kind)| is_place(*kind)).map(|(name, _)| name.clone())
 }
 
-/// Links by distance need places in the plane or on a line.
-fn network(source: &Source, agents: usize, can: Abilities, dimension: usize) -> Result<Network, ConfigError> {
-    let distances = ["within", "nearest"];
-    if let Some(section) = source.section("graph")?
-        && let Some(entry) = section.get("kind").filter(|_| dimension == 3)
-        && distances.contains(&entry.word()?)
-    {
-        let needs = "a fixed graph in three dimensions: links by distance are there in one and two";
-        return Err(entry.problem(Problem::Network { model: "own", needs }));
-    }
-    Network::read(source, agents, can)
-}
-
 fn texts(section: &Section, key: &'static str) -> Result<Vec<(String, String)>, ConfigError> {
     let Some(entry) = section.get(key) else { return Ok(Vec::new()) };
     let leaves = entry.table(titled(key))?.leaves();
@@ -193,7 +179,7 @@ fn laid_out(law: &Law, parts: &[(String, Vec<Vec<Rational>>)]) -> Vec<Rational> 
     for variable in law.variables() {
         let rows = parts.iter().find(|(name, _)| *name == variable.name).map(|(_, rows)| rows);
         for (agent, row) in rows.into_iter().flatten().enumerate() {
-            let from = variable.start + agent * variable.stride;
+            let from = variable.start + agent * variable.width;
             state[from..from + row.len()].clone_from_slice(row);
         }
     }

@@ -372,6 +372,71 @@ fn laws_in_space() {
     }
 }
 
+/// A flock of the plane, put into space by an exact rotation: columns (2, -1, 2)/3 and (2, 2, -1)/3, of third coordinates that differ.
+#[test]
+fn links_by_distance_in_space_are_those_of_the_plane() {
+    let law = |time: &str, rates: &str| {
+        format!(
+            "model = \"own\"\n[law]\ntime = \"{time}\"\ndimension = 3\nstate = {{ x = \"vector\", v = \"vector\" }}\n\
+             [law.{rates}]\nx = \"{}v\"\nv = \"{}\"\n",
+            if time == "discrete" { "x + " } else { "" },
+            if time == "discrete" { "v + mean(j, v[j] - v)/2" } else { "mean(j, v[j] - v)/2" }
+        )
+    };
+    let places = [[0, 0], [7, 1], [14, -3], [20, 9], [3, 12], [-8, 5]];
+    let speeds = [[2, 1], [-3, 0], [-4, 2], [-5, -4], [0, -6], [5, -1]];
+    let rows = |list: &[[i32; 2]], turned: bool| {
+        let row = |[a, b]: &[i32; 2]| match turned {
+            true => format!("[\"{}/30\", \"{}/30\", \"{}/30\"]", 2 * (a + b), 2 * b - a, 2 * a - b),
+            false => format!("[\"{a}/10\", \"{b}/10\"]"),
+        };
+        format!("[{}]", list.iter().map(row).collect::<Vec<_>>().join(", "))
+    };
+    let mut switches = 0;
+    for graph in ["kind = \"within\"\nradius = 1", "kind = \"nearest\"\nnearest = 2"] {
+        for (time, rates, until) in [
+            ("continuous", "rates", "until = 6"),
+            ("discrete", "next", "until = 6"),
+            ("continuous", "rates", "until = 6\nstep = \"1/64\""),
+        ] {
+            let text = |turned: bool| {
+                let (x, v) = (rows(&places, turned), rows(&speeds, turned));
+                let text = format!("{}[graph]\n{graph}\n[state]\nx = {x}\nv = {v}\n[run]\n{until}\n", law(time, rates));
+                if turned { text } else { text.replace("dimension = 3", "dimension = 2") }
+            };
+            let (space, plane) = (run(&text(true)), run(&text(false)));
+            assert_eq!(space.events.len(), plane.events.len(), "{graph} {until}");
+            for (a, b) in space.events.iter().zip(&plane.events) {
+                assert_eq!((a.pair, a.gained), (b.pair, b.gained));
+                assert!((a.time - b.time).abs() < 1e-8);
+            }
+            for name in ["min_distance", "disagreement", "components"] {
+                let [a, b] = [&space, &plane].map(|outcome| number(outcome.rows.last().expect("a row"), name));
+                assert!((a - b).abs() < 1e-8, "{graph} {until} {name}: {a} for {b}");
+            }
+            switches += space.events.len();
+        }
+    }
+    assert!(switches > 20, "{switches}");
+}
+
+/// A number says where agents are, also where vectors would have more coordinates.
+#[test]
+fn places_on_a_line_beside_vectors() {
+    for dimension in [1, 2, 3] {
+        for (time, table, rate) in [("continuous", "rates", "-"), ("discrete", "next", "")] {
+            let rate = if rate == "-" { "mean(j, x[j] - x)" } else { "x + mean(j, x[j] - x)/2" };
+            let text = format!(
+                "model = \"own\"\n[law]\ntime = \"{time}\"\ndimension = {dimension}\nposition = \"x\"\nstate = {{ x = \"number\" }}\n\
+                 [law.{table}]\nx = \"{rate}\"\n[graph]\nkind = \"within\"\nradius = \"3/2\"\n[state]\nx = [0, 1, 2, 5]\n[run]\nuntil = 3\n"
+            );
+            let end = part(run(&text).rows.last().expect("a row"), "x");
+            assert_eq!(end[3], 5.0);
+            assert!(end[0] > 0.5 && end[2] < 1.5 && (end[1] - 1.0).abs() < 1e-12, "{end:?}");
+        }
+    }
+}
+
 /// One agent hears nobody: sums are 0, a largest value has no value.
 #[test]
 fn one_agent_alone() {

@@ -125,7 +125,7 @@ impl<T: Measurable + Number> At<'_, '_, T> {
             ExactMotion::Own(own) => {
                 let agents = own.agents();
                 let rows = |part: Option<&Variable>| {
-                    part.map_or_else(Rows::none, |part| self.rows(agents, part.stride, part.start))
+                    part.map_or_else(Rows::none, |part| self.rows(agents, part.width, part.start))
                 };
                 let angles = own.angle().map_or_else(Vec::new, |part| self.numbers(part.start, agents));
                 let turned = |angle: &T| angle.sin_cos().map(|(sin, cos)| Complex::new(cos, sin));
