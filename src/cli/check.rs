@@ -60,6 +60,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let mut interrupted = false;
     for path in &arguments.files {
         let mut question = read(path)?;
+        if question.law_name().is_some() && (arguments.all.is_some() || arguments.tight.is_some()) {
+            let why = "--all and --tight list members of a family one by one, and this question is about all states";
+            return Err(CliError::file(path, why));
+        }
         question.certified = arguments.certificate.is_some();
         question.listed_counterexamples = arguments.all.unwrap_or(0);
         question.listed_tight = arguments.tight.unwrap_or(0);
@@ -76,7 +80,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             Err(error) => return Err(CliError::file(path, error)),
         };
         let no_tight = arguments.tight.is_some() && question.cannot_be_tight();
-        let replay = write_replay(&question, &answer, path, &arguments.replay)?;
+        let replay = write_replay(&answer, path, &arguments.replay)?;
         let drawn = arguments.plot.as_ref().map(|_| plot(&question, &answer)).transpose()?;
         worst = worst.max(answer.verdict);
         certificates.extend(answer.certificates.iter().map(certificate));
@@ -226,19 +230,27 @@ pub fn read(path: &Path) -> Result<Question, CliError> {
     Question::read(&text, &output::beside(path)).map_err(|error| CliError::file(path, error))
 }
 
+/// The text of a question made of the one in a file, for a file that lies elsewhere: the scenario and the law are named by their whole paths.
+pub fn from_elsewhere(text: &str, path: &Path) -> String {
+    let line = |line: &str| {
+        let named = ["scenario", "law"].into_iter().find_map(|key| {
+            let name: String = serde_json::from_str(line.strip_prefix(key)?.strip_prefix(" = ")?).ok()?;
+            Some((key, name))
+        });
+        let Some((key, name)) = named else { return format!("{line}\n") };
+        let beside = path.parent().unwrap_or_else(|| Path::new("")).join(name);
+        let whole = std::fs::canonicalize(&beside).unwrap_or(beside).display().to_string();
+        format!("{key} = {}\n", Value::from(whole))
+    };
+    text.lines().map(line).collect()
+}
+
 /// Writes the question of the counterexample; a question that is its own is not written again.
-fn write_replay(question: &Question, answer: &Answer, path: &Path, folder: &Path) -> Result<Option<String>, CliError> {
+fn write_replay(answer: &Answer, path: &Path, folder: &Path) -> Result<Option<String>, CliError> {
     let Some(text) = &answer.replay else {
         return Ok(answer.counterexample.as_ref().map(|_| path.display().to_string()));
     };
-    let mut text = text.clone();
-    // The replay may lie elsewhere than the scenario.
-    if let Some(name) = question.scenario_name() {
-        let beside = path.parent().unwrap_or_else(|| Path::new("")).join(name);
-        let whole = std::fs::canonicalize(&beside).unwrap_or(beside).display().to_string();
-        let line = |name: &str| format!("scenario = {}", serde_json::Value::from(name));
-        text = text.replacen(&line(name), &line(&whole), 1);
-    }
+    let text = from_elsewhere(text, path);
     let file = folder.join(format!("{}.counterexample.toml", answer.id));
     output::write_file(&file, text.as_bytes())?;
     Ok(Some(file.display().to_string()))

@@ -76,7 +76,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let configuration = json!({"command": "fuzz", "invariant": invariant.id, "seed": fuzz.seed(), "case": case});
         return told(invariant.id, &checked, None, (arguments.json, Some(fuzz.seed()), configuration));
     }
-    campaign(&fuzz, &fuzz.names(), fuzz.seed(), arguments)
+    campaign(&fuzz, &fuzz.names(), None, arguments)
 }
 
 /// Whether a name is that of a file, and of no invariant.
@@ -93,8 +93,12 @@ fn attack(path: &Path, arguments: &Arguments) -> Result<ExitCode, CliError> {
         return Err(CliError::Use("--case is for invariants; a counterexample is a question for `check`".to_string()));
     }
     let question = check::read(path)?;
+    if question.law_name().is_some() {
+        let why = "`check` decides questions about all states, and looks for counterexamples at random states itself";
+        return Err(CliError::file(path, why));
+    }
     let attack = Attack::new(question, arguments.cases, &arguments.seed).map_err(|e| CliError::file(path, e))?;
-    campaign(&attack, &[attack.id()], attack.seed(), arguments)
+    campaign(&attack, &[attack.id()], Some(path), arguments)
 }
 
 fn refused(error: impl std::fmt::Display) -> CliError {
@@ -151,7 +155,12 @@ fn told(
     Ok(ExitCode::from(u8::from(verdict == "fails")))
 }
 
-fn campaign(fuzz: &dyn Campaign, names: &[&str], seed: &str, arguments: &Arguments) -> Result<ExitCode, CliError> {
+fn campaign(
+    fuzz: &dyn Campaign,
+    names: &[&str],
+    asked: Option<&Path>,
+    arguments: &Arguments,
+) -> Result<ExitCode, CliError> {
     let started = Instant::now();
     let watch = Watch::with(progress::bar());
     let run = match &arguments.store {
@@ -163,13 +172,13 @@ fn campaign(fuzz: &dyn Campaign, names: &[&str], seed: &str, arguments: &Argumen
     };
     interrupt::finishing();
     watch.finish();
-    let summary = Summary::new(names, seed, run.cases, &run.rows).map_err(refused)?;
+    let summary = Summary::new(names, &arguments.seed, run.cases, &run.rows).map_err(refused)?;
     if std::io::stderr().is_terminal() {
         let seconds = started.elapsed().as_secs_f64();
         eprintln!("{:.0} cases a second", summary.cases() as f64 / seconds.max(1e-9));
     }
     told_interrupted(&run, &watch);
-    let code = finished(&summary, &fuzz.canonical(), arguments.store.as_deref(), arguments.json)?;
+    let code = finished(&summary, &fuzz.canonical(), (arguments.store.as_deref(), asked), arguments.json)?;
     Ok(if run.is_complete() { code } else { interrupt::status(false) })
 }
 
@@ -189,15 +198,25 @@ fn merged(folder: &Path, json: bool) -> Result<ExitCode, CliError> {
         Summary::new(&fuzz.names(), fuzz.seed(), jobs, rows)
     };
     let summary = summary.map_err(|error| CliError::file(folder, error))?;
-    finished(&summary, &merged.header.campaign, Some(folder), json)
+    finished(&summary, &merged.header.campaign, (Some(folder), None), json)
 }
 
-/// Prints a summary and writes its failures, one file each: a question for `check`, or a replay of an invariant to the store.
-fn finished(summary: &Summary, canonical: &str, store: Option<&Path>, json: bool) -> Result<ExitCode, CliError> {
+/// Prints a summary and writes its failures, one file each: a question for `check`, or a replay of an invariant to the store. `asked` is the file of the
+/// question, where it is known.
+fn finished(
+    summary: &Summary,
+    canonical: &str,
+    (store, asked): (Option<&Path>, Option<&Path>),
+    json: bool,
+) -> Result<ExitCode, CliError> {
     for own in &summary.invariants {
         for failed in &own.failures {
             if let Some(path) = file_of(store, &own.id, failed) {
-                let text = failed.question.clone().unwrap_or_else(|| Replay::text(&own.id, failed));
+                let text = match (&failed.question, asked) {
+                    (Some(text), Some(asked)) => check::from_elsewhere(text, asked),
+                    (Some(text), None) => text.clone(),
+                    (None, _) => Replay::text(&own.id, failed),
+                };
                 output::write_file(&path, text.as_bytes())?;
             }
         }

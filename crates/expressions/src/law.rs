@@ -293,6 +293,13 @@ impl Law {
         None
     }
 
+    /// Whether that is the name of an angle of an agent.
+    pub fn is_angle(&self, name: &str) -> bool {
+        let part = name.split_once('[').map(|(part, _)| part);
+        let is_one = |variable: &Variable| Some(variable.name.as_str()) == part && variable.kind == Kind::Angle;
+        self.variables.iter().any(is_one) && self.number(name).is_some()
+    }
+
     /// Whether the observables depend on the time.
     pub fn observes_time(&self) -> bool {
         !self.observed.is_autonomous()

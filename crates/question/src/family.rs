@@ -49,6 +49,9 @@ const CLASSES: [(&str, Class, usize); 7] = [
     ("regular", Class::Regular, LARGEST_SPARSE_CLASSES),
 ];
 
+/// Graphs of which all labellings are looked at.
+const MOST_LABELLED: usize = 6;
+
 impl Class {
     /// Known numbers of classes, for orders from 1 (OEIS A001349, A000088, A000055, A000273,
     /// A033995, A005470); nothing of regular graphs, whose number depends on the degree.
@@ -297,6 +300,17 @@ impl Maker<'_> {
             Class::Digraphs => {
                 digraphs(order, self.progress)?.into_iter().map(|g| Arc::new(AnyGraph::Directed(g))).collect()
             }
+        };
+        // One of each class stands for all only where agents are alike.
+        let list = match self.question.names_agents() {
+            true if order > MOST_LABELLED => {
+                let why = format!(
+                    "agents are named, so that each labelling of a graph is a case of its own: up to {MOST_LABELLED} vertices"
+                );
+                return Err(Failure::Refused(0, Problem::Other(why)));
+            }
+            true => list.iter().flat_map(|graph| graph.labellings()).map(Arc::new).collect(),
+            false => list,
         };
         let list = Arc::new(list);
         made.insert(key, list.clone());

@@ -181,6 +181,17 @@ impl Question {
         self.scenario.as_ref().map(|scenario| scenario.name.as_str())
     }
 
+    /// Whether it is about all states of a law and agents are not alike in it: they are named by number, or have parameters or starts of their own.
+    pub(crate) fn names_agents(&self) -> bool {
+        let Some(law) = &self.law else { return false };
+        let names = |text: &str| {
+            let mut parts = text.split('[').skip(1);
+            parts.any(|rest| rest.trim_start().starts_with(|c: char| c.is_ascii_digit()))
+        };
+        let asked = self.property.iter().chain(&self.controls).any(|asked| names(&asked.node.to_string()));
+        asked || law.names_agents() || self.bounds.iter().any(|bound| names(&bound.name))
+    }
+
     /// The law whose states the question is about, where there is one.
     pub(crate) fn law(&self) -> Option<&LawFile> {
         self.law.as_ref()

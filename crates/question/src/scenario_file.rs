@@ -87,6 +87,11 @@ impl ScenarioFile {
         self.own.as_ref().is_some_and(|law| law.number(name).is_some())
     }
 
+    /// Whether it is the name of an angle of its law of one's own.
+    pub fn is_angle(&self, name: &str) -> bool {
+        self.own.as_ref().is_some_and(|law| law.is_angle(name))
+    }
+
     /// Whether it is an averaging flock.
     pub fn is_flock(&self) -> bool {
         matches!(self.file, File::Flock(_))

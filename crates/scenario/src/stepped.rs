@@ -173,7 +173,7 @@ impl<L: Law + Send> Follower for Stepped<L> {
 
     fn method(&self) -> Vec<String> {
         vec![format!(
-            "integrator: the classical method of Runge and Kutta of order 4, steps of {} or a little less, so that they end at every time that is written; links are read off the positions in every stage: switches are neither located nor listed, and the tolerance has no effect",
+            "integrator: the classical method of Runge and Kutta of order 4, equal steps of at most {} from each time that is written to the next, rows of trajectory.csv included; links are read off the positions in every stage: switches are neither located nor listed, and the tolerance has no effect",
             self.step
         )]
     }

@@ -1,12 +1,35 @@
 //! Graphs up to the names of their vertices.
 
-use super::Graph;
 use super::classes::connected_graphs;
-use arithmetic::Unwatched;
+use super::{AnyGraph, Graph, WeightedGraph};
+use arithmetic::{Unwatched, rational};
 use num_bigint::BigUint;
+use std::collections::BTreeSet;
 
 /// Largest order of which all pairs are bits of 128.
 const LARGEST_IN_A_WORD: usize = 16;
+
+impl AnyGraph {
+    /// The graphs, without weights, that this one is with other names of its vertices, each once and with its own names first: `order!` over the number of
+    /// automorphisms. Costs `order!` renamings.
+    pub fn labellings(&self) -> Vec<AnyGraph> {
+        let (order, arcs, is_directed) = (self.order(), self.arcs(), self.is_directed());
+        let mut seen = BTreeSet::new();
+        let renamed = permutations(order).filter_map(|names| {
+            let mut renamed: Vec<(usize, usize)> = arcs.iter().map(|&(i, j)| (names[i], names[j])).collect();
+            renamed.sort_unstable();
+            seen.insert(renamed.clone()).then_some(renamed)
+        });
+        let graph = |arcs: Vec<(usize, usize)>| match is_directed {
+            true => {
+                let arcs = arcs.into_iter().map(|(i, j)| (i, j, rational(1, 1)));
+                AnyGraph::Directed(WeightedGraph::from_arcs(order, arcs))
+            }
+            false => AnyGraph::Simple(Graph::from_fn(order, |i, j| arcs.binary_search(&(i, j)).is_ok())),
+        };
+        renamed.map(graph).collect()
+    }
+}
 
 impl Graph {
     /// One connected graph of each isomorphism class, the first in the order of [`Graph::all`], and in that order (1, 1, 2, 6, 21, 112, 853 of

@@ -174,6 +174,19 @@ impl Check<'_> {
         }
     }
 
+    /// The angle of a law of one's own that a sum, or a name, is about, as laws know it.
+    fn angle<'n>(&self, node: &'n Node) -> Option<&'n str> {
+        match &node.kind {
+            Kind::Name { name, arguments, .. } if name == "initial" => {
+                arguments.iter().find_map(|part| self.angle(part))
+            }
+            Kind::Name { name, .. } if self.question.scenario().is_some_and(|own| own.is_angle(name)) => Some(name),
+            Kind::Negated(body) => self.angle(body),
+            Kind::Sum(list) => list.iter().find_map(|(_, part)| self.angle(part)),
+            _ => None,
+        }
+    }
+
     fn timed(&mut self, node: &Node, word: &'static str, from: &Node, to: &Node, bodies: &[&Node]) -> Checked {
         let subjects = self.question.subjects();
         if !subjects.iter().any(|subject| matches!(subject, Subject::Flock | Subject::Motion)) {
@@ -216,6 +229,13 @@ impl Check<'_> {
         }
         if let Some(function) = FUNCTIONS.iter().find(|function| function.name == name) {
             check_count(name, function.arguments, arguments.len()).map_err(at)?;
+            if name == "abs"
+                && let Some(angle) = arguments.iter().find_map(|node| self.angle(node))
+            {
+                return Err(at(Problem::Other(format!(
+                    "`{angle}` is an angle: its size on the circle is an observable of the law, `abs({angle})` in [law.observables]; that of the number is max({angle}, -{angle})"
+                ))));
+            }
             let before = self.moving;
             self.moving |= name == "initial";
             let checked = arguments.iter().try_for_each(|node| self.expect(node, name == "initial" && is_truth));

@@ -3,7 +3,8 @@
 use super::every::Sizes;
 use super::inequality::{self, on_states};
 use super::instance::Instance;
-use super::{How, LawFile, identity, pairs, search};
+use super::search::{self, Tried};
+use super::{How, LawFile, identity, pairs};
 use crate::bindings::{Bindings, Value};
 use crate::error::QuestionError;
 use crate::outcome::Decided;
@@ -78,6 +79,9 @@ pub(super) enum Found {
     Open(String),
 }
 
+/// What holds wherever it has a value says nothing then.
+pub(super) const NO_VALUE: &str = "law and property have no value at any of the states that were tried";
+
 pub(super) fn clause_holds(
     instance: &Instance,
     clause: &[Comparison],
@@ -97,8 +101,10 @@ pub(super) fn clause_holds(
             return Ok(Found::Holds(vec![How::Identity(bits)], Vec::new()));
         }
     }
-    if let Some(state) = search::counterexample(instance, clause, search::TRIED, progress)? {
-        return Ok(Found::Fails(state));
+    match search::counterexample(instance, clause, search::TRIED, progress)? {
+        Tried::False(state) => return Ok(Found::Fails(state)),
+        Tried::NoValue => return Ok(Found::Open(NO_VALUE.to_string())),
+        Tried::Nothing => {}
     }
     for comparison in clause {
         let may_vanish = matches!(comparison.relation, Relation::AtMost | Relation::AtLeast);

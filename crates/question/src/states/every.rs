@@ -4,11 +4,11 @@
 //! N = 2, .., k + d + 2; on all networks, if it is with a variable for the weight of each link. So identities are tested for these N, among them that a number is a
 //! positive multiple of a sum over the linked pairs of its value for the two alone: then it has the sign that this has at all states of two.
 
-use super::decide::{Found, clause_holds};
+use super::decide::{Found, NO_VALUE, clause_holds};
 use super::identity::agree;
 use super::inequality::{self, on_states};
 use super::instance::{Instance, filled};
-use super::search::counterexample;
+use super::search::{Tried, counterexample};
 use super::{How, LawFile, Network};
 use crate::bindings::{Bindings, Value};
 use crate::error::QuestionError;
@@ -114,6 +114,7 @@ impl<'a> Sizes<'a> {
                 return Ok((Found::Holds(how, certificates), None));
             }
         }
+        let mut has_value = false;
         for agents in 1..=TRIED {
             let size = agents as usize;
             let mut graphs = vec![None];
@@ -124,11 +125,18 @@ impl<'a> Sizes<'a> {
             for graph in graphs {
                 let member = self.member(agents, graph)?;
                 let own = &member.instance.clauses[clause];
-                if let Some(state) = counterexample(&member.instance, own, STATES, progress)? {
-                    let bindings = super::decide::with_state(&member.bindings, &member.instance, &state);
-                    return Ok((Found::Fails(state), Some(bindings)));
+                match counterexample(&member.instance, own, STATES, progress)? {
+                    Tried::False(state) => {
+                        let bindings = super::decide::with_state(&member.bindings, &member.instance, &state);
+                        return Ok((Found::Fails(state), Some(bindings)));
+                    }
+                    Tried::Nothing => has_value = true,
+                    Tried::NoValue => {}
                 }
             }
+        }
+        if !has_value {
+            return Ok((Found::Open(NO_VALUE.to_string()), None));
         }
         let Found::Holds(how, certificates) = self.alone(clause, progress)? else {
             return Ok((Found::Open("one agent alone is undecided".to_string()), None));
@@ -153,10 +161,13 @@ impl<'a> Sizes<'a> {
         Ok((Found::Open(why), None))
     }
 
-    /// A clause for one agent.
+    /// A clause for one agent: where it has no value, for instance the largest over nobody, there is nothing to hold.
     fn alone(&self, clause: usize, progress: &dyn Progress) -> Result<Found, QuestionError> {
         let alone = self.member(1, None)?.instance;
-        Ok(clause_holds(&alone, &alone.clauses[clause], progress)?)
+        Ok(match clause_holds(&alone, &alone.clauses[clause], progress)? {
+            Found::Open(why) if why == NO_VALUE => Found::Holds(Vec::new(), Vec::new()),
+            found => found,
+        })
     }
 
     /// How a number depends on the number of agents, where that can be made use of.

@@ -11,7 +11,7 @@ mod search;
 use crate::error::{Problem, QuestionError};
 use crate::question::{Expression, Question};
 use arithmetic::parse_rational;
-use expressions::{Kind, LawError, LawText};
+use expressions::{Kind, LawError, LawText, Parameter};
 use polynomials::Side;
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
@@ -126,6 +126,16 @@ impl LawFile {
             every: None,
             how: Mutex::default(),
         })
+    }
+
+    /// Whether its agents are not alike: some are named by number, or there are parameters with one value for each.
+    pub fn names_agents(&self) -> bool {
+        let LawText { define, rates, observables, parameters, .. } = &self.law;
+        let texts = define.iter().chain(rates).chain(observables).map(|(_, text)| text);
+        let named = |text: &String| {
+            text.split('[').skip(1).any(|rest| rest.trim_start().starts_with(|c: char| c.is_ascii_digit()))
+        };
+        parameters.iter().any(|(_, given)| matches!(given, Parameter::Each(_))) || texts.into_iter().any(named)
     }
 
     /// The law as one line, for the canonical form of a question.

@@ -14,29 +14,43 @@ pub(super) const TRIED: usize = 4000;
 /// Sizes of numbers that are drawn: what falls with the distance is small only far away.
 const SIZES: [i64; 8] = [1, 2, 4, 16, 100, 10_000, 1_000_000, 1_000_000_000];
 
+/// What states that are tried tell of a clause.
+pub(super) enum Tried {
+    /// It is false at this one.
+    False(Vec<Rational>),
+    /// Nothing, though each comparison has a value at some of them.
+    Nothing,
+    /// A comparison has no value at any of them: that it holds wherever it has one would say nothing.
+    NoValue,
+}
+
 /// A state at which the clause is false, among so many that are tried.
 pub(super) fn counterexample(
     instance: &Instance,
     clause: &[Comparison],
     tried: usize,
     progress: &dyn Progress,
-) -> Result<Option<Vec<Rational>>, Cancelled> {
+) -> Result<Tried, Cancelled> {
     let mut random = generator("question", "counterexamples of states", 0);
+    let mut has_value = vec![false; clause.len()];
     let mut machines: Vec<Evaluator<f64>> = clause.iter().map(|comparison| comparison.evaluator(&0.0)).collect();
     for k in 0..tried {
         progress.checkpoint()?;
         let state = drawn(instance, k, &mut random);
         let floats: Vec<f64> = state.iter().map(|q| q.to_f64().unwrap_or(f64::NAN)).collect();
-        let Some((time, numbers)) = floats.split_last() else { return Ok(None) };
-        let fails = clause.iter().zip(&mut machines).all(|(comparison, machine)| {
+        let Some((time, numbers)) = floats.split_last() else { return Ok(Tried::Nothing) };
+        let mut fails = true;
+        for ((comparison, machine), has_value) in clause.iter().zip(&mut machines).zip(&mut has_value) {
             let value = machine.flock(time, numbers, &instance.links).ok().and_then(|list| list.first().copied());
-            value.is_some_and(|x| x.is_finite() && !admits(comparison.relation, sign_of(x)))
-        });
+            let value = value.filter(|x| x.is_finite());
+            *has_value |= value.is_some();
+            fails &= value.is_some_and(|x| !admits(comparison.relation, sign_of(x)));
+        }
         if fails && instance.clause_holds(clause, &state) == Some(false) {
-            return Ok(Some(simpler(instance, clause, state, progress)?));
+            return Ok(Tried::False(simpler(instance, clause, state, progress)?));
         }
     }
-    Ok(None)
+    Ok(if has_value.contains(&false) { Tried::NoValue } else { Tried::Nothing })
 }
 
 fn sign_of(x: f64) -> Sign {

@@ -108,12 +108,14 @@ impl Followed {
                 let why = format!("the numbers grow beyond all use after t = {}", states.len() - 1);
                 return Err(Failure::open(why, None));
             }
+            // Links that are replaced at the end of the step count from the next one on.
+            let is_autonomous = flock.is_autonomous();
             flock.step().map_err(open)?;
             // What is enclosed may change by less than the enclosures tell.
             let stays = |(now, before): (&PreciseNumber, &PreciseNumber)| {
                 exact(now).is_some_and(|now| Some(now) == exact(before))
             };
-            if flock.state().iter().zip(&before).all(stays) && flock.is_autonomous() {
+            if flock.state().iter().zip(&before).all(stays) && is_autonomous {
                 *rest = Some(states.len() - 1);
             } else {
                 states.push(State::of(flock, observes));

@@ -162,6 +162,17 @@ fn opinions_are_decided_exactly_for_ever() {
     assert_eq!(answer.verdict, Verdict::Undecided, "{}", answer.why);
 }
 
+/// Links that are replaced later move what has come to rest before.
+#[test]
+fn replaced_links_count_after_a_rest() {
+    let text = "model = \"own\"\n[law]\ntime = \"discrete\"\ndimension = 1\nstate = { x = \"number\" }\n[law.next]\nx = \"x + mean(j, x[j] - x)/2\"\n\
+                [graph]\nkind = \"edges\"\nedges = [[2, 3]]\nswitches = [{ at = 7, edges = [[1, 2], [2, 3], [1, 3]] }]\n[state]\nx = [0, 0, 1]\n[run]\nuntil = 12\n";
+    let property = "always[0, 7](x[1] = 0) and always[8, 12](x[1] > 0) and eventually[12, 12](components = 1)";
+    let answer = answered(text, "n = 1", property, "always[0, inf](x[1] = 0)");
+    assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{}", answer.why);
+    assert_eq!(answered(text, "n = 1", "always[0, inf](x[1] = 0)", "1 < 0").verdict, Verdict::False);
+}
+
 /// Components of the state and observables, in both kinds of time.
 #[test]
 fn numbers_of_the_law_have_their_names() {

@@ -191,3 +191,69 @@ fn sets_that_are_not_left() {
     );
     assert_eq!((found.verdict, &found.controls[..]), (Verdict::Holds, &[true][..]), "{}", found.why);
 }
+
+/// A law on numbers, with a question about three agents.
+fn numbers(rates: &str, time: &str, family: &str, property: &str, control: &str) -> Answer {
+    let law = format!("[law]\ndimension = 1\ntime = \"{time}\"\nstate = {{ h = \"number\" }}\n{rates}\n");
+    let text = format!(
+        "[question]\nid = \"mine.numbers\"\nlaw = \"law.toml\"\n[for]\n{family}\nh = \"any\"\n[holds]\nproperty = \"{property}\"\ncontrols = [\"{control}\"]\n"
+    );
+    decide(&Question::read(&text, &|_: &str| Ok(law.clone())).unwrap(), &Unwatched).unwrap()
+}
+
+/// One graph of each class stands for all only where agents are alike: here the middle of a path jumps up, whichever number it has.
+#[test]
+fn agents_that_are_named_are_looked_at_in_every_place() {
+    let jumps =
+        "[law.next]\nh = \"(h + sum(j, h[j])) / (1 + count(j)) + if(count(j) = 2 and sum(j, count(k)) = 2, 1, 0)\"";
+    let three = "agents = 3\ngraph = \"connected(agents)\"";
+    let largest = |k: usize| format!("h[{k}] >= h[1] and h[{k}] >= h[2] and h[{k}] >= h[3] implies rate(h[{k}]) <= 0");
+    for k in 1..=3 {
+        let found = numbers(jumps, "discrete", three, &largest(k), "h[1] >= h[2] implies rate(h[1]) <= 0");
+        assert_eq!(found.verdict, Verdict::False, "{k}: {}", found.why);
+    }
+    let averages = jumps.replace(" + if(count(j) = 2 and sum(j, count(k)) = 2, 1, 0)", "");
+    let found = numbers(&averages, "discrete", three, &largest(2), "h[1] >= h[2] implies rate(h[1]) <= 0");
+    assert_eq!((found.verdict, found.cases), (Verdict::Holds, 4), "{}", found.why);
+    // Two that are alike in one labelling of the path, and not in another.
+    let consensus = "[law.rates]\nh = \"sum(j, h[j] - h)\"";
+    let found =
+        numbers(consensus, "continuous", three, "h[1] = h[2] implies rate(h[1]) = rate(h[2])", "rate(h[1]) = 1");
+    assert_eq!(found.verdict, Verdict::False, "{}", found.why);
+    // Where nobody is named one of each class is enough.
+    let found = numbers(
+        consensus,
+        "continuous",
+        "agents = 4\ngraph = \"connected(agents)\"",
+        "rate(sum(i, h[i])) = 0",
+        "rate(sum(i, h[i])) = 1",
+    );
+    assert_eq!((found.verdict, found.cases), (Verdict::Holds, 6), "{}", found.why);
+    let seven = "agents = 7\ngraph = \"connected(agents)\"";
+    let law = |_: &str| {
+        Ok("[law]\ndimension = 1\nstate = { h = \"number\" }\n[law.rates]\nh = \"sum(j, h[j] - h)\"\n".to_string())
+    };
+    let text = format!(
+        "[question]\nid = \"a\"\nlaw = \"law.toml\"\n[for]\n{seven}\nh = \"any\"\n[holds]\nproperty = \"h[1] >= h[2]\"\n"
+    );
+    let refused = Question::read(&text, &law).and_then(|question| decide(&question, &Unwatched).map(drop));
+    assert!(refused.unwrap_err().to_string().contains("up to 6 vertices"));
+}
+
+/// What has no value at any state holds nowhere: it is not said to hold.
+#[test]
+fn statements_without_values_do_not_hold() {
+    let still = "[law.rates]\nh = \"0\"";
+    for property in
+        ["1/0 > 0", "1/0 < 0", "sqrt(-1) > 3", "h[1]/0 >= h[2]", "sqrt(-1 - h[1]^2) <= -1", "h[1] > 0 implies 1/0 > 0"]
+    {
+        let found = numbers(still, "continuous", "agents = 2", property, "h[1] > 0");
+        assert_eq!(found.verdict, Verdict::Undecided, "{property}: {}", found.why);
+    }
+    // Somewhere it has one.
+    let found = numbers(still, "continuous", "agents = 2", "sqrt(h[1]) >= 0", "sqrt(h[1]) > 0");
+    assert_eq!(found.verdict, Verdict::Holds, "{}", found.why);
+    // A largest value over nobody has none, whatever the largest over somebody does.
+    let found = numbers(still, "continuous", "agents = \"any\"", "rate(sum(i, max(j, h[j]))) >= 1/0", "h[1] > 0");
+    assert_ne!(found.verdict, Verdict::Holds, "{}", found.why);
+}

@@ -77,7 +77,7 @@ impl Follower for Noisy {
 
     fn method(&self) -> Vec<String> {
         vec![format!(
-            "integrator: Euler and Maruyama, steps of {} or a little less, so that they end at every time that is written; links are those of the positions before each step: switches are neither located nor listed, and the tolerance has no effect",
+            "integrator: Euler and Maruyama, equal steps of at most {} from each time that is written to the next, rows of trajectory.csv included; links are those of the positions before each step: switches are neither located nor listed, and the tolerance has no effect",
             self.step
         )]
     }

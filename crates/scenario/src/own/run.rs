@@ -18,6 +18,7 @@ use expressions::Time;
 fn simulation(mut own: Described, source: &Source, tolerance: f64) -> Result<Built, ConfigError> {
     let run = source.needed("run")?;
     let fixed = run.get("step").map(|entry| entry.positive()).transpose()?;
+    let at_start = |problem: Problem| source.needed("state").map_or_else(|error| error, |own| own.problem(problem));
     if own.time == Time::Discrete {
         if let Some(entry) = run.get("step") {
             return Err(entry.range("left out: in discrete time `step` stands in [law]"));
@@ -31,7 +32,7 @@ fn simulation(mut own: Described, source: &Source, tolerance: f64) -> Result<Bui
             return Err(run.need("exact", "true or false")?.range(why));
         }
         let step = own.step.clone();
-        let untold = |error: RunError| source.top().problem(Problem::Start(error.to_string()));
+        let untold = |error: RunError| at_start(Problem::Start(error.to_string()));
         let state = std::mem::take(&mut own.state);
         let simulation: Box<dyn Simulation> = if exact {
             own.declaration.push("exact steps on rational numbers, rounded once where they are written".to_string());
@@ -54,7 +55,7 @@ fn simulation(mut own: Described, source: &Source, tolerance: f64) -> Result<Bui
         return Ok((Box::new(Noisy::new(own, state, step)), None));
     }
     let mut moving = Moving::new(own);
-    moving.start(&state).map_err(|problem| source.top().problem(problem))?;
+    moving.start(&state).map_err(at_start)?;
     let simulation: Box<dyn Simulation> = match fixed {
         Some(step) => Box::new(moving.stepped(state, step)),
         None => Box::new(Continuous::new(moving, &state, tolerance)),

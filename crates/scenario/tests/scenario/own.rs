@@ -2,7 +2,7 @@
 
 use super::{run, value as number};
 use arithmetic::Unwatched;
-use scenario::{Outcome, Part, Row, Scenario, with_law};
+use scenario::{Outcome, OwnFlock, Part, Row, Scenario, Source, with_law};
 
 const VELOCITIES: &str = r#"
 [law]
@@ -434,6 +434,50 @@ fn places_on_a_line_beside_vectors() {
             assert_eq!(end[3], 5.0);
             assert!(end[0] > 0.5 && end[2] < 1.5 && (end[1] - 1.0).abs() < 1e-12, "{end:?}");
         }
+    }
+}
+
+/// Starts at which laws are likely to fail: each kind comes with some seed, says what it is, and is what it says.
+#[test]
+fn hard_starts() {
+    let mut kinds = std::collections::BTreeSet::new();
+    let (mut near, mut together) = (0, 0);
+    for seed in 0..120 {
+        let text = format!(
+            "model = \"own\"\n[law]\nstate = {{ x = \"vector\", v = \"vector\" }}\n[law.rates]\nx = \"v\"\nv = \"mean(j, v[j] - v)\"\n\
+             [graph]\nkind = \"within\"\nradius = 2\n[state]\nrandom = {{ agents = 4, seed = {seed}, x = 3, hard = true }}\n[run]\nuntil = \"1/100\"\n"
+        );
+        let outcome = run(&text);
+        let (x, v) = (part(&outcome.rows[0], "x"), part(&outcome.rows[0], "v"));
+        let distance = f64::hypot(x[0] - x[2], x[1] - x[3]);
+        let said = outcome.declaration.iter().find_map(|line| Some(line.split_once("a hard start: ")?.1.to_string()));
+        let said = said.expect("what the start is");
+        match said.as_str() {
+            "two agents at nearly the radius" => near += usize::from((distance - 2.0).abs() < 1e-9),
+            "two agents at nearly one place" => together += usize::from(distance < 1e-9),
+            "agents alike but for their places" => assert!(v[..2] == v[2..4] && v[..2] == v[6..]),
+            "agents in opposite pairs" => assert!(x[0] == -x[2] && v[5] == -v[7]),
+            "whole and half numbers" => assert!(x.iter().chain(&v).all(|x| (2.0 * x).fract() == 0.0)),
+            _ => assert!(x[0].abs() > 3.0 || x[1].abs() > 3.0),
+        }
+        kinds.insert(said);
+    }
+    assert!(kinds.len() == 6 && near > 3 && together > 3, "{kinds:?} {near} {together}");
+}
+
+/// Links that are replaced later count where the state has come to rest before.
+#[test]
+fn replaced_links_move_what_rests() {
+    let text = "model = \"own\"\n[law]\ntime = \"discrete\"\ndimension = 1\nstate = { x = \"number\" }\n[law.next]\nx = \"x + mean(j, x[j] - x)/2\"\n\
+                [graph]\nkind = \"edges\"\nedges = [[2, 3]]\nswitches = [{ at = 7, edges = [[1, 2], [2, 3], [1, 3]] }]\n[state]\nx = [0, 0, 1]\n[run]\nuntil = 12\n";
+    let source = Source::parse(text).expect("a scenario");
+    let flock = OwnFlock::of(&source).expect("a flock").expect("of discrete time").expect("followed");
+    let mut steps = flock.start(256).expect("a start");
+    for t in 0..9 {
+        assert_eq!(steps.is_autonomous(), t >= 7, "t = {t}");
+        let first = steps.positions()[0][0].number.as_integer().is_some_and(|n| n == 0.into());
+        assert_eq!(first, t <= 7, "t = {t}");
+        steps.step().expect("a step");
     }
 }
 

@@ -1,9 +1,12 @@
 //! Mirrors `src/graph`.
 
+use algebra::graph::classes::{digraphs, graphs, trees};
 use algebra::graph::read::{GraphReadError, read_graph};
-use algebra::graph::{Graph, LaplacianError, LaplacianKind, NameError, NamedGraph, WeightedGraph, components};
+use algebra::graph::{
+    AnyGraph, Graph, LaplacianError, LaplacianKind, NameError, NamedGraph, WeightedGraph, components,
+};
 use algebra::matrix::{Footprint, SparseMatrix};
-use arithmetic::{Ring, rational};
+use arithmetic::{Ring, Unwatched, rational};
 
 mod families;
 
@@ -426,3 +429,21 @@ fn edges_and_arcs_are_listed_once_in_every_format() {
 mod invariants;
 mod petgraph;
 mod texts;
+
+/// The labellings of one graph of each class are all labelled graphs, each once.
+#[test]
+fn labellings_of_classes_are_all_labelled_graphs() {
+    let distinct = |classes: Vec<AnyGraph>| {
+        let all: Vec<String> = classes.iter().flat_map(AnyGraph::labellings).map(|graph| graph.to_string()).collect();
+        let count = all.len();
+        assert_eq!(all.into_iter().collect::<std::collections::BTreeSet<_>>().len(), count);
+        count
+    };
+    let simple = |list: Vec<Graph>| distinct(list.into_iter().map(AnyGraph::Simple).collect());
+    assert_eq!([1, 2, 3, 4, 5].map(|n| simple(graphs(n, &Unwatched).unwrap())), [1, 2, 8, 64, 1024]);
+    assert_eq!([1, 2, 3, 4, 5].map(|n| simple(trees(n, &Unwatched).unwrap())), [1, 1, 3, 16, 125]);
+    let directed = |n| distinct(digraphs(n, &Unwatched).unwrap().into_iter().map(AnyGraph::Directed).collect());
+    assert_eq!([1, 2, 3, 4].map(directed), [1, 4, 64, 4096]);
+    let path: AnyGraph = "path:3".parse().unwrap();
+    assert_eq!(path.labellings().first().map(|graph| graph.arcs()), Some(path.arcs()));
+}
