@@ -151,8 +151,17 @@ fn apart(part: &Part) -> Option<String> {
     (&width * rational(1000, 1) > hi.abs().max(Rational::ONE)).then(|| decimal(&width, 3, true))
 }
 
-/// Most values of an input in a text; a document has them all.
+/// Most modes, or values of an input, in a text; a document has them all.
 const MOST_SHOWN: usize = 12;
+
+/// The first of them, and how many more there are.
+fn listed<T>(all: &[T], one: impl Fn(&T) -> String) -> String {
+    let mut shown: Vec<String> = all.iter().take(MOST_SHOWN).map(one).collect();
+    if all.len() > MOST_SHOWN {
+        shown.push(format!("and {} more", all.len() - MOST_SHOWN));
+    }
+    shown.join(", ")
+}
 
 /// The witness in one line.
 fn motion(system: &System, witness: &Witness, digits: u32) -> String {
@@ -160,18 +169,12 @@ fn motion(system: &System, witness: &Witness, digits: u32) -> String {
     let number = |x: &Rational| decimal(x, digits, false);
     let mut parts = Vec::new();
     if system.modes.len() > 1 {
-        let modes =
-            witness.modes.iter().map(|(from, mode)| format!("{} from {}", system.modes[*mode].name, number(from)));
-        parts.push(modes.collect::<Vec<_>>().join(", "));
+        let mode = |(from, mode): &(Rational, usize)| format!("{} from {}", system.modes[*mode].name, number(from));
+        parts.push(listed(&witness.modes, mode));
     }
     for (input, all) in system.inputs.iter().zip(&witness.inputs) {
-        let values =
-            all.iter().take(MOST_SHOWN).map(|(from, value)| format!("{} from {}", number(value), number(from)));
-        let mut values: Vec<String> = values.collect();
-        if all.len() > MOST_SHOWN {
-            values.push(format!("and {} more", all.len() - MOST_SHOWN));
-        }
-        parts.push(format!("{} = {}", input.name, values.join(", ")));
+        let value = |(from, value): &(Rational, Rational)| format!("{} from {}", number(value), number(from));
+        parts.push(format!("{} = {}", input.name, listed(all, value)));
     }
     let free = system.states.iter().zip(&system.start).zip(&witness.start).filter(|((_, range), _)| !range.is_point());
     parts.extend(free.map(|((name, _), x)| format!("{name}(0) = {}", number(x))));

@@ -1,8 +1,8 @@
 //! Certificates for the separate checker: the worst motion that was found, of kind `motion`, which it follows itself; and that no motion comes beyond what the checks allow, of
 //! kind `bound`, which it shows by sums over steps of its own, how many being found by asking it, or of kind `kept`, a set that no mode leads out of.
 
-use crate::comparison::Comparison;
-use crate::decide::{Decided, Part, ReachError, Verdict, worst_of};
+use crate::comparison::{Comparison, Shape};
+use crate::decide::{DIGITS_OF_BOX, Decided, Part, ReachError, Verdict, worst_of};
 use crate::ellipsoid::{Ellipsoid, moving_abscissa};
 use crate::prepared::{Motion, Prepared};
 use crate::system::{Condition, Range, Side, Switching, System};
@@ -240,9 +240,6 @@ fn fixed(system: &System, progress: &dyn Progress) -> Result<Option<Vec<Way>>, U
     Ok(Some(ways.collect()))
 }
 
-/// Digits of the sides of the box in which states stay.
-const DIGITS_OF_BOX: u32 = 3;
-
 /// How long, roughly, until a start is forgotten, to a few and to twice as many digits.
 fn memories(motions: &[Motion]) -> Vec<Rational> {
     let slowest = motions.iter().filter_map(moving_abscissa).filter(|x| *x < -1e-9).fold(-1e9, f64::max);
@@ -261,7 +258,7 @@ fn sides(system: &System, most: &[Rational]) -> String {
 /// Any order of modes: limits of the disturbances by which it is one, some more generous than others.
 fn any(system: &System, progress: &dyn Progress) -> Result<Vec<Way>, Unbounded> {
     let prepared = Prepared::new(system);
-    let Some(found) = Comparison::find(&prepared, system.until.as_ref(), progress)? else {
+    let Some(found) = Comparison::find(&prepared, system.until.as_ref(), Shape::Box, progress)? else {
         return Err(Unbounded::Unfit("the disturbances that switching makes are not proved to stay bounded"));
     };
     let norm = norm(&found.mean().a);

@@ -1,6 +1,6 @@
 //! Verdicts: worst cases against the bounds that are asked for.
 
-use crate::comparison::{Comparison, greatest};
+use crate::comparison::{Comparison, Shape, greatest};
 use crate::ellipsoid::{Ellipsoid, abscissa, kept_box};
 use crate::flow::Flows;
 use crate::guess::bad_order;
@@ -205,9 +205,13 @@ fn by_modes(
         };
         for (check, condition, index) in asked {
             let Swung { lo, hi, witness } = &found[index];
+            let witness = witness.clone().map(|witness| match at {
+                Some(at) => platoon::after_rest(witness, at),
+                None => witness,
+            });
             let time = last.cloned().map(Range::point);
             let worst = Worst { lo: Some(lo.clone()), hi: Some(hi.clone()), at: time, legs: Vec::new() };
-            parts[check].push(part(condition, &worst, SUMMED, witness.clone(), digits));
+            parts[check].push(part(condition, &worst, SUMMED, witness, digits));
         }
     }
     Ok(Some(together(system, parts)))
@@ -254,7 +258,7 @@ pub(crate) fn worst_of(
     let last = at.or(system.until.as_ref());
     let compared = match (&system.switching, last) {
         (Switching::Arbitrary | Switching::Dwell { .. }, _) | (Switching::Periodic { .. }, None) => {
-            Comparison::find(prepared, last, progress)?
+            Comparison::find(prepared, last, Shape::Polygons, progress)?
         }
         _ => None,
     };
@@ -264,7 +268,7 @@ pub(crate) fn worst_of(
         (None, None) => {
             let kept = match &compared {
                 Some(comparison) => comparison.kept_box(progress)?,
-                None => kept_box(&lasting(system, prepared), &prepared.start),
+                None => kept_for_ever(system, prepared, progress)?,
             };
             let back = rational(if matches!(system.switching, Switching::Dwell { .. }) { 16 } else { 8 }, 1);
             kept.map(|rest| Times::Forever { back, rest })
@@ -313,15 +317,30 @@ pub(crate) fn worst_of(
     Ok(found)
 }
 
-/// The modes that the states are in at unbounded times.
-fn lasting(system: &System, prepared: &Prepared) -> Vec<crate::prepared::Motion> {
-    match &system.switching {
-        Switching::Windows { order, windows } if windows.is_empty() => {
-            order.last().map(|&mode| prepared.motions[mode].clone()).into_iter().collect()
+/// A box in which the states are, at unbounded times, where that is known: they keep it in all modes, or in the last, from where the others led them.
+fn kept_for_ever(
+    system: &System,
+    prepared: &Prepared,
+    progress: &dyn Progress,
+) -> Result<Option<Vec<Range>>, Cancelled> {
+    let Switching::Windows { order, windows } = &system.switching else {
+        return Ok(kept_box(&prepared.motions, &prepared.start));
+    };
+    let Some(&last) = order.last() else { return Ok(None) };
+    let start = match windows.last() {
+        None => Some(prepared.start.clone()),
+        Some(window) => {
+            let times = Times::Until(window.hi.clone());
+            let found = greatest(prepared, &system.switching, &times, &prepared.sides(), DIGITS_OF_BOX, progress)?;
+            let most = found.and_then(|found| found.into_iter().map(|worst| worst.hi).collect::<Option<Vec<_>>>());
+            most.map(|most| most.chunks(2).map(|pair| Range { lo: -&pair[1], hi: pair[0].clone() }).collect())
         }
-        _ => prepared.motions.clone(),
-    }
+    };
+    Ok(start.and_then(|start| kept_box(std::slice::from_ref(&prepared.motions[last]), &start)))
 }
+
+/// Digits of the sides of a box in which states stay.
+pub(crate) const DIGITS_OF_BOX: u32 = 3;
 
 /// The greatest value up to some time for which there are few enough orders of modes.
 fn attained_early(

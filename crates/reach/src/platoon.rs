@@ -192,3 +192,16 @@ fn swung(
     let value = Range { lo: lo - slack, hi: hi.clone() };
     Witness { at, start, modes: vec![(Rational::ZERO, 0)], inputs: vec![input], value }
 }
+
+/// The motion at a later time: before it begins the platoon rests, which the leader's acceleration allows where motions are found in this way.
+pub(crate) fn after_rest(mut witness: Witness, at: &Rational) -> Witness {
+    let rest = at - &witness.at;
+    if rest.is_positive() {
+        witness.at = at.clone();
+        for input in &mut witness.inputs {
+            input.iter_mut().for_each(|(from, _)| *from += &rest);
+            input.insert(0, (Rational::ZERO, Rational::ZERO));
+        }
+    }
+    witness
+}

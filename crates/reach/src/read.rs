@@ -324,7 +324,11 @@ fn switching(section: Option<Section>, modes: &[Mode]) -> Read<Switching> {
             let entry = section.need("period", "how long each mode lasts")?;
             let period = entry.exact()?;
             match period.is_positive() {
-                true => Ok(Switching::Periodic { order: order(&section, modes)?, period }),
+                true => Ok(match order(&section, modes)? {
+                    // An order of one mode, or of modes that are all alike, is that mode.
+                    order if order.iter().all(|&mode| alike(&modes[mode], &modes[order[0]])) => constant(order[0]),
+                    order => Switching::Periodic { order, period },
+                }),
                 false => Err(entry.range("a time above 0")),
             }
         }
@@ -341,9 +345,14 @@ fn switching(section: Option<Section>, modes: &[Mode]) -> Read<Switching> {
         }
         _ => {
             section.allow(&["kind"], " of the kind arbitrary")?;
-            Ok(Switching::Arbitrary)
+            Ok(if modes.iter().all(|mode| alike(mode, &modes[0])) { constant(0) } else { Switching::Arbitrary })
         }
     }
+}
+
+/// Whether two modes differ by their names at most.
+fn alike(a: &Mode, b: &Mode) -> bool {
+    (&a.a, &a.b, &a.c) == (&b.a, &b.b, &b.c)
 }
 
 fn windows(entry: &Entry, modes: usize) -> Read<Vec<Range>> {

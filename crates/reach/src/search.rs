@@ -19,8 +19,17 @@ pub(crate) struct Found {
     pub above: Option<Rational>,
     /// A value that is attained, with its family and variables; none where no allowed point was met.
     pub best: Option<Best>,
-    /// The boxes that may hold a greater value than the one attained.
-    pub open: Vec<(usize, Vec<Range>)>,
+    /// The boxes that may hold a value as great as the one attained.
+    pub open: Vec<Open>,
+}
+
+/// A box of a family.
+#[derive(Debug, Clone)]
+pub(crate) struct Open {
+    pub family: usize,
+    pub variables: Vec<Range>,
+    /// No value in it is above this, where there is a bound.
+    pub bound: Option<Rational>,
 }
 
 /// A value that is attained.
@@ -133,11 +142,12 @@ impl<T: Scalar> Search<'_, T> {
         let may = |node: &Node| value.as_ref().zip(node.bound.as_ref()).is_none_or(|(value, bound)| bound >= value);
         let mut open: Vec<Node> = all.into_iter().filter(may).collect();
         open.sort_by_key(|node| node.number);
-        Ok(Found { above, best, open: open.into_iter().map(|node| (node.family, node.variables)).collect() })
+        let open = open.into_iter().map(|Node { family, variables, bound, .. }| Open { family, variables, bound });
+        Ok(Found { above, best, open: open.collect() })
     }
 
     fn allowance(&self, value: &Rational) -> Rational {
-        &self.goal.tolerance * value.abs().max(Rational::ONE)
+        allowance(&self.goal.tolerance, value)
     }
 
     /// The value at a point, kept where it is the greatest so far.
@@ -195,10 +205,13 @@ impl<T: Scalar> Search<'_, T> {
             let closed = enough || &found.hi - &found.lo <= self.goal.finest;
             return done(vec![found], Some(bound), closed);
         }
-        let middle: Vec<Rational> = match family.point(&variables) {
-            Some(point) => point,
-            // The bound holds as well from a point that is not allowed, as long as its legs are durations.
-            None => variables.iter().map(|range| range.lo.clone()).collect(),
+        let middle: Vec<Rational> = match steepest(&variables, &over.slopes) {
+            point if family.allowed(&points(&point)) == Allowed::All => point,
+            _ => match family.point(&variables) {
+                Some(point) => point,
+                // The bound holds as well from a point that is not allowed, as long as its legs are durations.
+                None => variables.iter().map(|range| range.lo.clone()).collect(),
+            },
         };
         let known = family.allowed(&points(&middle)) == Allowed::All;
         let closed = variables.iter().all(|range| &range.hi - &range.lo <= self.goal.finest);
@@ -210,11 +223,15 @@ impl<T: Scalar> Search<'_, T> {
         let Some(at) = self.visit(index, &middle, Depth::Value, best).value else {
             return done(variables, above::<T>(None), closed);
         };
+        let ends = at.ends();
         let bound = over.slopes.iter().zip(&variables).zip(&middle).fold(at, |sum, ((slope, range), middle)| {
             let away = slope.around(&(&range.lo - middle), &(&range.hi - middle));
             sum + slope.clone() * away
         });
-        done(variables, above(Some(bound)), closed)
+        let bound = above(Some(bound));
+        // What adds less than the value itself is uncertain by is not made less by cutting.
+        let flat = bound.as_ref().zip(ends).is_some_and(|(bound, (lo, hi))| bound - &hi <= hi - lo);
+        done(variables, bound, closed || flat)
     }
 
     /// Newton steps to the maximum of a concave function of one variable on a range: where it is, and a bound. With second derivatives of
@@ -268,6 +285,21 @@ impl<T: Scalar> Search<'_, T> {
         (place.lo <= place.hi).then_some(())?;
         Some((place, bound?))
     }
+}
+
+/// The point from which the mean value form tells most: of each variable the end from which values mostly fall, or else the middle.
+fn steepest<T: Scalar>(variables: &[Range], slopes: &[T]) -> Vec<Rational> {
+    let point = |(range, slope): (&Range, &T)| match (slope.lower(), slope.upper()) {
+        (down, up) if -down >= 8.0 * up => range.lo.clone(),
+        (down, up) if up >= -8.0 * down => range.hi.clone(),
+        _ => range.centre(),
+    };
+    variables.iter().zip(slopes).map(point).collect()
+}
+
+/// The tolerance is relative where a value is above 1.
+pub(crate) fn allowance(tolerance: &Rational, value: &Rational) -> Rational {
+    tolerance * value.abs().max(Rational::ONE)
 }
 
 /// The upper end, where there is one.

@@ -5,11 +5,10 @@ use crate::flow::Flows;
 use crate::orders::{Orders, Times, orders};
 use crate::prepared::Prepared;
 use crate::scalar::Scalar;
-use crate::search::{Best, Found, Goal, Search};
+use crate::search::{Best, Found, Goal, Open, Search, allowance};
 use crate::system::{Range, Switching};
 use crate::walk::Depth;
 use arithmetic::{Cancelled, Enclosure, FloatInterval, Interval, Progress, Rational, rational};
-use num_traits::Signed;
 use rayon::prelude::*;
 use std::cell::RefCell;
 
@@ -30,7 +29,7 @@ impl Worst {
     /// Whether both ends agree to so many digits.
     pub fn is_closed(&self, digits: u32) -> bool {
         let (Some(lo), Some(hi)) = (&self.lo, &self.hi) else { return false };
-        hi - lo <= tolerance(digits) * hi.abs().max(Rational::ONE)
+        hi - lo <= allowance(&tolerance(digits), hi)
     }
 }
 
@@ -78,27 +77,48 @@ impl<'a> Solver<'a> {
         let whole = self.orders.families.iter().enumerate().map(|(i, family)| (i, family.variables.clone())).collect();
         let tolerance = tolerance(self.digits);
         let mut found = self.search(&self.flows, &FloatInterval::point(0.0), row, &tolerance, 24, whole)?;
-        let reached = |found: &Found| {
-            let (Some(best), Some(above)) = (&found.best, &found.above) else { return false };
-            above - &best.value <= &tolerance * best.value.abs().max(Rational::ONE)
-        };
+        let most = found.best.as_ref().map(|best| &best.value + allowance(&tolerance, &best.value));
+        let enough =
+            |bound: &Option<Rational>| most.as_ref().zip(bound.as_ref()).is_some_and(|(most, bound)| bound <= most);
         // What only bounds, and by far too much, is not made better by digits but by looking further back.
         let far = |found: &Found| {
             let gap = found.above.as_ref().zip(found.best.as_ref()).map(|(above, best)| above - &best.value);
             gap.is_some_and(|gap| gap > rational(1, 1_000_000_000))
-                && found.open.iter().any(|(index, _)| !self.orders.families[*index].attained)
+                && found.open.iter().any(|open| !self.orders.families[open.family].attained)
         };
-        if !reached(&found) && !far(&found) && found.best.is_some() && self.digits > 8 && found.open.len() < 1000 {
-            let bits = 80 + (f64::from(self.digits) * std::f64::consts::LOG2_10) as u32;
-            let like = Interval::from_rational(&Rational::ZERO, bits);
-            let flows = Flows::new(&self.prepared.motions, &self.orders.longest, &self.orders.chain, &like);
-            let finer = self.search(&flows, &like, row, &tolerance, bits / 2, found.open.clone())?;
-            // The boxes that were left out are below the value that was attained before.
-            let best = finer.best.into_iter().chain(found.best).reduce(|a, b| if b.value > a.value { b } else { a });
-            let above = finer.above.zip(best.as_ref()).map(|(above, best)| above.max(best.value.clone()));
-            found = Found { above: above.or(found.above), best, open: finer.open };
+        if !enough(&found.above) && !far(&found) && found.best.is_some() && self.digits > 8 {
+            // Where a greatest value is attained all along, many boxes are level with it: they are done.
+            let (level, rest): (Vec<Open>, Vec<Open>) =
+                found.open.iter().cloned().partition(|open| enough(&open.bound));
+            if rest.len() < 1000 {
+                found = self.finer(row, &tolerance, found, level, rest)?;
+            }
         }
         Ok(self.worst(&found))
+    }
+
+    /// The search in dyadic intervals on the boxes of another that are not done.
+    fn finer(
+        &self,
+        row: &[Rational],
+        tolerance: &Rational,
+        found: Found,
+        level: Vec<Open>,
+        rest: Vec<Open>,
+    ) -> Result<Found, Cancelled> {
+        let bits = 80 + (f64::from(self.digits) * std::f64::consts::LOG2_10) as u32;
+        let like = Interval::from_rational(&Rational::ZERO, bits);
+        let flows = Flows::new(&self.prepared.motions, &self.orders.longest, &self.orders.chain, &like);
+        let rest = rest.into_iter().map(|open| (open.family, open.variables)).collect();
+        let finer = self.search(&flows, &like, row, tolerance, bits / 2, rest)?;
+        // Boxes that are in neither list are below the value that was attained before.
+        let best = finer.best.into_iter().chain(found.best).reduce(|a, b| if b.value > a.value { b } else { a });
+        let attained = best.as_ref().map(|best| &best.value);
+        let level = level.into_iter().filter(|open| open.bound.as_ref() >= attained);
+        let open: Vec<Open> = level.chain(finer.open).collect();
+        let bounds = open.iter().map(|open| open.bound.as_ref()).chain([attained, finer.above.as_ref()]);
+        let above = bounds.collect::<Option<Vec<_>>>().and_then(|bounds| bounds.into_iter().max().cloned());
+        Ok(Found { above: above.or(found.above), best, open })
     }
 
     /// The greatest values of rows, side by side.
@@ -163,7 +183,7 @@ impl<'a> Solver<'a> {
     }
 
     fn worst(&self, found: &Found) -> Worst {
-        let times = found.open.iter().map(|(index, variables)| self.orders.families[*index].time(variables));
+        let times = found.open.iter().map(|open| self.orders.families[open.family].time(&open.variables));
         let at = times.reduce(|a, b| Range { lo: a.lo.min(b.lo), hi: a.hi.max(b.hi) });
         let legs = found.best.as_ref().map_or_else(Vec::new, |best| self.legs(best));
         Worst { lo: found.best.as_ref().map(|best| best.value.clone()), hi: found.above.clone(), at, legs }

@@ -1,7 +1,7 @@
 //! Cases at the edge: matrices that are zero, nilpotent or defective, inputs and starts of no width, switches that change nothing or come too late.
 
 use super::{close, decided, number, one_mode, read, worst};
-use arithmetic::{Enclosure, Number, Rational, Unwatched, rational};
+use arithmetic::{Enclosure, Number, Rational, Ring, Unwatched, rational};
 use reach::{System, Verdict, decide};
 
 /// Modes by name with `A` and `B`, of states x, y, ..; one input u in [-1, 1].
@@ -134,4 +134,17 @@ fn a_mode_that_nothing_can_follow_is_refused() {
     assert!(error.contains("no other mode"), "{error}");
     assert!(System::read(&text("2", "\"inf\"")).is_err());
     assert!(decide(&read(&text("10", "10")), 5, &Unwatched).is_ok());
+}
+
+/// A greatest value that is attained all along, after a kink at its beginning, is enclosed to all digits.
+#[test]
+fn flat_greatest_values_are_enclosed_to_all_digits() {
+    let text = "[system]\nstates = [\"x\", \"y\"]\ninputs = { u = [0, 1] }\nstart = { x = [-2, 0], y = 0 }\n[[mode]]\nname = \"a\"\nA = [[0, 0], [0, 0]]\nB = [[0], [0]]\n\
+        [[mode]]\nname = \"b\"\nA = [[0, 0], [\"-1/4\", 0]]\nB = [[0], [1]]\n[switching]\nkind = \"periodic\"\norder = [\"a\", \"b\"]\nperiod = \"1/2\"\n\
+        [run]\nuntil = \"5/4\"\n[[check]]\nholds = \"y >= 0\"\n";
+    for digits in [9, 30] {
+        let (lo, hi) = worst(text, digits);
+        let small = rational(4, 1) * rational(1, 10).power(u64::from(digits));
+        assert!(lo <= Rational::ZERO && hi >= Rational::ZERO && hi - lo <= small, "{digits}");
+    }
 }

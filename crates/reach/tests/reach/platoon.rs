@@ -1,7 +1,7 @@
 //! Platoons by their modes against closed forms, and against the same platoon written out as a system.
 
-use super::{close, decided, number, read, worst};
-use arithmetic::{Number, Rational, Real, Unwatched, parse_rational, rational};
+use super::{close, consistent, decided, number, read, worst};
+use arithmetic::{Enclosure, Number, Rational, Real, Unwatched, parse_rational, rational};
 use num_traits::Signed;
 use reach::{ReachError, System, Verdict, decide};
 
@@ -413,4 +413,22 @@ fn graphs_stand_in_files_and_weights_in_texts() {
     let each = read(&text("followers = 3\nahead = \"1/2, 2/3, 1\"\nbehind = \"each:1/2,1/3,0\""));
     let listed = read(&text("followers = 3\nahead = [\"1/2\", \"2/3\", 1]\nbehind = [\"1/2\", \"1/3\", 0]"));
     assert_eq!(lag(&each), lag(&listed));
+}
+
+/// A motion that is asked for at a late time rests until it has to begin.
+#[test]
+fn motions_at_one_time_last_until_then() {
+    let text =
+        format!("{}at = 500\n", platoon("followers = 3\nf = -1\ng = -1\nacceleration = [-1, 1]", "600", "lag3 <= 100"));
+    let part = decided(&text, 8).remove(0).parts.remove(0);
+    consistent(&part);
+    let witness = part.witness.as_ref().expect("a motion");
+    assert_eq!(witness.at, rational(500, 1));
+    assert!(witness.inputs[0].windows(2).all(|pair| pair[0].0 < pair[1].0), "{:?}", witness.inputs[0]);
+    let row: Vec<Rational> = (0..6).map(|i| rational(i64::from(i == 2), 1)).collect();
+    let value = witness.value_of(&read(&text), &row, 300);
+    let (lo, hi) = value.ends().expect("bounded");
+    let (low, high) = (part.lo.as_ref().expect("lo"), part.hi.as_ref().expect("hi"));
+    let slack = rational(1, 1_000_000);
+    assert!(lo <= high + &slack && hi >= low - &slack, "{value} {low} {high}");
 }

@@ -142,3 +142,91 @@ fn the_start_is_a_motion_too() {
         assert_eq!((&witness.at, &witness.start[0]), (&Rational::ZERO, &rational(5, 1)));
     }
 }
+
+/// Two rows differ, in opposite ways: what switching adds to both is bounded together. A twin in floats tries orders of modes, input and start by the thousands.
+#[test]
+fn no_order_of_modes_that_a_twin_tries_leaves_the_bound() {
+    let a = [
+        [[0.0, 1.0, 0.0], [-2.0, -2.0, 1.0], [0.5, 0.0, -1.0]],
+        [[0.0, 1.0, 0.0], [-1.0, -2.0, -1.0], [-0.5, 0.5, -1.5]],
+    ];
+    let rows = |m: usize| format!("{:?}", a[m].map(|row| row.map(|x| format!("{}/2", 2.0 * x))));
+    let text = |check: &str| {
+        format!(
+            "[system]\nstates = [\"x\", \"y\", \"z\"]\ninputs = {{ u = [-2, 1] }}\nstart = {{ x = [0, 1], y = 0, z = 0 }}\n\
+             [[mode]]\nname = \"a\"\nA = {}\nB = [[0], [1], [0]]\n[[mode]]\nname = \"b\"\nA = {}\nB = [[0], [1], [1]]\n\
+             [switching]\nkind = \"arbitrary\"\n[run]\nuntil = 6\n[[check]]\nholds = \"{check}\"\n",
+            rows(0),
+            rows(1)
+        )
+    };
+    let b = [[0.0, 1.0, 0.0], [0.0, 1.0, 1.0]];
+    let mut seed = 1u64;
+    let mut draw = || {
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (seed >> 40) as f64 / f64::from(1u32 << 24)
+    };
+    for (check, row) in [("x <= 0", [1.0, 0.0, 0.0]), ("z <= 0", [0.0, 0.0, 1.0]), ("x + z >= 0", [-1.0, 0.0, -1.0])] {
+        let part = decided(&text(check), 6).remove(0).parts.remove(0);
+        consistent(&part);
+        let ends = if check.contains(">=") { (part.hi.map(|x| -x), part.lo.map(|x| -x)) } else { (part.lo, part.hi) };
+        let float = |x: Option<Rational>| x.and_then(|x| num_traits::ToPrimitive::to_f64(&x)).expect("a number");
+        let (lo, hi) = (float(ends.0), float(ends.1));
+        let mut most = f64::NEG_INFINITY;
+        for _ in 0..2000 {
+            // Backwards along the costate, with the worst input at each instant.
+            let (mut p, mut sum, mut mode, h) = (row, 0.0, 0, 0.01);
+            let (mut left, time) = (0, (draw() * 600.0) as usize);
+            for _ in 0..time {
+                if left == 0 {
+                    (mode, left) = ((draw() * 2.0) as usize, 1 + (draw() * 150.0) as usize);
+                }
+                left -= 1;
+                let push: f64 = (0..3).map(|i| b[mode][i] * p[i]).sum();
+                sum += h * (push * 1.0).max(push * -2.0);
+                let change = |j: usize| p[j] + h * (0..3).map(|i| a[mode][i][j] * p[i]).sum::<f64>();
+                p = [change(0), change(1), change(2)];
+            }
+            most = most.max(sum + p[0].max(0.0));
+        }
+        assert!(most <= hi + 0.02 && lo >= most - 0.1, "{check}: {most} in {lo} {hi}");
+    }
+}
+
+#[test]
+fn modes_that_are_all_alike_are_one() {
+    let one = "A = [[0, 1], [-1, -2]]\nB = [[0], [1]]\n";
+    let of = |switching: &str| {
+        worst(
+            &format!(
+                "[system]\nstates = [\"x\", \"v\"]\ninputs = {{ u = [-1, 1] }}\nstart = {{ x = 0, v = 0 }}\n[[mode]]\nname = \"a\"\n{one}[[mode]]\nname = \"b\"\n{one}\
+                 [switching]\n{switching}\n[run]\nuntil = \"inf\"\n[[check]]\nholds = \"x <= 1\"\n"
+            ),
+            10,
+        )
+    };
+    for switching in ["kind = \"periodic\"\norder = [\"a\", \"b\"]\nperiod = 1", "kind = \"arbitrary\""] {
+        super::close(&of(switching), &super::number("1"), 10);
+    }
+}
+
+/// A mode that grows and is left again is no obstacle for ever.
+#[test]
+fn only_the_last_mode_lasts() {
+    let text = |until: &str, check: &str| {
+        format!(
+            "[system]\nstates = [\"x\"]\ninputs = {{ u = [-1, 1] }}\nstart = {{ x = 0 }}\n[[mode]]\nname = \"up\"\nA = [[1]]\nB = [[1]]\n\
+             [[mode]]\nname = \"down\"\nA = [[-1]]\nB = [[1]]\n[switching]\nkind = \"windows\"\norder = [\"up\", \"down\"]\nwindows = [[1, 2]]\n\
+             [run]\nuntil = {until}\n[[check]]\nholds = \"{check}\"\n"
+        )
+    };
+    // e^2 - 1 at t = 2.
+    let (lo, hi) = worst(&text("\"inf\"", "x <= 7"), 5);
+    assert!(
+        lo <= rational(6389057, 1000000) && hi >= rational(6389056, 1000000) && &hi - &lo < rational(1, 100),
+        "{lo} {hi}"
+    );
+    for (check, verdict) in [("x <= 64/10", Verdict::Holds), ("x <= 63/10", Verdict::False)] {
+        assert_eq!(decided(&text("\"inf\"", check), 5)[0].verdict, verdict);
+    }
+}
