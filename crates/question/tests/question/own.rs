@@ -1,7 +1,7 @@
 //! Laws of one's own in continuous time.
 
 use super::motions::answered;
-use question::Verdict;
+use question::{Question, Verdict};
 
 /// Two agents on a line whose relative velocity decays as `exp(-t)`: `x_2 - x_1 = 1 + 2 (1 - exp(-t))`.
 const PAIR: &str = "model = \"own\"\n[law]\ntime = \"continuous\"\ndimension = 1\nstate = { x = \"number\", v = \"number\" }\n\
@@ -70,12 +70,18 @@ fn functions_in_discrete_time_are_enclosed() {
         let (theta, x) = headings(steps);
         for (name, value) in [("theta[2]", theta[1]), ("theta[3]", theta[2]), ("x[3].2", x[2][1]), ("x[1].1", x[0][0])]
         {
-            let close = format!("always[{steps}, {steps}](abs({name} - {value}) < 1/10^9)");
+            let close = format!("always[{steps}, {steps}](({name} - {value})^2 < 1/10^18)");
             let answer =
                 answered(HEADINGS, "n = 1", &close, &format!("always[{steps}, {steps}]({name} < {})", value - 1e-8));
             assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{name} {}", answer.why);
         }
     }
+    // The size of an angle is one on the circle, which is not that of the number.
+    let refused = Question::read(
+        "[question]\nid = \"a\"\nscenario = \"law.toml\"\n[holds]\nproperty = \"always[0, 1](abs(theta[1] - theta[2]) <= 1)\"\n",
+        &|_: &str| Ok(HEADINGS.to_string()),
+    );
+    assert!(refused.unwrap_err().to_string().contains("`theta[1]` is an angle"));
     // What never comes to rest in exact numbers is open for ever, and what is false at some time is false.
     let answer = answered(HEADINGS, "n = 1", "always[0, inf](theta[1] < 3)", "always[0, 2](theta[1] > 3)");
     assert_eq!(answer.verdict, Verdict::Undecided, "{}", answer.why);

@@ -254,6 +254,6 @@ fn statements_without_values_do_not_hold() {
     let found = numbers(still, "continuous", "agents = 2", "sqrt(h[1]) >= 0", "sqrt(h[1]) > 0");
     assert_eq!(found.verdict, Verdict::Holds, "{}", found.why);
     // A largest value over nobody has none, whatever the largest over somebody does.
-    let found = numbers(still, "continuous", "agents = \"any\"", "rate(sum(i, max(j, h[j]))) >= 1/0", "h[1] > 0");
+    let found = numbers(still, "continuous", "agents = \"any\"", "sum(i, max(j, h[j])) >= 1/0", "sum(i, h[i]) > 0");
     assert_ne!(found.verdict, Verdict::Holds, "{}", found.why);
 }
