@@ -462,14 +462,15 @@ Check (@chazelle_network.fiedler_rate :
   (forall (lam : R) (f : 'I_n -> R),
    (forall i : 'I_n, \sum_j laplacian R G i j * f j = lam * f i) ->
    (exists i : 'I_n, f i != 0) -> lam != 0 -> 1 <= lam * (n * n.-1 ^ 2)%:R) /\
-  (forall (d a : nat) (c : 'I_n -> R) (v : nat -> 'M_(n, d)) (t : nat) (i j : 'I_n),
+  (forall (d a : nat) (c : 'I_n -> R) (v : nat -> 'M_(n, d)) (N : 'rV[R]_d -> R) (t : nat) (i j : 'I_n),
+   N 0 = 0 -> (forall b y, N (b *: y) = `|b| * N y) -> (forall y z, N (y + z) <= N y + N z) ->
    model_D G c ->
    (forall i0 : 'I_n, 0 < c i0) ->
    (1 < n)%N ->
    (forall i0 : 'I_n, n%:R ^- a <= c i0) ->
    (forall i0 : 'I_n, n%:R ^- a <= transition G c i0 i0) ->
    (forall t0 : nat, (0 < t0)%N -> v t0.+1 = transition G c *m v t0) ->
-   norm2 (row i (v t.+1) - row j (v t.+1)) <= n%:R ^+ a.+1 * 2^-1 ^+ (t %/ n ^ (2 * a + 4)) * tau2 (v 1%N))).
+   N (row i (v t.+1) - row j (v t.+1)) <= n%:R ^+ a.+1 * 2^-1 ^+ (t %/ n ^ (2 * a + 4)) * diameter N (v 1%N))).
 (* chazelle.fiedler.rate, corrected, clause 1: 0 is simple, and every other eigenvalue of the Laplacian is at least 4/(n (n-1)) *)
 Check (@chazelle_sharp.fiedler_sharp :
   forall (R : realFieldType) (n : nat) (G : rel 'I_n),
@@ -481,11 +482,12 @@ Check (@chazelle_sharp.fiedler_sharp :
 (* chazelle.fiedler.rate, corrected, clause 3: differences are at most n 2^(-t/n^3) times the largest of the first ones, both sides
    to the power n^3 *)
 Check (@chazelle_sharp.lazy_vicsek_rate :
-  forall (R : rcfType) (n d : nat) (G : rel 'I_n) (c : 'I_n -> R) (v : nat -> 'M[R]_(n, d)) (t : nat) (i j : 'I_n),
+  forall (R : rcfType) (n d : nat) (G : rel 'I_n) (c : 'I_n -> R) (v : nat -> 'M[R]_(n, d)) (N : 'rV[R]_d -> R) (t : nat) (i j : 'I_n),
+  N 0 = 0 -> (forall b y, N (b *: y) = `|b| * N y) -> (forall y z, N (y + z) <= N y + N z) ->
   network G -> (forall i j, connect G i j) -> (1 < n)%N ->
   (forall i, c i = 2%:R / (3 * degree G i)%:R) \/ (forall i, c i = (degree G i).+1%:R^-1) ->
   (forall t, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
-  norm2 (row i (v t.+1) - row j (v t.+1)) ^+ (n ^ 3) * 2%:R ^+ t <= (n%:R * tau2 (v 1%N)) ^+ (n ^ 3)).
+  N (row i (v t.+1) - row j (v t.+1)) ^+ (n ^ 3) * 2%:R ^+ t <= (n%:R * diameter N (v 1%N)) ^+ (n ^ 3)).
 (* beyond.chazelle.angle, clause 2: coordinate q of x_i(t) - t v_i(t), M at least every |x_j(0)| in that coordinate; the switches
    counted are those at the times 2, .., t - 1 *)
 Check (@chazelle_losses.origins_stay :
@@ -579,12 +581,11 @@ Check (@chazelle_losses.within_unit :
   chazelle_switches.flock eps x v G w -> forall t i j, i != j -> norm2 (row i (x t) - row j (x t)) <= 1 -> G t i j).
 (* chazelle.lem3.1.count (corrected) *)
 Check (@chazelle_switches.count_corrected :
-  forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (b : 'I_n) (T : nat -> nat)
+  forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (P : nat -> 'M[R]_n) (b : 'I_n) (T : nat -> nat)
     (V : nat -> {set 'I_n}),
   (forall t, network (G t)) ->
-  (forall t, model_D (G t) (c t)) ->
+  (forall t, stochastic (P t)) -> (forall t i j, (P t i j != 0) = (i == j) || G t i j) ->
   T 0%N = 0%N -> V 0%N = [set: 'I_n] -> (forall k, (T k < T k.+1)%N) ->
-  let P := fun t => transition (G t) (c t) in
   (forall k i, (i \in V k.+1) = (i \in V k) && (block P (V k) (T k).+1 (T k.+1 - T k) i b != 0)) ->
   (forall k t i, (T k.+1 <= t)%N -> i \in V k -> block P (V k) (T k).+1 (t - T k) i b != 0 -> i \in V k.+1) ->
   forall k t, (0 < k)%N ->
@@ -865,16 +866,16 @@ Check (eq_refl : chazelle_lower.flock_line = fun n eps x v G =>
 Check (eq_refl : chazelle_lower.place0 = fun i => INR (2 * (i / 2)) + (if Nat.even i then 0 else 2 / 3)).
 Check (eq_refl : chazelle_lower.speed0 = fun u i => if Nat.even i then (if Nat.even (i / 2) then u else - u) else 0).
 Check (eq_refl : chazelle_lower.row_net = fun four i j => (Nat.eqb (i / 4) (j / 4) && (Nat.eqb (S i) j || Nat.eqb (S j) i) && (four || Nat.eqb (i / 2) (j / 2)))%bool).
-Check (chazelle_lower.lower_bound : forall (m c : nat) (eps : R) (x v : nat -> nat -> R) (G : nat -> nat -> nat -> bool) (T : nat), (1 <= m)%nat -> (8 <= (4 * m) ^ c)%nat ->
+Check (chazelle_lower.lower_bound : forall (m : nat) (c eps : R) (x v : nat -> nat -> R) (G : nat -> nat -> nat -> bool) (T : nat), (1 <= m)%nat -> 8 <= Rpower (INR (4 * m)) c ->
   chazelle_lower.flock_line (4 * m) eps x v G ->
-  (forall i, (i < 4 * m)%nat -> x 0%nat i = chazelle_lower.place0 i) -> (forall i, (i < 4 * m)%nat -> v 1%nat i = chazelle_lower.speed0 (/ INR (4 * m) ^ c) i) ->
-  ((4 * m) ^ c <= 3 * T)%nat -> (3 * T < (4 * m) ^ c + 3)%nat ->
+  (forall i, (i < 4 * m)%nat -> x 0%nat i = chazelle_lower.place0 i) -> (forall i, (i < 4 * m)%nat -> v 1%nat i = chazelle_lower.speed0 (Rpower (INR (4 * m)) (- c)) i) ->
+  Rpower (INR (4 * m)) c / 3 <= INR T < Rpower (INR (4 * m)) c / 3 + 1 ->
   (forall t i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> (t < T)%nat -> G t i j = chazelle_lower.row_net false i j) /\
   (forall t i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> (T <= t)%nat -> G t i j = chazelle_lower.row_net true i j) /\
   (1 <= T)%nat /\ (exists i j, (i < 4 * m)%nat /\ (j < 4 * m)%nat /\ G T i j <> G (T - 1)%nat i j) /\
   forall t, (S t <> T)%nat -> forall i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> G (S t) i j = G t i j).
-Check (chazelle_lower.lower_paths : forall (m c : nat) (eps : R) (x v : nat -> nat -> R) (G : nat -> nat -> nat -> bool), (1 <= m)%nat -> (8 <= (4 * m) ^ c)%nat ->
+Check (chazelle_lower.lower_paths : forall (m : nat) (c eps : R) (x v : nat -> nat -> R) (G : nat -> nat -> nat -> bool), (1 <= m)%nat -> 8 <= Rpower (INR (4 * m)) c ->
   chazelle_lower.flock_line (4 * m) eps x v G ->
-  (forall i, (i < 4 * m)%nat -> x 0%nat i = chazelle_lower.place0 i) -> (forall i, (i < 4 * m)%nat -> v 1%nat i = chazelle_lower.speed0 (/ INR (4 * m) ^ c) i) ->
+  (forall i, (i < 4 * m)%nat -> x 0%nat i = chazelle_lower.place0 i) -> (forall i, (i < 4 * m)%nat -> v 1%nat i = chazelle_lower.speed0 (Rpower (INR (4 * m)) (- c)) i) ->
   forall t, exists w, (w = 2 \/ w = 4)%nat /\ forall i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> (G t i j = true <-> (i / w)%nat = (j / w)%nat /\ (S i = j \/ S j = i))).
 End LowerBound.

@@ -182,11 +182,13 @@ Definition fiedler_3 : Prop := forall (R : realFieldType) n (G : rel 'I_n), (1 <
   forall (lam : R) (u : 'cV[R]_n), (exists i j, u i 0 != u j 0) -> laplacian R G *m u = lam *: u ->
   4%:R / (n%:R * n.-1%:R) <= lam.
 (* chazelle.fiedler.rate clause 5, to the power n^3: after t steps at most n 2^(-t/n^3) times the largest of the first differences *)
-Definition fiedler_5 : Prop := forall (R : rcfType) n d (G : rel 'I_n) (v : nat -> 'M[R]_(n, d)), (1 < n)%N -> network G ->
+Definition is_norm (R : realFieldType) d (N : 'rV[R]_d -> R) :=
+  (forall y, N y = 0 -> y = 0) /\ [/\ N 0 = 0, forall b y, N (b *: y) = `|b| * N y & forall y z, N (y + z) <= N y + N z].
+Definition fiedler_5 : Prop := forall (R : rcfType) n d (G : rel 'I_n) (v : nat -> 'M[R]_(n, d)) (N : 'rV[R]_d -> R), (1 < n)%N -> is_norm N -> network G ->
   (forall i j, connect G i j) ->
   (forall t, (0 < t)%N -> v t.+1 = transition G (lazy R G) *m v t) \/
   (forall t, (0 < t)%N -> v t.+1 = transition G (vicsek R G) *m v t) ->
-  forall t, 2%:R ^+ t * diameter (@norm2 R d) (v t.+1) ^+ (n ^ 3) <= (n%:R * diameter (@norm2 R d) (v 1%N)) ^+ (n ^ 3).
+  forall t, 2%:R ^+ t * diameter N (v t.+1) ^+ (n ^ 3) <= (n%:R * diameter N (v 1%N)) ^+ (n ^ 3).
 
 (* chazelle.foot.mono clause 1 *)
 Definition foot_1 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R),
@@ -409,21 +411,21 @@ by apply: (proj2 (@chazelle_sharp.fiedler_sharp R n G net con) lam (fun k => u k
 Qed.
 Lemma fiedler_5_proved : fiedler_5.
 Proof.
-move=> R n d G v n1 net con Hv t.
+move=> R n d G v N n1 [_ [N0 NZ ND]] net con Hv t.
 have H (c0 : 'I_n -> R) : ((forall i, c0 i = 2%:R / (3 * degree G i)%:R) \/ (forall i, c0 i = (degree G i).+1%:R^-1)) ->
   (forall t0, (0 < t0)%N -> v t0.+1 = transition G c0 *m v t0) ->
-  2%:R ^+ t * diameter (@norm2 R d) (v t.+1) ^+ (n ^ 3) <= (n%:R * diameter (@norm2 R d) (v 1%N)) ^+ (n ^ 3).
-  move=> C V; pose K := diameter (@norm2 R d) (v t.+1).
+  2%:R ^+ t * diameter N (v t.+1) ^+ (n ^ 3) <= (n%:R * diameter N (v 1%N)) ^+ (n ^ 3).
+  move=> C V; pose K := diameter N (v t.+1).
   have [p|] := boolP (0 < K); last first.
-    rewrite -leNgt => K0; have -> : diameter (@norm2 R d) (v t.+1) = 0 by apply/eqP; rewrite eq_le K0 /= max_ge0.
+    rewrite -leNgt => K0; have -> : diameter N (v t.+1) = 0 by apply/eqP; rewrite eq_le K0 /= max_ge0.
     by rewrite expr0n expn_eq0 (negPf (lt0n_neq0 (ltnW n1))) mulr0 exprn_ge0 // mulr_ge0 ?ler0n ?max_ge0.
-  have [ij e] : exists ij : 'I_n * 'I_n, K = norm2 (row ij.1 (v t.+1) - row ij.2 (v t.+1)).
-    case: (pickP (fun ij : 'I_n * 'I_n => K == norm2 (row ij.1 (v t.+1) - row ij.2 (v t.+1)))) => [ij /eqP|no]; first by exists ij.
+  have [ij e] : exists ij : 'I_n * 'I_n, K = N (row ij.1 (v t.+1) - row ij.2 (v t.+1)).
+    case: (pickP (fun ij : 'I_n * 'I_n => K == N (row ij.1 (v t.+1) - row ij.2 (v t.+1)))) => [ij /eqP|no]; first by exists ij.
     have : K < K; last by rewrite ltxx.
     rewrite {1}/K /diameter; elim/big_rec: _ => // ij y _ yK.
     rewrite maxElt; case: ifP => // _; by rewrite lt_neqAle diameter_ub andbT eq_sym; apply/negP; rewrite no.
   rewrite -/K e [2%:R ^+ t * _]mulrC.
-  exact: (@chazelle_sharp.lazy_vicsek_rate R n d G c0 v t ij.1 ij.2 net con n1 C V).
+  exact: (@chazelle_sharp.lazy_vicsek_rate R n d G c0 v N t ij.1 ij.2 N0 NZ ND net con n1 C V).
 case: Hv => V; [apply: (H (lazy R G)) V|apply: (H (vicsek R G)) V]; [left|right] => i //.
 by rewrite /lazy natrM.
 Qed.

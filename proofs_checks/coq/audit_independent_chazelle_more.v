@@ -27,9 +27,9 @@ Definition chi_2 : Prop := forall (R : realFieldType) n d (P : nat -> 'M[R]_n) (
   forall t, (1 < t)%N -> row i (v t) - row j (v t) = chi_of R i j *m pprod P t.-1 1 *m v 1%N.
 (* chazelle.fiedler.rate clause 4, to the power n^c; after t steps *)
 Definition fiedler_4 : Prop := forall a, exists c K, (0 < c)%N /\ forall (R : rcfType) n d (G : rel 'I_n) (w : 'I_n -> R)
-  (v : nat -> 'M[R]_(n, d)), (1 < n)%N -> A.fixed G w -> short_weights a w ->
+  (v : nat -> 'M[R]_(n, d)) (N : 'rV[R]_d -> R), (1 < n)%N -> A.is_norm N -> A.fixed G w -> short_weights a w ->
   (forall t, (0 < t)%N -> v t.+1 = transition G w *m v t) ->
-  forall t, 2%:R ^+ t * diameter (@norm2 R d) (v t.+1) ^+ (n ^ c) <= (n%:R ^+ K * diameter (@norm2 R d) (v 1%N)) ^+ (n ^ c).
+  forall t, 2%:R ^+ t * diameter N (v t.+1) ^+ (n ^ c) <= (n%:R ^+ K * diameter N (v 1%N)) ^+ (n ^ c).
 
 (* T_0 = s - 1 < T_1 < ... and V_0 >= V_1 >= ...: T_(k+1) is the least time at which the footprint of P(t, T_k + 1) on V_k is
    final, V_(k+1) the ones of the column of a bird b_k of V_k there *)
@@ -53,9 +53,10 @@ Definition eq3_5_2 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) 
 Definition changes_in n (G : nat -> rel 'I_n) t s := count (A.differs G) (iota s.+1 (t - s)).
 Definition changes_outside n (G : nat -> rel 'I_n) (V : {set 'I_n}) t s :=
   count (fun u => [exists i, exists j, [&& i \notin V, j \notin V & G u i j != G u.-1 i j]]) (iota s.+1 (t - s)).
-Definition count_3 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) T V b,
-  (forall t, (0 < t)%N -> network (G t)) -> (forall t, (0 < t)%N -> model_D (G t) (c t)) ->
-  stages (fun t => transition (G t) (c t)) 1 T V b -> forall k, (0 < k)%N ->
+Definition count_3 : Prop := forall (R : realFieldType) n (G : nat -> rel 'I_n) (P : nat -> 'M[R]_n) T V b,
+  (forall t, (0 < t)%N -> network (G t)) ->
+  (forall t, (0 < t)%N -> (forall i j, 0 <= P t i j) /\ (forall i, \sum_j P t i j = 1) /\ (forall i, 0 < P t i i) /\ forall i j, i != j -> (0 < P t i j) = G t i j) ->
+  stages P 1 T V b -> forall k, (0 < k)%N ->
   (forall u i j, (T k < u)%N -> i \in V k -> j \in V k -> G u i j -> G u.+1 i j) ->
   forall T', (A.switches_up_to G T' <= \sum_(2 <= l < k.+1) changes_in G (T l) (T l.-1) + changes_in G (T 1%N) 1
     + 1 + 'C(#|V k|, 2) + changes_outside G (V k) T' (T k).+1)%N.
@@ -105,24 +106,24 @@ Qed.
 Lemma fiedler_4_holds : fiedler_4.
 Proof.
 move=> a; exists (2 * a + 4)%N, (a + 2)%N; split; first by rewrite addn_gt0 orbT.
-move=> R n d G w v n1 F sw Hv t; have [B1 B2] := A.short_bounds n1 F sw; case: F => net MD con c0.
+move=> R n d G w v N n1 [_ [N0 NZ ND]] F sw Hv t; have [B1 B2] := A.short_bounds n1 F sw; case: F => net MD con c0.
 have [_ H] := chazelle_network.fiedler_rate R net con.
 have n0 : (0 < n)%N by apply: ltnW.
 set m := (n ^ (2 * a + 4))%N; have m0 : (0 < m)%N by rewrite expn_gt0 n0.
-have D0 (y : 'M[R]_(n, d)) : 0 <= diameter (@norm2 R d) y by exact: max_ge0.
-have D : diameter (@norm2 R d) (v t.+1) <= n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter (@norm2 R d) (v 1%N).
+have D0 (y : 'M[R]_(n, d)) : 0 <= diameter N y by exact: max_ge0.
+have D : diameter N (v t.+1) <= n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter N (v 1%N).
   apply: max_le => [|[i j] /=]; first by rewrite !mulr_ge0 ?exprn_ge0 ?invr_ge0 ?ler0n.
-  exact: (H d a w v t i j MD c0 n1 B1 B2 Hv).
+  exact: (H d a w v N t i j N0 NZ ND MD c0 n1 B1 B2 Hv).
 have two : (2%:R : R) != 0 by rewrite pnatr_eq0.
-apply: (@le_trans _ _ (2%:R ^+ t * (n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter (@norm2 R d) (v 1%N)) ^+ m)).
+apply: (@le_trans _ _ (2%:R ^+ t * (n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter N (v 1%N)) ^+ m)).
   by apply: ler_wpmul2l; [rewrite exprn_ge0 ?ler0n | apply: ler_expn2r => //; rewrite ?nnegrE ?D0 // !mulr_ge0 ?exprn_ge0 ?invr_ge0 ?ler0n].
-have -> : 2%:R ^+ t * (n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter (@norm2 R d) (v 1%N)) ^+ m =
-    2%:R ^+ (t %% m) * (n%:R ^+ a.+1 * diameter (@norm2 R d) (v 1%N)) ^+ m :> R.
+have -> : 2%:R ^+ t * (n%:R ^+ a.+1 * 2%:R^-1 ^+ (t %/ m) * diameter N (v 1%N)) ^+ m =
+    2%:R ^+ (t %% m) * (n%:R ^+ a.+1 * diameter N (v 1%N)) ^+ m :> R.
   rewrite {1}(divn_eq t m) exprD (mulrAC _ (_ ^+ _) (diameter _ _)) [X in _ * X]exprMn -exprM exprVn.
   have b0 : (2%:R : R) ^+ (t %/ m * m) != 0 by rewrite expf_neq0.
   move: (_ ^+ (t %/ m * m)) b0 => B B0; move: ((_ * _) ^+ m) => Y; move: (_ ^+ (t %% m)) => b.
   by field.
-apply: (@le_trans _ _ (2%:R ^+ m * (n%:R ^+ a.+1 * diameter (@norm2 R d) (v 1%N)) ^+ m)).
+apply: (@le_trans _ _ (2%:R ^+ m * (n%:R ^+ a.+1 * diameter N (v 1%N)) ^+ m)).
   apply: ler_wpmul2r; first by rewrite exprn_ge0 // mulr_ge0 ?exprn_ge0 ?ler0n.
   by apply: ler_weexpn2l; [rewrite ler1n | apply/ltnW; rewrite ltn_mod].
 rewrite -exprMn; apply: ler_expn2r; rewrite ?nnegrE ?mulr_ge0 ?exprn_ge0 ?ler0n //.
@@ -204,8 +205,13 @@ Lemma eq3_5_2_holds : eq3_5_2.
 Proof. by move=> R n G c s T V b _ net MD P S k t; have [A B] := model_P net MD; apply: (product_chain A B S). Qed.
 Lemma count_3_holds : count_3.
 Proof.
-move=> R n G c T V b net MD S k k0 last t.
-have [Pp Ps] := model_P net MD; have Tn := T_next S.
+move=> R n G P T V b net MD S k k0 last t.
+have ft w i j : (0 < w)%N -> (P w i j != 0) = (i == j) || G w i j.
+  move=> w0; have [p0 [_ [dg foot]]] := MD w w0; case: (i =P j) => [->|/eqP ne]; first by rewrite gt_eqF.
+  by rewrite -foot // lt_def p0 andbT.
+have Pp w i j : (0 < w)%N -> 0 <= P w i j by move=> w0; have [p0 _] := MD w w0.
+have Ps w i j : (0 < w)%N -> P w i j != 0 -> P w j i != 0 by move=> w0; have [sy _] := net w w0; rewrite !ft // eq_sym sy.
+have Tn := T_next S.
 have T0 : T 0%N = 0%N by case: (S) => [[]].
 pose ch := A.differs G; pose N := chazelle_stabilisers.N.
 have mono l m : (l <= m)%N -> (T l <= T m)%N.
@@ -238,7 +244,7 @@ have uk : (T k < u)%N by exact: ltn_trans uT.
 have uk' : (T k < u.-1)%N by move: uT; clear; lia.
 have un w i j : (T k < w)%N -> i \in V k -> j \notin V k -> G w i j = false.
   move=> wT iV jV; have w0 : (0 < w)%N by apply: leq_ltn_trans wT.
-  have /eqP := cut Pp Ps S wT iV jV; rewrite -[_ == 0]negbK (transition_edge _ _ (net w w0) (MD w w0)).
+  have /eqP := cut Pp Ps S wT iV jV; rewrite -[_ == 0]negbK (ft w i j w0).
   by rewrite negb_or => /andP[_ /negbTE].
 have [y1 _] := net u (leq_ltn_trans (leq0n _) uk); have [y2 _] := net u.-1 (leq_ltn_trans (leq0n _) uk').
 case xS: (x \in V k); case yS: (y \in V k).

@@ -17,15 +17,15 @@ Record flight (n : nat) (h : R) (x v : nat -> nat -> R) (G : nat -> nat -> nat -
   alone : forall t i, (1 <= t)%nat -> (i < n)%nat -> number n (G t) i = 0 -> v (S t) i = v t i;
   weighed : forall t i, (1 <= t)%nat -> (i < n)%nat -> number n (G t) i <> 0 ->
     v (S t) i = / 3 * v t i + Sum n (fun j => if G t i j then 2 / 3 / number n (G t) i * v t j else 0) }.
-Definition from_start n (c : nat) (x v : nat -> nat -> R) := (forall l, (2 * l + 1 < n)%nat -> x 0%nat (2 * l)%nat = 2 * INR l /\ x 0%nat (2 * l + 1)%nat = 2 * INR l + 2 / 3) /\
-  forall g, (4 * g + 3 < n)%nat -> v 1%nat (4 * g)%nat = / INR n ^ c /\ v 1%nat (4 * g + 1)%nat = 0 /\ v 1%nat (4 * g + 2)%nat = - / INR n ^ c /\ v 1%nat (4 * g + 3)%nat = 0.
+Definition from_start n (c : R) (x v : nat -> nat -> R) := (forall l, (2 * l + 1 < n)%nat -> x 0%nat (2 * l)%nat = 2 * INR l /\ x 0%nat (2 * l + 1)%nat = 2 * INR l + 2 / 3) /\
+  forall g, (4 * g + 3 < n)%nat -> v 1%nat (4 * g)%nat = Rpower (INR n) (- c) /\ v 1%nat (4 * g + 1)%nat = 0 /\ v 1%nat (4 * g + 2)%nat = - Rpower (INR n) (- c) /\ v 1%nat (4 * g + 3)%nat = 0.
 (* the integer next above n^c / 3 *)
 Definition ceiling (a : R) (T : nat) := a <= INR T < a + 1.
-Definition lower_bound : Prop := forall n c h x v G T, (0 < n)%nat -> (exists m, n = (4 * m)%nat) -> 8 <= INR n ^ c -> flight n h x v G -> from_start n c x v -> ceiling (INR n ^ c / 3) T ->
+Definition lower_bound : Prop := forall n c h x v G T, (0 < n)%nat -> (exists m, n = (4 * m)%nat) -> 8 <= Rpower (INR n) c -> flight n h x v G -> from_start n c x v -> ceiling (Rpower (INR n) c / 3) T ->
   (exists t, T = S t /\ exists i j, (i < n)%nat /\ (j < n)%nat /\ G T i j <> G t i j) /\
   forall t, S t <> T -> forall i j, (i < n)%nat -> (j < n)%nat -> G (S t) i j = G t i j.
 (* a flock is a single path: the birds that can be reached from one are the numbers from a to b, and who is next to whom in this row is linked, no others *)
-Definition lower_paths : Prop := forall n c h x v G, (0 < n)%nat -> (exists m, n = (4 * m)%nat) -> 8 <= INR n ^ c -> flight n h x v G -> from_start n c x v ->
+Definition lower_paths : Prop := forall n c h x v G, (0 < n)%nat -> (exists m, n = (4 * m)%nat) -> 8 <= Rpower (INR n) c -> flight n h x v G -> from_start n c x v ->
   forall t i, (i < n)%nat -> exists a b, (a <= i <= b)%nat /\ (b < n)%nat /\
     (forall j, (j < n)%nat -> (clos_refl_trans nat (fun k l => (l < n)%nat /\ G t k l = true) i j <-> (a <= j <= b)%nat)) /\
     forall j k, (a <= j <= b)%nat -> (a <= k <= b)%nat -> (G t j k = true <-> S j = k \/ S k = j).
@@ -58,7 +58,7 @@ Proof.
   rewrite (E t i Ht Hi N). unfold number, chazelle_lower.joined, chazelle_lower.heard in *. set (k := Sum n (fun j => if G t i j then 1 else 0)) in *.
   rewrite (Sum_ext n _ (fun j => 2 / (3 * k) * (if G t i j then v t j else 0))); [rewrite Sum_scal; field; exact N|]. intros j _. destruct (G t i j); [field; exact N|ring].
 Qed.
-Lemma start_is m c x v : from_start (4 * m) c x v -> (forall i, (i < 4 * m)%nat -> x 0%nat i = chazelle_lower.place0 i) /\ forall i, (i < 4 * m)%nat -> v 1%nat i = chazelle_lower.speed0 (/ INR (4 * m) ^ c) i.
+Lemma start_is m c x v : from_start (4 * m) c x v -> (forall i, (i < 4 * m)%nat -> x 0%nat i = chazelle_lower.place0 i) /\ forall i, (i < 4 * m)%nat -> v 1%nat i = chazelle_lower.speed0 (Rpower (INR (4 * m)) (- c)) i.
 Proof.
   intros [A B]. split; intros i Hi.
   - unfold chazelle_lower.place0. pose proof (Nat.div_mod i 2 ltac:(lia)) as D. pose proof (Nat.mod_upper_bound i 2 ltac:(lia)) as U. destruct (A (i / 2)%nat ltac:(lia)) as [A1 A2]. rewrite mult_INR. cbn [INR].
@@ -70,21 +70,16 @@ Proof.
     replace (4 * g + k)%nat with (2 * (2 * g) + k)%nat by lia. rewrite !Nat.even_add, !Nat.even_mul. cbn [Nat.even orb]. replace (2 * (2 * g) + k)%nat with (4 * g + k)%nat by lia.
     destruct k as [|[|[|[|k]]]]; [rewrite Nat.add_0_r; exact B0|exact B1|exact B2|exact B3|lia].
 Qed.
-Lemma power_nat n c : INR n ^ c = INR (n ^ c).
-Proof. now rewrite pow_INR. Qed.
 Lemma lower_bound_proved : lower_bound.
 Proof.
-  intros n c h x v G T Hn [m ->] H8 F St HT. destruct (start_is m c x v St) as [X0 V1]. rewrite power_nat in H8. destruct HT as [T1 T2]. rewrite power_nat in T1, T2.
-  assert (K8 : (8 <= (4 * m) ^ c)%nat) by (apply INR_le; cbn [INR]; lra).
-  destruct (chazelle_lower.lower_bound m c h x v G T ltac:(lia) K8 (flight_is _ _ _ _ _ F) X0 V1) as (_ & _ & Tp & (i & j & Hi & Hj & N) & A).
-  - apply INR_le. rewrite mult_INR. cbn [INR]. lra.
-  - apply INR_lt. rewrite plus_INR, mult_INR. cbn [INR]. lra.
-  - split; [|exact A]. exists (T - 1)%nat. split; [lia|]. exists i, j. now repeat split.
+  intros n c h x v G T Hn [m ->] H8 F St HT. destruct (start_is m c x v St) as [X0 V1].
+  destruct (chazelle_lower.lower_bound m c h x v G T ltac:(lia) H8 (flight_is _ _ _ _ _ F) X0 V1 HT) as (_ & _ & Tp & (i & j & Hi & Hj & N) & A).
+  split; [|exact A]. exists (T - 1)%nat. split; [lia|]. exists i, j. now repeat split.
 Qed.
 Lemma lower_paths_proved : lower_paths.
 Proof.
-  intros n c h x v G Hn [m ->] H8 F St t i Hi. destruct (start_is m c x v St) as [X0 V1]. rewrite power_nat in H8. assert (K8 : (8 <= (4 * m) ^ c)%nat) by (apply INR_le; cbn [INR]; lra).
-  destruct (chazelle_lower.lower_paths m c h x v G ltac:(lia) K8 (flight_is _ _ _ _ _ F) X0 V1 t) as (w & Hw & L).
+  intros n c h x v G Hn [m ->] H8 F St t i Hi. destruct (start_is m c x v St) as [X0 V1].
+  destruct (chazelle_lower.lower_paths m c h x v G ltac:(lia) H8 (flight_is _ _ _ _ _ F) X0 V1 t) as (w & Hw & L).
   assert (W : exists q, (4 * m = q * w)%nat) by (destruct Hw as [->| ->]; [exists (2 * m)%nat|exists m]; lia). destruct W as [q Hq]. assert (W0 : (w <> 0)%nat) by lia.
   pose proof (Nat.div_mod i w W0) as D. pose proof (Nat.mod_upper_bound i w W0) as U. set (g := (i / w)%nat) in *. assert (Hg : (g < q)%nat) by (apply Nat.div_lt_upper_bound; lia).
   assert (Blk : forall j, (w * g <= j < w * g + w)%nat <-> (j / w)%nat = g).

@@ -161,6 +161,10 @@ Check (tanner_flock.speed_bound_norm :
        (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j) ->
        forall (i : nat) (c : R), (i < n)%nat -> Wenergy n adj V r v <= c -> norm (v i) <= sqrt (2 * c)).
 
+Check (tanner_rates.speeds_bounded : forall n adj V (r v : nat -> C) c,
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 <= V i j (norm (r i - r j)%C)) ->
+  Wenergy n adj V r v <= c -> forall i, (i < n)%nat -> inner (v i) (v i) <= 2 * c /\ norm (v i) <= sqrt (2 * c)).
+
 (* tanner2.cor1 *)
 Check (tanner2_examples.cor1_step_fails :
   ~

@@ -492,3 +492,8 @@ Check (eq_refl : veerman_root.eps_series = fun f g w => (Ci * RtoC (sqrt 2) * Rt
   ((RtoC 1 - Ci * RtoC (w * Rabs g / (2 * Rabs f))) + RtoC (w ^ 2 / 2 * (- (3 / 4) * (g ^ 2 / f ^ 2) - 1 / (2 * Rabs f)))))%C).
 Check (veerman_root.thm1_eps : forall f g : R, f < 0 -> g < 0 -> exists K w0, 0 < K /\ 0 < w0 /\ forall w, 0 < w < w0 ->
   Cmod (Csqrt (gamma f g w * gamma f g w - 1) - veerman_root.eps_series f g w)%C <= K * w ^ 4).
+
+(* veerman.cor3, clause 2 *)
+Check (veerman_lesser.lesser : forall f g k e, f < 0 -> g < 0 -> (2 <= k)%nat -> 0 < e <= 1 -> exists M0, forall N, M0 <= INR (S N) -> forall main, veerman_amplitude.main_resonance f g N main ->
+  (exists w, 0 < w /\ Rabs (w / main - (2 * INR k - 1)) <= e /\ veerman_lesser.local_maximum (veerman_amplitude.amplitude f g N) w) /\
+  forall w, Rabs (w / main - (2 * INR k - 1)) <= e -> veerman_amplitude.amplitude f g N w < veerman_amplitude.amplitude f g N main).

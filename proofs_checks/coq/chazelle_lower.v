@@ -228,32 +228,37 @@ Qed.
 Lemma networks : (forall t, (t < T)%nat -> net false t) /\ forall t, (T <= t)%nat -> net true t.
 Proof. split; [intros t Ht; now apply before|]. intros t Ht. replace t with (T + (t - T))%nat by lia. apply after. Qed.
 End Lower.
-(* n = 4m, speed n^-c <= 1/8, T = ceil(n^c / 3): pairs before T, paths of four from T on; so the network changes at T and at no other time *)
-Theorem lower_bound m c eps (x v : nat -> nat -> R) (G : nat -> nat -> nat -> bool) T : (1 <= m)%nat -> (8 <= (4 * m) ^ c)%nat -> flock_line (4 * m) eps x v G ->
-  (forall i, (i < 4 * m)%nat -> x 0%nat i = place0 i) -> (forall i, (i < 4 * m)%nat -> v 1%nat i = speed0 (/ INR (4 * m) ^ c) i) ->
-  ((4 * m) ^ c <= 3 * T)%nat -> (3 * T < (4 * m) ^ c + 3)%nat ->
+(* n = 4m, speed n^-c <= 1/8 for any real c, T = ceil(n^c / 3): pairs before T, paths of four from T on; so the network changes at T and at no other time *)
+Theorem lower_bound m c eps (x v : nat -> nat -> R) (G : nat -> nat -> nat -> bool) T : (1 <= m)%nat -> 8 <= Rpower (INR (4 * m)) c -> flock_line (4 * m) eps x v G ->
+  (forall i, (i < 4 * m)%nat -> x 0%nat i = place0 i) -> (forall i, (i < 4 * m)%nat -> v 1%nat i = speed0 (Rpower (INR (4 * m)) (- c)) i) ->
+  Rpower (INR (4 * m)) c / 3 <= INR T < Rpower (INR (4 * m)) c / 3 + 1 ->
   (forall t i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> (t < T)%nat -> G t i j = row_net false i j) /\
   (forall t i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> (T <= t)%nat -> G t i j = row_net true i j) /\
   (1 <= T)%nat /\ (exists i j, (i < 4 * m)%nat /\ (j < 4 * m)%nat /\ G T i j <> G (T - 1)%nat i j) /\
   forall t, (S t <> T)%nat -> forall i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> G (S t) i j = G t i j.
 Proof.
-  intros Hm H8 F X0 V1 T1 T2. set (N := ((4 * m) ^ c)%nat) in *. assert (E : INR (4 * m) ^ c = INR N) by (unfold N; now rewrite pow_INR). rewrite E in V1.
-  assert (N8 : 8 <= INR N) by (apply le_INR in H8; cbn in H8; lra). assert (Hu : 0 < / INR N <= / 8) by (split; [apply Rinv_0_lt_compat; lra|apply Rinv_le_contravar; lra]).
-  assert (HT : / 3 <= INR T * / INR N). { apply le_INR in T1. rewrite mult_INR in T1. cbn in T1. apply Rmult_le_reg_r with (INR N); [lra|]. rewrite Rmult_assoc, Rinv_l by lra. lra. }
-  assert (HT' : forall t, (t < T)%nat -> INR t * / INR N < / 3).
-  { intros t Ht. assert (L : (3 * t < N)%nat) by lia. apply lt_INR in L. rewrite mult_INR in L. cbn in L. apply Rmult_lt_reg_r with (INR N); [lra|]. rewrite Rmult_assoc, Rinv_l by lra. lra. }
-  destruct (networks m (/ INR N) eps x v G T Hm Hu F X0 V1 HT HT') as [B A]. assert (Tp : (1 <= T)%nat) by lia.
+  rewrite Rpower_Ropp. set (N := Rpower (INR (4 * m)) c). intros Hm N8 F X0 V1 [T1 T2].
+  assert (Hu : 0 < / N <= / 8) by (split; [apply Rinv_0_lt_compat; lra|apply Rinv_le_contravar; lra]).
+  assert (HT : / 3 <= INR T * / N) by (apply Rmult_le_reg_r with N; [lra|]; rewrite Rmult_assoc, Rinv_l by lra; lra).
+  assert (HT' : forall t, (t < T)%nat -> INR t * / N < / 3).
+  { intros t Ht. apply (le_INR (S t)) in Ht. rewrite S_INR in Ht. apply Rmult_lt_reg_r with N; [lra|]. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+  destruct (networks m (/ N) eps x v G T Hm Hu F X0 V1 HT HT') as [B A]. assert (Tp : (1 <= T)%nat) by (destruct T; [change (INR 0) with 0 in T1; lra|lia]).
   split; [intros; now apply B|]. split; [intros; now apply A|]. split; [exact Tp|]. split.
   - exists 1%nat, 2%nat. split; [lia|]. split; [lia|]. rewrite (A T), (B (T - 1)%nat) by lia. cbn. discriminate.
   - intros t Ne i j Hi Hj. destruct (Nat.lt_ge_cases (S t) T) as [L|L]; [now rewrite (B (S t)), (B t) by lia|]. now rewrite (A (S t)), (A t) by lia.
 Qed.
+Lemma ceiling_exists a : 0 < a -> exists T, a <= INR T < a + 1.
+Proof.
+  intros Ha. destruct (archimed a) as [H1 H2]. assert (0 < up a)%Z by (apply lt_IZR; cbn; lra).
+  destruct (Rle_or_lt (a + 1) (IZR (up a))) as [L|L]; [exists (Z.to_nat (up a - 1))|exists (Z.to_nat (up a))];
+    rewrite INR_IZR_INZ, Z2Nat.id by lia; rewrite ?minus_IZR; lra.
+Qed.
 (* flocks are single paths: before T of two birds in a row, from then on of four *)
-Theorem lower_paths m c eps (x v : nat -> nat -> R) (G : nat -> nat -> nat -> bool) : (1 <= m)%nat -> (8 <= (4 * m) ^ c)%nat -> flock_line (4 * m) eps x v G ->
-  (forall i, (i < 4 * m)%nat -> x 0%nat i = place0 i) -> (forall i, (i < 4 * m)%nat -> v 1%nat i = speed0 (/ INR (4 * m) ^ c) i) ->
+Theorem lower_paths m c eps (x v : nat -> nat -> R) (G : nat -> nat -> nat -> bool) : (1 <= m)%nat -> 8 <= Rpower (INR (4 * m)) c -> flock_line (4 * m) eps x v G ->
+  (forall i, (i < 4 * m)%nat -> x 0%nat i = place0 i) -> (forall i, (i < 4 * m)%nat -> v 1%nat i = speed0 (Rpower (INR (4 * m)) (- c)) i) ->
   forall t, exists w, (w = 2 \/ w = 4)%nat /\ forall i j, (i < 4 * m)%nat -> (j < 4 * m)%nat -> (G t i j = true <-> (i / w = j / w)%nat /\ (S i = j \/ S j = i)).
 Proof.
-  intros Hm H8 F X0 V1 t. set (N := ((4 * m) ^ c)%nat) in *. set (T := ((N + 2) / 3)%nat). pose proof (Nat.div_mod (N + 2) 3 ltac:(lia)) as D. pose proof (Nat.mod_upper_bound (N + 2) 3 ltac:(lia)) as U. fold T in D.
-  destruct (lower_bound m c eps x v G T Hm H8 F X0 V1) as (B & A & _); [fold N; lia|fold N; lia|].
+  intros Hm H8 F X0 V1 t. destruct (ceiling_exists (Rpower (INR (4 * m)) c / 3)) as [T HT]; [lra|]. destruct (lower_bound m c eps x v G T Hm H8 F X0 V1 HT) as (B & A & _).
   assert (Q : forall i j, (i / 2 = j / 2 -> i / 4 = j / 4)%nat) by (intros i j E; change 4%nat with (2 * 2)%nat; rewrite <- !Nat.div_div by lia; now rewrite E).
   destruct (Nat.lt_ge_cases t T) as [L|L].
   - exists 2%nat. split; [now left|]. intros i j Hi Hj. rewrite (B t i j Hi Hj L). unfold row_net. rewrite !andb_true_iff, !orb_true_iff, !Nat.eqb_eq. cbn. intuition (try discriminate; now apply Q).

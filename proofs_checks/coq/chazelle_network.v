@@ -354,22 +354,22 @@ by rewrite ler_pmul2r.
 Qed.
 End Fiedler.
 
-(* differences of velocities in R^d decay like n^(a+1) 2^-floor(t/n^(2a+4)) *)
-Theorem velocity_differences (R : rcfType) n d a (G : rel 'I_n) (c : 'I_n -> R) (v : nat -> 'M[R]_(n, d)) t i j :
-  network G -> model_D G c -> (forall i j, connect G i j) -> (forall i, 0 < c i) -> (1 < n)%N ->
+(* differences of velocities in R^d, in any norm, decay like n^(a+1) 2^-floor(t/n^(2a+4)) *)
+Theorem velocity_differences (R : rcfType) n d a (G : rel 'I_n) (c : 'I_n -> R) (v : nat -> 'M[R]_(n, d)) (N : 'rV[R]_d -> R) t i j :
+  N 0 = 0 -> (forall b y, N (b *: y) = `|b| * N y) -> (forall y z, N (y + z) <= N y + N z) -> network G -> model_D G c -> (forall i j, connect G i j) -> (forall i, 0 < c i) -> (1 < n)%N ->
   (forall i, (n%:R ^+ a)^-1 <= c i) -> (forall i, (n%:R ^+ a)^-1 <= transition G c i i) ->
   (forall t, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
-  norm2 (row i (v t.+1) - row j (v t.+1)) <=
-    n%:R ^+ a.+1 * (2%:R^-1) ^+ (t %/ n ^ (2 * a + 4)) * tau2 (v 1%N).
+  N (row i (v t.+1) - row j (v t.+1)) <=
+    n%:R ^+ a.+1 * (2%:R^-1) ^+ (t %/ n ^ (2 * a + 4)) * diameter N (v 1%N).
 Proof.
-move=> net MD conn c0 n2 sc sd Hv.
+move=> N_0 N_Z N_D net MD conn c0 n2 sc sd Hv.
 have SP : stochastic (transition G c) by case: (model_D_stochastic net MD).
 have E : v t.+1 = mpow (transition G c) t *m v 1%N.
   elim: t => [|t IH]; first by rewrite mul1mx.
   by rewrite Hv // IH mulmxA.
-have d0 : 0 <= tau2 (v 1%N) by exact: max_ge0.
+have d0 : 0 <= diameter N (v 1%N) by exact: max_ge0.
 rewrite E; apply: le_trans (diameter_ub _ _ _ _) _.
-apply: le_trans (diameter_mul (norm2_0 _ _) (@norm2Z _ _) (@norm2D _ _) _ (stochastic_mpow t SP)) _.
+apply: le_trans (diameter_mul N_0 N_Z N_D _ (stochastic_mpow t SP)) _.
 apply: ler_wpmul2r => //; apply: le_trans (tau1_mixing net MD conn c0 n2 sc sd t) _.
 have N0 : 0 < n%:R :> R by rewrite ltr0n ltnW.
 apply: ler_wpmul2l; first by rewrite exprn_ge0 // ltW.
@@ -381,13 +381,13 @@ Qed.
 Theorem fiedler_rate (R : rcfType) n (G : rel 'I_n) : network G -> (forall i j, connect G i j) ->
   (forall lam (f : 'I_n -> R), (forall i, \sum_j laplacian R G i j * f j = lam * f i) -> (exists i, f i != 0) ->
      lam != 0 -> 1 <= lam * (n * n.-1 ^ 2)%:R) /\
-  (forall d a (c : 'I_n -> R) (v : nat -> 'M[R]_(n, d)) t i j,
-     model_D G c -> (forall i, 0 < c i) -> (1 < n)%N ->
+  (forall d a (c : 'I_n -> R) (v : nat -> 'M[R]_(n, d)) (N : 'rV[R]_d -> R) t i j,
+     N 0 = 0 -> (forall b y, N (b *: y) = `|b| * N y) -> (forall y z, N (y + z) <= N y + N z) -> model_D G c -> (forall i, 0 < c i) -> (1 < n)%N ->
      (forall i, (n%:R ^+ a)^-1 <= c i) -> (forall i, (n%:R ^+ a)^-1 <= transition G c i i) ->
      (forall t, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
-     norm2 (row i (v t.+1) - row j (v t.+1)) <=
-       n%:R ^+ a.+1 * (2%:R^-1) ^+ (t %/ n ^ (2 * a + 4)) * tau2 (v 1%N)).
+     N (row i (v t.+1) - row j (v t.+1)) <=
+       n%:R ^+ a.+1 * (2%:R^-1) ^+ (t %/ n ^ (2 * a + 4)) * diameter N (v 1%N)).
 Proof.
 move=> net conn; split; first exact: (fiedler_number net conn).
-by move=> d a c v t i j MD c0 n2 sc sd Hv; exact: (velocity_differences t i j net MD conn c0 n2 sc sd Hv).
+by move=> d a c v N t i j N0 NZ ND MD c0 n2 sc sd Hv; exact: (velocity_differences t i j N0 NZ ND net MD conn c0 n2 sc sd Hv).
 Qed.

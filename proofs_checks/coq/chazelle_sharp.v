@@ -501,14 +501,14 @@ rewrite -exprM mulnC exprM -exprMn exprn_ile1 ?mulr_ge0 ?exprn_ge0 ?ler0n //.
 by rewrite -ler_pdivl_mulr ?ltr0n // mul1r.
 Qed.
 End Cubic.
-(* both kinds of weights *)
-Theorem lazy_vicsek_rate (R : rcfType) n d (G : rel 'I_n) (c : 'I_n -> R) (v : nat -> 'M[R]_(n, d)) t i j :
-  network G -> (forall i j, connect G i j) -> (1 < n)%N ->
+(* both kinds of weights, any norm *)
+Theorem lazy_vicsek_rate (R : rcfType) n d (G : rel 'I_n) (c : 'I_n -> R) (v : nat -> 'M[R]_(n, d)) (N : 'rV[R]_d -> R) t i j :
+  N 0 = 0 -> (forall b y, N (b *: y) = `|b| * N y) -> (forall y z, N (y + z) <= N y + N z) -> network G -> (forall i j, connect G i j) -> (1 < n)%N ->
   (forall i, c i = 2%:R / (3 * degree G i)%:R) \/ (forall i, c i = (degree G i).+1%:R^-1) ->
   (forall t, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
-  norm2 (row i (v t.+1) - row j (v t.+1)) ^+ (n ^ 3) * 2%:R ^+ t <= (n%:R * tau2 (v 1%N)) ^+ (n ^ 3).
+  N (row i (v t.+1) - row j (v t.+1)) ^+ (n ^ 3) * 2%:R ^+ t <= (n%:R * diameter N (v 1%N)) ^+ (n ^ 3).
 Proof.
-move=> net conn n2 W Hv; have [sym irr] := net.
+move=> N_0 N_Z N_D net conn n2 W Hv; have [sym irr] := net.
 have d0 k : (0 < degree G k)%N.
   have [l kl] : exists l : 'I_n, k != l.
     pose a : 'I_n := Ordinal (ltnW n2); pose b : 'I_n := Ordinal n2; have [->|?] := eqVneq k a; last by exists a.
@@ -547,16 +547,17 @@ have SP : stochastic (transition G c) by case: (model_D_stochastic net MD).
 have E : v t.+1 = mpow (transition G c) t *m v 1%N.
   elim: t => [|t IH]; first by rewrite mul1mx.
   by rewrite Hv // IH mulmxA.
-have T0 : 0 <= tau2 (v 1%N) by exact: max_ge0.
+have T0 : 0 <= diameter N (v 1%N) by exact: max_ge0.
+have Nge y : 0 <= N y by move: (N_D y (- y)); rewrite subrr N_0 -[- y]scaleN1r N_Z normrN1 mul1r -mulr2n pmulrn_lge0.
 set mu : R := 1 - ((n ^ 3)%:R)^-1; have m0 : 0 <= mu by rewrite subr_ge0 invf_le1 ?ler1n ?ltr0n (leq_trans _ big3).
-have h : norm2 (row i (v t.+1) - row j (v t.+1)) <= n%:R * mu ^+ t * tau2 (v 1%N).
+have h : N (row i (v t.+1) - row j (v t.+1)) <= n%:R * mu ^+ t * diameter N (v 1%N).
   rewrite E; apply: le_trans (diameter_ub _ _ _ _) _.
-  apply: le_trans (diameter_mul (norm2_0 _ _) (@norm2Z _ _) (@norm2D _ _) _ (stochastic_mpow t SP)) _.
+  apply: le_trans (diameter_mul N_0 N_Z N_D _ (stochastic_mpow t SP)) _.
   apply: ler_wpmul2r => //; exact: tau1_cubic.
-have h2 : norm2 (row i (v t.+1) - row j (v t.+1)) ^+ (n ^ 3) <= (n%:R * tau2 (v 1%N)) ^+ (n ^ 3) * (mu ^+ t) ^+ (n ^ 3).
-  rewrite -exprMn [n%:R * tau2 _ * _]mulrAC; apply: ler_expn2r => //; rewrite nnegrE ?norm2_ge0 //.
+have h2 : N (row i (v t.+1) - row j (v t.+1)) ^+ (n ^ 3) <= (n%:R * diameter N (v 1%N)) ^+ (n ^ 3) * (mu ^+ t) ^+ (n ^ 3).
+  rewrite -exprMn [n%:R * diameter N _ * _]mulrAC; apply: ler_expn2r => //; rewrite nnegrE ?Nge //.
   by rewrite mulr_ge0 // mulr_ge0 ?ler0n ?exprn_ge0.
-apply: (@le_trans _ _ ((n%:R * tau2 (v 1%N)) ^+ (n ^ 3) * (mu ^+ t) ^+ (n ^ 3) * 2%:R ^+ t)); first by apply: ler_wpmul2r; rewrite ?exprn_ge0 ?ler0n.
+apply: (@le_trans _ _ ((n%:R * diameter N (v 1%N)) ^+ (n ^ 3) * (mu ^+ t) ^+ (n ^ 3) * 2%:R ^+ t)); first by apply: ler_wpmul2r; rewrite ?exprn_ge0 ?ler0n.
 rewrite -mulrA -[X in _ <= X]mulr1; apply: ler_wpmul2l; first by rewrite exprn_ge0 // mulr_ge0 ?ler0n.
 exact: half_cubic.
 Qed.

@@ -402,11 +402,12 @@ by apply/exists_inP; exists (enum_val j); first exact: enum_valP.
 Qed.
 
 Section Count.
-Variables (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (b : 'I_n).
+Variables (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (P : nat -> 'M[R]_n) (b : 'I_n).
 Variables (T : nat -> nat) (V : nat -> {set 'I_n}).
 Hypothesis net : forall t, network (G t).
-Hypothesis MD : forall t, model_D (G t) (c t).
-Let P t := transition (G t) (c t).
+Hypothesis SP : forall t, stochastic (P t).
+(* with a positive diagonal and, off it, positive entries exactly at the edges *)
+Hypothesis foot : forall t i j, (P t i j != 0) = (i == j) || G t i j.
 Hypothesis T0 : T 0%N = 0%N.
 Hypothesis V0 : V 0%N = setT.
 Hypothesis T_incr : forall k, (T k < T k.+1)%N.
@@ -414,10 +415,9 @@ Hypothesis V_next : forall k i, (i \in V k.+1) = (i \in V k) && (block P (V k) (
 Hypothesis V_stable : forall k t i, (T k.+1 <= t)%N -> i \in V k ->
   block P (V k) (T k).+1 (t - T k) i b != 0 -> i \in V k.+1.
 
-Let SP t : stochastic (P t). Proof. by case: (model_D_stochastic (net t) (@MD t)). Qed.
-Let diag t i : 0 < P t i i. Proof. by case: (model_D_stochastic (net t) (@MD t)). Qed.
+Let diag t i : 0 < P t i i. Proof. by rewrite lt_def foot eqxx; have [-> _] := SP t. Qed.
 Let sym t i j : (P t i j != 0) = (P t j i != 0).
-Proof. by rewrite !transition_edge // eq_sym; have [-> _] := net t. Qed.
+Proof. by rewrite !foot eq_sym; have [-> _] := net t. Qed.
 
 (* after T_k birds of V_k meet no others *)
 Lemma unmet k t i j : (T k < t)%N -> i \in V k -> j \notin V k -> ~~ G t i j.
@@ -425,7 +425,7 @@ Proof.
 elim: k => [|k IH] Tt iV jN; first by rewrite V0 inE in jN.
 have [sub _ cut _] := stabilisers SP diag sym V0 T_incr V_next V_stable k.
 have [jV|jV] := boolP (j \in V k); last by apply: IH jV; [exact: ltn_trans (T_incr k) Tt | exact: subsetP sub i iV].
-have [/eqP z _] := cut t i j Tt iV jV jN; move: z; rewrite -[_ == 0]negbK /P transition_edge //.
+have [/eqP z _] := cut t i j Tt iV jV jN; move: z; rewrite -[_ == 0]negbK foot.
 by rewrite negb_or => /andP[].
 Qed.
 

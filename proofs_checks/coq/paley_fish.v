@@ -267,6 +267,18 @@ Theorem fish28_alignment n adj K0 K1 Kori th k : (1 <= n)%nat -> K1 - K0 = - Kor
   (K1 - K0) / INR n * gW n adj th k = - Kori * gW n adj th k.
 Proof. intros Hn E. pose proof (INR_pos n Hn). rewrite E. field. lra. Qed.
 
+(* (28), and (22) with matched gains: beside w0 and equal alignment terms one and the same spacing term, at e^{i theta_k} in (22) and at i e^{i theta_k} in (28) *)
+Definition control28 (n : nat) (adj : graph) (w0 Kori Katt : R) (r : nat -> C) (th : nat -> R) (k : nat) : R :=
+  w0 - Kori * gW n adj th k + Katt * inner (Ci * expi (th k))%C (row n (lap n adj) k r).
+Theorem fish28_spacing n adj w0 K0 K1 Kori (r : nat -> R -> C) (th : nat -> R -> R) k t : (1 <= n)%nat -> w0 <> 0 -> K1 - K0 = - Kori * INR n ->
+  let term z := w0 * K0 / INR n * inner z (row n (lap n adj) k (fun j => r j t)) in
+  control5 n adj w0 K0 K1 r th t k = w0 - Kori * gW n adj (fun j => th j t) k + term (expi (th k t)) /\
+  control28 n adj w0 Kori (w0 * K0 / INR n) (fun j => r j t) (fun j => th j t) k = w0 - Kori * gW n adj (fun j => th j t) k + term (Ci * expi (th k t))%C.
+Proof.
+  intros Hn Hw E. pose proof (INR_pos n Hn). cbv zeta. split; [|reflexivity]. rewrite (eq22 n adj w0 K0 K1 Hn Hw r th t k).
+  rewrite E. field. lra.
+Qed.
+
 (* the chord between neighbours of M evenly spaced points on the unit circle *)
 Theorem chord M : (1 <= M)%nat -> Cmod (expi (2 * PI / INR M) - expi 0)%C = 2 * sin (PI / INR M).
 Proof.

@@ -132,3 +132,13 @@ Proof.
   { apply Rle_trans with (2 := H). unfold Wenergy, Vt. apply Rmult_le_compat_l; [lra|]. apply Sum_le. intros i _. pose proof (pow2_ge_0 (th i)). lra. }
   split; [now apply (HB r v)|]. intros i Hi. now apply (speed_bound_norm n adj (fun _ _ => V2) (fun _ _ => V2') Pot r v D i c Hi).
 Qed.
+(* potentials that are not negative: W <= c bounds every speed *)
+Theorem speeds_bounded n adj V (r v : nat -> C) c : (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 <= V i j (norm (r i - r j)%C)) ->
+  Wenergy n adj V r v <= c -> forall i, (i < n)%nat -> inner (v i) (v i) <= 2 * c /\ norm (v i) <= sqrt (2 * c).
+Proof.
+  intros P H i Hi. assert (A : inner (v i) (v i) <= 2 * c); [|split; [exact A|rewrite norm_inner; now apply sqrt_le_1_alt]].
+  assert (V0 : forall k, (k < n)%nat -> 0 <= V_i n adj V r k).
+  { intros k Hk. apply Sum_ge0. intros j Hj. unfold w. destruct (adj k j) eqn:E; [rewrite Rmult_1_l; now apply P|lra]. }
+  unfold Wenergy in H. pose proof (Sum_term_le n (fun k => V_i n adj V r k + inner (v k) (v k)) i (fun j Hj => Rplus_le_le_0_compat _ _ (V0 j Hj) (inner_self_ge0 (v j))) Hi) as T.
+  cbv beta in T. specialize (V0 i Hi). lra.
+Qed.

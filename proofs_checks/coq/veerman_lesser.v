@@ -1,5 +1,5 @@
 (* Veerman, Stosic, Olvera, Corollary 3: lesser resonances near the odd multiples of the main one.
-     veerman.cor3, for a fixed multiple and large flocks.
+     veerman.cor3 (both clauses), for a fixed multiple and large flocks.
    At tau times the frequency of Theorem 1 the angle M x is tau pi/2 + O(M^-2) and M y is O(1/M): |a_M|^-2 is small at tau = 2k - 1 and
    not at tau = 2k - 1 +- e, so that a local maximum lies between. *)
 From Coq Require Import Reals Lra Lia Psatz.
@@ -221,4 +221,29 @@ Proof.
     apply Rabs_le. split; apply (Rmult_le_reg_r main); try exact m0.
     + replace ((w / main - J) * main) with (w - J * main) by (field; lra). lra.
     + replace ((w / main - J) * main) with (w - J * main) by (field; lra). lra.
+Qed.
+(* they are lesser: for k >= 2 the response near 2k - 1 times the main resonance is lower than at it, at every local maximum there is *)
+Theorem lesser f g k e : f < 0 -> g < 0 -> (2 <= k)%nat -> 0 < e <= 1 -> exists M0, forall N, M0 <= INR (S N) -> forall main, main_resonance f g N main ->
+  (exists w, 0 < w /\ Rabs (w / main - (2 * INR k - 1)) <= e /\ local_maximum (amplitude f g N) w) /\
+  forall w, Rabs (w / main - (2 * INR k - 1)) <= e -> amplitude f g N w < amplitude f g N main.
+Proof.
+  intros Hf Hg Hk He. destruct (corollary_3 f g k e Hf Hg ltac:(lia) ltac:(lra)) as (M1 & L). destruct (theorem_1 f g Hf Hg) as (C & M2 & T).
+  pose proof PI_RGT_0 as P0. assert (SF : 0 < sqrt (- f)) by (apply sqrt_lt_R0; lra). assert (R2 : 0 < sqrt 2) by (apply sqrt_lt_R0; lra).
+  set (w1 := sqrt (- f) * PI / (2 * sqrt 2)). assert (w10 : 0 < w1) by (unfold w1; apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra).
+  pose proof (Rabs_pos C) as C0. assert (Q : 0 <= 4 * Rabs C / w1) by (apply Rmult_le_pos; [lra|left; now apply Rinv_0_lt_compat]).
+  exists (Rabs M1 + Rabs M2 + 4 * Rabs C / w1 + 1). intros N HN main W. pose proof (Rle_abs M1). pose proof (Rle_abs M2). pose proof (Rabs_pos M1). pose proof (Rabs_pos M2).
+  split; [apply (L N ltac:(lra) main W)|]. intros w Hw. apply Rnot_le_lt. intros Hge.
+  destruct (T N ltac:(lra)) as [_ U]. set (M := INR (S N)) in *. set (w0 := veerman_numbers.frequency f M) in *.
+  assert (w0E : w0 = w1 / M) by (unfold w0, veerman_numbers.frequency, w1; rewrite Rabs_left by lra; field; lra). assert (w00 : 0 < w0) by (rewrite w0E; apply Rdiv_lt_0_compat; lra).
+  assert (Small : C / M ^ 3 <= w0 / 4).
+  { apply Rle_trans with (Rabs C / M ^ 3); [apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, pow_lt; lra|apply Rle_abs]|].
+    rewrite w0E. apply (Rmult_le_reg_r (4 * M ^ 3)); [assert (0 < M ^ 3) by (apply pow_lt; lra); lra|]. replace (Rabs C / M ^ 3 * (4 * M ^ 3)) with (4 * Rabs C) by (field; lra).
+    replace (w1 / M / 4 * (4 * M ^ 3)) with (w1 * M ^ 2) by (field; lra). assert (4 * Rabs C <= w1 * M).
+    { apply (Rmult_le_reg_r (/ w1)); [now apply Rinv_0_lt_compat|]. replace (w1 * M * / w1) with M by (field; lra). change (4 * Rabs C * / w1) with (4 * Rabs C / w1). lra. }
+    assert (M * 1 <= M * M) by (apply Rmult_le_compat_l; lra). assert (w1 * M <= w1 * (M * M)) by (apply Rmult_le_compat_l; lra). replace (M ^ 2) with (M * M) by ring. lra. }
+  destruct W as [m0 Wm]. assert (K : 2 <= INR k) by (apply (le_INR 2) in Hk; cbn in Hk; lra).
+  apply Rabs_le_between in Hw. assert (Lo : 2 * main <= w).
+  { assert (E : w = w / main * main) by (field; lra). rewrite E. apply Rmult_le_compat_r; lra. }
+  assert (Mw : main_resonance f g N w) by (split; [lra|]; intros v Hv; eapply Rle_trans; [apply Wm, Hv|exact Hge]).
+  destruct (U w Mw) as [U1 _]. destruct (U main (conj m0 Wm)) as [U2 _]. fold w0 in U1, U2. apply Rabs_le_between in U1. apply Rabs_le_between in U2. lra.
 Qed.

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 145] = sources![
+const SOURCES: [(&str, &str); 159] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -29,6 +29,7 @@ const SOURCES: [(&str, &str); 145] = sources![
     "chazelle_agreement",
     "chazelle_reals",
     "symmetric_spectra",
+    "laplacian_edges",
     "chazelle_spectral",
     "chazelle_eigenvalues",
     "chazelle_stabilisers",
@@ -54,6 +55,8 @@ const SOURCES: [(&str, &str); 145] = sources![
     "paley_composite",
     "paley_fish",
     "paley_headings",
+    "paley_releq",
+    "paley_bal",
     "paley_stability",
     "paley_limits",
     "tanner_energy",
@@ -82,8 +85,10 @@ const SOURCES: [(&str, &str); 145] = sources![
     "tanner2_limits",
     "tanner2_lasting",
     "tanner_angle",
+    "tanner1_smooth",
     "tanner2_energies",
     "tanner2_collision",
+    "tanner2_apart",
     "tanner_graph",
     "tanner_components",
     "tanner_rates",
@@ -100,10 +105,13 @@ const SOURCES: [(&str, &str); 145] = sources![
     "veerman_amplitude",
     "veerman_settling",
     "veerman_rates",
+    "linear_motions",
+    "veerman_worst",
     "veerman_unsettled",
     "veerman_coordinates",
     "veerman_bounds",
     "veerman_window",
+    "veerman_growth",
     "veerman_theorem1",
     "veerman_size_limit",
     "veerman_exponent",
@@ -134,6 +142,10 @@ const SOURCES: [(&str, &str); 145] = sources![
     "audit_tanner_energies",
     "audit_veerman",
     "audit_matrices",
+    "audit_laplacians",
+    "audit_formations",
+    "audit_growth",
+    "audit_tanner_states",
     "audit_independent_chazelle",
     "audit_independent_angle",
     "audit_independent_paley",
@@ -157,6 +169,8 @@ const SOURCES: [(&str, &str); 145] = sources![
     "audit_independent_matrices",
     "audit_independent_circular",
     "audit_independent_derivative",
+    "audit_independent_growth",
+    "audit_independent_formations",
 ];
 
 /// A file of the development.

@@ -81,7 +81,7 @@ pub fn lesser_resonances() -> Record<LesserVariant> {
          M, since y' sinh 2My -> 0 there, and at Mx = (k - 1/2) pi positive: between them lies a local maximum of the response. There \
          sin 2Mx = O(M^-2), so Mx = (k - 1/2) pi + O(M^-2) and w_k = (2k - 1) w_1 (1 + O(M^-2)). Its height is A_1/(2k - 1)² (1 + O(M^-2)), because \
          y grows with w². (notes/veerman_platoons.md; damping flattens all but about sqrt(M ln M) of them, and none is left \
-         for small M.) The Coq theorem has the first clause only.",
+         for small M.) Coq has that they are there and lower, not how high.",
         LesserVariant { offset: -1, order: 2, least_height: (0, 1) },
         examine_lesser,
     )
