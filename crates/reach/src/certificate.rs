@@ -144,7 +144,7 @@ fn bounds(text: &mut String, rows: &Rows) {
 fn stepped(system: &System, rows: &Rows, progress: &dyn Progress) -> Result<String, Unbounded> {
     let ways = match fixed(system, progress)? {
         Some(ways) => ways,
-        None => any(system, progress)?,
+        None => any(system, rows, progress)?,
     };
     let (n, modes, count) = (system.states.len(), system.modes.len(), rows.len());
     let mut body = String::new();
@@ -255,14 +255,36 @@ fn sides(system: &System, most: &[Rational]) -> String {
     text
 }
 
-/// Any order of modes: limits of the disturbances by which it is one, some more generous than others.
-fn any(system: &System, progress: &dyn Progress) -> Result<Vec<Way>, Unbounded> {
+/// The simplest set of disturbances that is small enough for the bounds of all rows.
+fn comparison(system: &System, rows: &Rows, progress: &dyn Progress) -> Result<(Comparison, Shape), Unbounded> {
     let prepared = Prepared::new(system);
-    let Some(found) = Comparison::find(&prepared, system.until.as_ref(), Shape::Box, progress)? else {
-        return Err(Unbounded::Unfit("the disturbances that switching makes are not proved to stay bounded"));
-    };
+    let (left, right): (Vec<Vec<Rational>>, Vec<&Rational>) = rows
+        .iter()
+        .map(|(row, bound)| {
+            let mut row = row.clone();
+            row.resize(prepared.order(), Rational::ZERO);
+            (row, bound)
+        })
+        .unzip();
+    let mut why = Unbounded::Unfit("the disturbances that switching makes are not proved to stay bounded");
+    for shape in [Shape::Box, Shape::Polygons] {
+        let Some(found) = Comparison::find(&prepared, system.until.as_ref(), shape, progress)? else { continue };
+        match found.bounds(&left, progress)? {
+            Some(bounds) if bounds.iter().zip(&right).all(|(found, bound)| found <= *bound) => {
+                return Ok((found, shape));
+            }
+            _ => why = Unbounded::Refused("the disturbances that switching makes are too large".to_string()),
+        }
+    }
+    Err(why)
+}
+
+/// Any order of modes: disturbances by which it is one, some more generous than others.
+fn any(system: &System, rows: &Rows, progress: &dyn Progress) -> Result<Vec<Way>, Unbounded> {
+    let prepared = Prepared::new(system);
+    let (found, shape) = comparison(system, rows, progress)?;
     let norm = norm(&found.mean().a);
-    let limits = found.limits(system.states.len());
+    let edges = found.edges(system.states.len());
     let (times, begun, how, ended) = match &system.until {
         Some(until) => {
             (vec![until.clone()], "order any", "any measurable choice of its modes up to the time below", String::new())
@@ -277,7 +299,17 @@ fn any(system: &System, progress: &dyn Progress) -> Result<Vec<Way>, Unbounded> 
     };
     let way = |time: &Rational, more: Rational| {
         let mut text = String::new();
-        matrix(&mut text, "disturbance", &[limits.iter().map(|x| x * &more).collect()]);
+        let edges: Vec<Vec<Rational>> = edges.iter().map(|edge| edge.iter().map(|x| x * &more).collect()).collect();
+        match shape {
+            Shape::Box => {
+                let limits = (0..system.states.len()).map(|i| edges.iter().map(|edge| edge[i].clone()).sum());
+                matrix(&mut text, "disturbance", &[limits.collect()]);
+            }
+            Shape::Polygons => {
+                text += &format!("edges {}\n", edges.len());
+                matrix(&mut text, "edge", &edges);
+            }
+        }
         Way {
             how: how.to_string(),
             begun: format!("{begun}\n"),

@@ -224,15 +224,10 @@ impl Comparison {
         &self.prepared.motions[0]
     }
 
-    /// The limits of the disturbances of the first states, 0 where there is none.
-    pub fn limits(&self, states: usize) -> Vec<Rational> {
-        let mut limits = vec![Rational::ZERO; states];
-        for push in self.prepared.motions[0].pushes.iter().filter(|push| push.input == DISTURBANCE) {
-            for (limit, entry) in limits.iter_mut().zip(&push.column) {
-                *limit += &push.radius * entry;
-            }
-        }
-        limits
+    /// The edges of the set of disturbances, half as long as they are, each over the first states.
+    pub fn edges(&self, states: usize) -> Vec<Vec<Rational>> {
+        let pushes = self.mean().pushes.iter().filter(|push| push.input == DISTURBANCE);
+        pushes.map(|push| push.column[..states].iter().map(|entry| entry * &push.radius).collect()).collect()
     }
 
     /// Bounds of the greatest values of rows at all times that are looked at.

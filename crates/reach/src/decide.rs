@@ -279,15 +279,23 @@ pub(crate) fn worst_of(
         Switching::Windows { windows, .. } => windows.iter().all(Range::is_point),
         _ => false,
     };
-    // Where durations are free, a few digits are what a search over them gives; where a limit is approached in each of many periods, those of floats.
+    // Where modes follow each other in any order, a few digits are what a search over their durations gives; where instants are free, or a limit is approached in each
+    // of many periods, those of floats.
     let digits = match (&system.switching, last) {
         (Switching::Periodic { order, .. }, None) if order.len() > 1 => digits.min(8),
         _ if fixed => digits,
+        (Switching::Windows { .. }, _) => digits.min(8),
         _ => digits.min(3),
     };
     let listed = match &times {
         Some(times) => greatest(prepared, &system.switching, times, rows, digits, progress)?,
         None => None,
+    };
+    // What a search over instants leaves open, bounds for any switching may close.
+    let open = listed.iter().flatten().any(|worst| !worst.is_closed(digits));
+    let compared = match &system.switching {
+        Switching::Windows { .. } if open && !fixed => Comparison::find(prepared, last, Shape::Polygons, progress)?,
+        _ => compared,
     };
     let switched = matches!(system.switching, Switching::Arbitrary | Switching::Dwell { .. });
     let (bounds, bounded) = match &compared {

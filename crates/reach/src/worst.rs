@@ -44,15 +44,20 @@ pub(crate) struct Solver<'a> {
     orders: Orders,
     flows: Flows<FloatInterval>,
     digits: u32,
+    /// Most boxes where several durations vary.
+    boxes: usize,
     progress: &'a dyn Progress,
 }
 
 /// Most boxes of one search over times.
 const BOXES: usize = 20_000;
 
-/// Most boxes of one search over the durations of several modes: fewer where each takes longer.
-fn boxes_of_several(states: usize) -> usize {
-    (40_000 / (states * states)).clamp(200, 10_000)
+/// Most boxes of one search over the durations of several modes: fewer where each takes longer, and where their order is free too.
+fn boxes_of_several(switching: &Switching, states: usize) -> usize {
+    match switching {
+        Switching::Dwell { .. } => (40_000 / (states * states)).clamp(200, 10_000),
+        _ => (200_000 / (states * states)).clamp(1000, 20_000),
+    }
 }
 
 impl<'a> Solver<'a> {
@@ -66,7 +71,8 @@ impl<'a> Solver<'a> {
     ) -> Option<Self> {
         let orders = orders(switching, prepared.motions.len(), &prepared.start, times)?;
         let flows = Flows::new(&prepared.motions, &orders.longest, &orders.chain, &FloatInterval::point(0.0));
-        Some(Solver { prepared, orders, flows, digits, progress })
+        let boxes = boxes_of_several(switching, prepared.order());
+        Some(Solver { prepared, orders, flows, digits, boxes, progress })
     }
 
     /// The greatest value of `row x`.
@@ -172,11 +178,7 @@ impl<'a> Solver<'a> {
     ) -> Result<Found, Cancelled> {
         let finest = (0..bits).fold(rational(1, 1), |x, _| x * rational(1, 2));
         let several = self.orders.families.iter().any(|family| family.variables.len() > 1);
-        let goal = Goal {
-            tolerance: tolerance.clone(),
-            finest,
-            boxes: if several { boxes_of_several(self.prepared.order()) } else { BOXES },
-        };
+        let goal = Goal { tolerance: tolerance.clone(), finest, boxes: if several { self.boxes } else { BOXES } };
         let row = row.iter().map(|q| like.rational(q)).collect();
         Search { flows, row, families: &self.orders.families, goal, progress: self.progress, known: RefCell::default() }
             .run(boxes)

@@ -11,7 +11,8 @@
 //!
 //! Where any order of modes is allowed, with `A`, `d`, `b` the means over the modes, a mode adds `((A_m - A) x + (d_m - d) + ..)_i` to the rate of state `i`. If the system of the means, with
 //! disturbances `|w_i(t)| <= w_i` beside its inputs, keeps `|(A_m - A)_i x|` with the bound of the rest strictly below `w_i`, for every mode, then its motions include the switched ones:
-//! up to the first time at which a bound is reached, which is one more, they are such motions.
+//! up to the first time at which a bound is reached, which is one more, they are such motions. In the same way disturbances of two states may be bounded together, by a polygon that is a sum
+//! of edges `s g`, `|s| <= 1`: its faces are along its edges, and what is kept is `|n ((A_m - A) x + ..)|` below `sum |n g|` for the normals `n` of all edges.
 //!
 //! For ever: the modes of the last stretches, a cycle, follow each other again and again as those before them do. The file gives a box `|x_i| < X_i`. Up to the first time at which a motion leaves
 //! it, what is in the last cycle, or in a later one, began some whole cycles earlier in the box: so its values there are bounded as above with the box for the start. These bounds are below `X`, so that
@@ -233,9 +234,71 @@ struct Kept {
 /// Flows, for each stretch which of them it is, and what is to be kept for it.
 type Walked = (Vec<Flow>, Vec<usize>, Vec<Kept>);
 
+/// A face of the set of disturbances: its normal, and what is below the limit along it, which is over the denominator of the edges.
+struct Face {
+    normal: Vec<(usize, BigInt)>,
+    limit: BigInt,
+}
+
+impl Face {
+    fn along<'a>(&self, entry: impl Fn(usize) -> &'a BigInt) -> BigInt {
+        self.normal.iter().map(|(i, n)| n * entry(*i)).sum()
+    }
+}
+
+const MOST_EDGES: usize = 200;
+
+/// The edges whose sum the disturbances lie in, a row each, and its faces: a limit for each state, or a polygon for each pair of states.
+fn faces(reader: &mut Reader, states: usize) -> Result<(Matrix, Vec<Face>), Refusal> {
+    let zero = BigInt::from(0);
+    let alone = |i: usize, limit: BigInt| Face { normal: vec![(i, BigInt::from(1))], limit };
+    let Some(count) = reader.value_if_any("edges") else {
+        let limits = reader.matrix("disturbance", 1, states)?;
+        let own: Vec<usize> = (0..states).filter(|&i| *limits.at(0, i) != zero).collect();
+        let entry = |k: usize, j: usize| if own[k] == j { limits.at(0, j).clone() } else { zero.clone() };
+        let edges = Matrix::from_fn(own.len(), states, limits.denominator.clone(), entry);
+        return Ok((edges, (0..states).map(|i| alone(i, limits.at(0, i).clone())).collect()));
+    };
+    let count = reader.count_of(count, 1, MOST_EDGES)?;
+    let edges = reader.matrix("edge", count, states)?;
+    let mut partner = vec![None; states];
+    for k in 0..count {
+        let own: Vec<usize> = (0..states).filter(|&i| *edges.at(k, i) != zero).collect();
+        let fits = match own[..] {
+            [i, j] => {
+                let free = partner[i].is_none_or(|other| other == j) && partner[j].is_none_or(|other| other == i);
+                (partner[i], partner[j]) = (Some(j), Some(i));
+                free
+            }
+            _ => own.len() == 1,
+        };
+        reader
+            .require(fits, &format!("edge {} does not lead through one state, or through one pair of states", k + 1))?;
+    }
+    reader.pay(4 * count * count, edges.bits(), edges.bits())?;
+    let mut faces = Vec::new();
+    for (i, partner) in partner.into_iter().enumerate() {
+        let Some(j) = partner else {
+            faces.push(alone(i, sizes((0..count).map(|k| edges.at(k, i)))));
+            continue;
+        };
+        let own: Vec<usize> = (0..count).filter(|&k| *edges.at(k, i) != zero || *edges.at(k, j) != zero).collect();
+        let mut open = false;
+        for &k in own.iter().filter(|_| i < j) {
+            let mut face =
+                Face { normal: vec![(i, edges.at(k, j).clone()), (j, -edges.at(k, i))], limit: zero.clone() };
+            face.limit = own.iter().map(|&l| size(&face.along(|state| edges.at(l, state)))).sum();
+            open |= face.limit != zero;
+            faces.push(face);
+        }
+        reader.require(open || i > j, "the edges of a pair of states are parallel")?;
+    }
+    Ok((edges, faces))
+}
+
 /// The mean of the modes with its disturbances.
 fn disturbed(reader: &mut Reader, system: &System) -> Result<Walked, Refusal> {
-    let limits = reader.matrix("disturbance", 1, system.states)?;
+    let (edges, faces) = faces(reader, system.states)?;
     let time = reader.fraction("time")?;
     reader.require(time.is_positive(), "a time is not positive")?;
     let steps = reader.count("steps", 1, MOST_STEPS)?;
@@ -257,18 +320,21 @@ fn disturbed(reader: &mut Reader, system: &System) -> Result<Walked, Refusal> {
             reader.pay(2 * own.entries.len(), own.bits(), mean.bits())?;
             off.push(own.minus(mean));
         }
-        for i in 0..system.states {
-            let row = Matrix::from_fn(1, off[0].cols, off[0].denominator.clone(), |_, j| off[0].at(i, j).clone());
-            let rest: BigInt = off[1..].iter().map(|v| up(size(v.at(0, i)) << SCALE, &v.denominator)).sum();
+        for face in &faces {
+            reader.pay(2 * off[0].entries.len(), off[0].bits(), edges.bits())?;
+            let row =
+                Matrix::from_fn(1, off[0].cols, off[0].denominator.clone(), |_, j| face.along(|i| off[0].at(i, j)));
+            let rest: BigInt =
+                off[1..].iter().map(|v| up(size(&face.along(|i| v.at(0, i))) << SCALE, &v.denominator)).sum();
             if !row.is_zero() || rest.sign() != Sign::NoSign {
-                kept.push(Kept { row, rest, limit: (limits.at(0, i) << SCALE) / &limits.denominator });
+                kept.push(Kept { row, rest, limit: (&face.limit << SCALE) / &edges.denominator });
             }
         }
     }
     let (a, mut columns) = (means.remove(0), means);
-    for i in (0..system.states).filter(|&i| limits.at(0, i).sign() != Sign::NoSign) {
-        let entry = |j: usize| if j == i { limits.at(0, i).clone() } else { BigInt::from(0) };
-        columns.push(Matrix::from_fn(1, a.cols, limits.denominator.clone(), |_, j| entry(j)));
+    for k in 0..edges.rows {
+        let entry = |j: usize| if j < edges.cols { edges.at(k, j).clone() } else { BigInt::from(0) };
+        columns.push(Matrix::from_fn(1, a.cols, edges.denominator.clone(), |_, j| entry(j)));
     }
     let flow = Flow::new(reader, usize::MAX, a, columns, (time.numerator, time.denominator), steps)?;
     Ok((vec![flow], vec![0], kept))

@@ -225,3 +225,26 @@ fn modes_that_are_stable_in_turn_only() {
         assert!(check(wrong.as_bytes()).is_err());
     }
 }
+
+/// Where limits for each state leave too much, polygons for pairs of states are certified.
+#[test]
+fn disturbances_of_two_states_are_bounded_together() {
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/systems/platoon_plad01.toml"))
+        .expect("a file");
+    let (modes, _) = text.split_once("[switching]").expect("modes");
+    let head = format!("{modes}[switching]\n{ANY}\n[run]\nuntil = 20\n");
+    let certificate = bound_of(&format!("{head}[[check]]\nholds = \"e3 >= -25\"\n")).expect("a proof");
+    assert_eq!(check(certificate.as_bytes()).expect("accepted").kind, "bound");
+    let line = certificate.lines().position(|line| line.starts_with("edge over")).expect("edges");
+    let altered = |rows: &[(usize, &str)]| {
+        let mut lines: Vec<String> = certificate.lines().map(str::to_string).collect();
+        rows.iter().for_each(|(row, to)| lines[line + row] = (*to).to_string());
+        check((lines.join("\n") + "\n").as_bytes()).expect_err("altered").reason
+    };
+    // A set that is too small, an edge through three states, one that joins another pair.
+    assert!(altered(&[(1, "0 0 1 0 0 0 0 0 0")]).contains("not shown to stay below"));
+    assert!(altered(&[(1, "1 0 1 0 0 1 0 0 0")]).contains("edge 1 does not lead"));
+    assert!(altered(&[(1, "0 0 0 0 0 1 0 0 1")]).contains("edge 2 does not lead"));
+    let flat: Vec<(usize, &str)> = (1..=8).map(|row| (row, "0 0 1 0 0 1 0 0 0")).collect();
+    assert!(altered(&flat).contains("are parallel"));
+}
