@@ -35,7 +35,8 @@ cd "$work"
 export FLOCKPROOF_ASSETS=$work/assets FLOCKPROOF_ROOT=$root
 
 step "tests"
-"$bin/python" -m pytest --quiet tests
+# What is skipped is told.
+"$bin/python" -m pytest --quiet -rs tests
 
 step "doctests"
 "$bin/python" -m pytest --quiet --doctest-modules --pyargs flockproof

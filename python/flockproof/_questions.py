@@ -152,15 +152,9 @@ def check(
     >>> answer.verdict, answer.counterexample["n"]
     ('false', '1')
     """
-    functions = []
-    for key, own in (define or {}).items():
-        if callable(own):
-            functions.append((key, _measure(own)))
-        elif isinstance(own, str) and isinstance(question, Mapping):
-            question = {**question, "define": {**question.get("define", {}), key: own}}
-        else:
-            kinds = "a function of a graph, or an expression where the question is a dictionary"
-            raise TypeError(f"define: `{key}` should be {kinds}, but it is `{str(own)[:60]}`")
+    functions = [(key, _measure(own)) for key, own in (define or {}).items() if callable(own)]
+    texts = {key: own for key, own in (define or {}).items() if not callable(own)}
+    question = _defining(question, texts, "a function of a graph, or an expression where the question is a dictionary")
     text, files, name = _read(question)
     with _named(name):
         document, words, replay = _native.check(text, files, callback(progress), functions, counterexamples, tight)
@@ -184,6 +178,15 @@ def check(
         _members(found.get("tight")),
         words,
     )
+
+
+def _defining(question: Question, texts: Mapping[str, Any], kinds: str) -> Question:
+    """The question with expressions by name in ``[define]``."""
+    for key, own in texts.items():
+        if not isinstance(own, str) or not isinstance(question, Mapping):
+            raise TypeError(f"define: `{key}` should be {kinds}, but it is `{str(own)[:60]}`")
+        question = {**question, "define": {**question.get("define", {}), key: own}}
+    return question
 
 
 def _members(listed: Mapping[str, Any] | None) -> tuple[Member, ...]:
@@ -500,6 +503,7 @@ def sweep(
     question: Question,
     client: Any = None,
     *,
+    define: Mapping[str, str] | None = None,
     store: str | os.PathLike[str] | None = None,
     shards: int | None = None,
     resume: bool = False,
@@ -515,6 +519,9 @@ def sweep(
     client
         A ``distributed.Client``: the shards are sent to its workers, which need no common file system. A worker that
         is killed costs the shard that it had; the result is byte for byte that of one process.
+    define
+        Names that the values may use: expressions as in ``[define]``. Functions, which :func:`check` takes too, are not
+        sent to workers.
     store
         A folder for the finished shards; left out, they are kept while the table is made.
     shards
@@ -552,7 +559,8 @@ def sweep(
     >>> len(table), table[1]["connectivity"]
     (4, Fraction(1, 1))
     """
-    text, files, name = _read(question)
+    kinds = "an expression, and the question a dictionary; functions are for check"
+    text, files, name = _read(_defining(question, define or {}, kinds))
     plan: Plan = {"kind": "sweep", "question": text, "files": files, "invariants": [], "cases": 0, "seed": ""}
     with _named(name), _stored(store) as folder:
         _run(plan, folder, client, shards, resume, threads, progress)

@@ -404,7 +404,7 @@ def tracks(
     columns
         Other names of those columns: ``{"frame": "t", "particle": "id"}``.
     fps
-        Frames per second, where ``t`` counts frames.
+        Frames per second, where ``t`` counts frames; needed where its column is named after frames.
     part, score
         In tables of DeepLabCut and SLEAP: the body part that stands for a fish (left out: the mean of those that were
         seen), and the smallest score or likelihood of a part that counts as seen.
@@ -423,7 +423,8 @@ def tracks(
     smooth_positions
         Use the smoothed positions for distances and networks too.
     body_length
-        In the unit of x and y; left out: as the file says, else 5.3 (the sidebar's, in centimetres).
+        In the unit of x and y; left out: as the file says, else 5.3 (the sidebar's, in centimetres), which means
+        nothing for positions in pixels.
     zones
         Outer radii of repulsion, orientation and attraction in body lengths; the last may be left out.
     blind
@@ -471,6 +472,12 @@ def tracks(
     (2, 60)
     """
     float_seen("measured trajectories are floats")
+    if columns is not None and not isinstance(columns, Mapping):
+        example = "a dictionary of other names, such as {'frame': 't', 'particle': 'id'}"
+        raise TypeError(f"columns should be {example}, but it is `{str(columns)[:60]}`")
+    for name, several in (("zones", zones), ("nearest", nearest), ("ids", ids)):
+        if isinstance(several, str):
+            raise TypeError(f"{name} should be a list, but it is the text `{several[:60]}`")
     recording = _recordings.read(data, part, score)
     unit, times_from = None, "the file" if fps is None else "frames, and their rate is chosen"
     length, length_from = body_length, "chosen"

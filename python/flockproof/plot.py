@@ -62,6 +62,29 @@ def _axes(axes: Any) -> Any:
     return axes
 
 
+def _legend(axes: Any) -> None:
+    """Below the axes, long ones beside them, where their figure makes room for it, so that no curve is hidden."""
+    if axes.figure.get_layout_engine() is None:
+        axes.legend()
+        return
+    labels = axes.get_legend_handles_labels()[1]
+    if len(labels) > 10:
+        axes.legend(loc="upper left", bbox_to_anchor=(1, 1), fontsize="small", frameon=False)
+        return
+    down = needed("matplotlib.transforms", "plot").ScaledTranslation(0, -0.5, axes.figure.dpi_scale_trans)
+    columns = 1 if any(len(label) > 18 for label in labels) else 2
+    below = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": axes.transAxes + down}
+    axes.legend(**below, ncols=columns, fontsize="small", frameon=False)
+
+
+def _without_jumps(positions: Any) -> Any:
+    """Paths in a periodic box, broken where they leave at one side and come back at the other."""
+    jumps = np.abs(np.diff(positions, axis=0)) > np.ptp(positions, axis=(0, 1)) / 2
+    broken = positions.astype(float)
+    broken[1:][jumps.any(axis=2)] = np.nan
+    return broken
+
+
 def paths(simulation: Simulation, axes: Any = None) -> Any:
     """The paths of the agents in the plane, or their one coordinate or phase over time.
 
@@ -86,9 +109,11 @@ def paths(simulation: Simulation, axes: Any = None) -> Any:
         axes.plot(simulation.t, positions[:, :, 0], lw=1)
         axes.set(xlabel="t", ylabel="x")
     else:
-        axes.plot(positions[:, :, 0], positions[:, :, 1], lw=1)
+        drawn = _without_jumps(positions) if simulation.model == "vicsek-noise" else positions
+        axes.plot(drawn[:, :, 0], drawn[:, :, 1], lw=1)
         axes.plot(positions[-1, :, 0], positions[-1, :, 1], "o", color="0.2", ms=3)
-        axes.set(xlabel="x", ylabel="y", aspect="equal")
+        axes.set(xlabel="x", ylabel="y")
+        axes.set_aspect("equal", adjustable="datalim")
     axes.set_title(f"{simulation.model}, t = 0 to {simulation.t[-1]:g}")
     return axes
 
@@ -125,7 +150,7 @@ def observables(simulation: Simulation, names: Iterable[str] | None = None, axes
         # Beyond the colours lines are told apart by their style.
         axes.plot(simulation.t, values, label=label, ls=styles[len(axes.get_lines()) // len(_COLOURS) % len(styles)])
     axes.set(xlabel="t")
-    axes.legend()
+    _legend(axes)
     return axes
 
 
@@ -152,13 +177,18 @@ def resonances(found: Iterable[Resonance] | Resonance, axes: Any = None) -> Any:
     # Enclosures of 15 digits are thinner than any line.
     axes.loglog(followers, [float(r.amplitude) for r in ordered], "o-", ms=3, label="enclosed")
     axes.loglog(followers, [float(r.theorem1.amplitude) for r in ordered], "--", label="Theorem 1")
-    axes.set(xlabel="followers", ylabel="largest amplitude of the last car")
-    axes.legend()
+    axes.set(xlabel="followers", ylabel="peak of the last car")
+    axes.tick_params(which="minor", labelbottom=False, labelleft=False)
+    if len(set(followers)) < 7:
+        axes.set_xticks(followers, [str(n) for n in followers])
+    _legend(axes)
     return axes
 
 
 def bode(platoon: Platoon, cars: Iterable[int] | None = None, frequencies: Any = None, axes: Any = None) -> Any:
     """Bode's diagram of cars of a platoon: magnitude (dB) and phase (degrees), the certified peaks marked.
+
+    The title says where a platoon is not stable, so that nothing settles into this response.
 
     Parameters
     ----------
@@ -209,7 +239,9 @@ def bode(platoon: Platoon, cars: Iterable[int] | None = None, frequencies: Any =
     top = max(axes[0].get_ylim()[1], 0)
     axes[0].set(ylabel="magnitude (dB)", ylim=(max(axes[0].get_ylim()[0], top - 100), top))
     axes[1].set(xlabel="angular frequency (rad/s)", ylabel="phase (degrees)")
-    axes[0].set_title(f"{platoon.followers} followers" + (", peaks certified" if peaks else ""))
+    growth = np.linalg.eigvals(platoon.matrices()[0]).real.max()
+    said = f", not stable:\ngrows like exp({growth:.3g} t)" if growth > 1e-9 else ""
+    axes[0].set_title(f"{platoon.followers} followers" + (", peaks certified" if peaks else said), fontsize="medium")
     axes[0].legend()
     return axes
 
@@ -388,13 +420,13 @@ def _grouped(axes: Any, place: Any, values: Any, name: str) -> None:
     deviations = np.sqrt(squares / np.maximum(counts - 1, 1))
     axes.plot(place, values, "o", color="0.6", ms=3, label=name)
     axes.errorbar(places, means, yerr=deviations, fmt="o-", ms=5, lw=1.2, capsize=3, label="mean, standard deviation")
-    axes.legend()
+    _legend(axes)
 
 
 def against(
     runs: Mapping[float, Iterable[Simulation]], observable: str = "order", since: float = 0.0, axes: Any = None
 ) -> Any:
-    """An observable against a parameter, such as the order against the noise: each run, and mean and standard deviation.
+    """An observable against a parameter, such as the order against the noise: each run, mean and standard deviation.
 
     Parameters
     ----------
@@ -522,7 +554,7 @@ def reach(found: Reach, check: int = 0, axes: Any = None) -> Any:
         axes.plot(points[:, 0], points[:, 2], lw=1, color="0.2", label="the worst that was found")
     axes.axhline(float(Fraction(bound)), ls="--", lw=1, color=_COLOURS[1], label="the bound asked for")
     axes.set(xlabel="t", ylabel=quantity, title=f"{found[check].holds}: {found[check].verdict}")
-    axes.legend()
+    _legend(axes)
     return axes
 
 
@@ -598,12 +630,12 @@ def tracks(found: Tracks, names: Iterable[str] = ("p_1", "rotation"), axes: Any 
     for name in chosen:
         axes.plot(frames["t"], frames[name], lw=1.2, label=name)
     axes.set(xlabel="time (s)", title=str(found.summary["source"]))
-    axes.legend()
+    _legend(axes)
     return axes
 
 
 def patterns(found: Patterns, axes: Any = None) -> Any:
-    """Symmetric patterns on a circle, one beside the other: filled where they are stable, hollow where they are not.
+    """Symmetric patterns on a circle, three in a row: filled where they are stable, hollow where they are not.
 
     Parameters
     ----------
@@ -626,14 +658,17 @@ def patterns(found: Patterns, axes: Any = None) -> Any:
         "undecided": {"marker": "x", "color": _COLOURS[6]},
     }
     for k, one in enumerate(found):
-        centre = 3.0 * k
-        axes.plot(centre + turn.real, turn.imag, color="0.75", lw=1)
+        row, column = divmod(k, 3)
+        across, up = 3.2 * column, -4.2 * row
+        axes.plot(across + turn.real, up + turn.imag, color="0.75", lw=1)
         places = np.exp(2j * np.pi * np.arange(one.clusters) / one.clusters)
-        axes.plot(centre + places.real, places.imag, ls="none", ms=6, **looks[one.verdict])
+        axes.plot(across + places.real, up + places.imag, ls="none", ms=6, **looks[one.verdict])
         words = f"{one.clusters} cluster{'s' if one.clusters > 1 else ''}\n{one.verdict}"
-        axes.text(centre, -1.35, words, ha="center", va="top")
-    gains = ", ".join(str(gain) for gain in found.gains)
-    axes.set(aspect="equal", xlim=(-1.6, 3 * len(found) - 1.4), ylim=(-2.7, 1.4))
-    axes.set_title(f"{found.particles} particles, K = {gains}")
+        axes.text(across, up - 1.35, words, ha="center", va="top", fontsize="small")
+    # Fractions that stand for floats are too long for a title.
+    gains = ", ".join(str(gain) if len(str(gain)) < 9 else f"{float(gain):g}" for gain in found.gains)
+    bottom = -4.2 * ((len(found) - 1) // 3) - 3
+    axes.set(aspect="equal", xlim=(-1.6, 3.2 * min(len(found), 3) - 1.6), ylim=(bottom, 1.4))
+    axes.set_title(f"{found.particles} particles, K = {gains}", fontsize="medium")
     axes.axis("off")
     return axes

@@ -7,6 +7,7 @@ import os
 from fractions import Fraction
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import flockproof
@@ -204,3 +205,26 @@ def test_a_reach_shows_its_checks() -> None:
         }
     )
     assert "<td>x &lt;= 9/10</td><td>holds</td>" in found._repr_html_()
+
+
+def test_a_platoon_that_is_not_stable_is_told() -> None:
+    unstable = flockproof.Platoon(5, f_ahead=-1, f_behind=-1, g_ahead=-1, g_behind=-9)
+    assert "not stable" in plot.bode(unstable)[0].get_title()
+    assert plot.bode(flockproof.Platoon(5, -1, -1))[0].get_title() == "5 followers, peaks certified"
+
+
+def test_legends_hide_no_curve() -> None:
+    many = plot.observables(flockproof.simulate(ASSETS / "scenarios" / "pattern.toml"))
+    few = plot.observables(flockproof.simulate(PHASES), ["order"])
+    many.figure.canvas.draw()
+    few.figure.canvas.draw()
+    for axes in (many, few):
+        box = axes.get_legend().get_window_extent()
+        assert box.x0 >= axes.bbox.x1 or box.y1 <= axes.bbox.y0
+
+
+def test_paths_in_a_periodic_box_do_not_cross_it() -> None:
+    run = flockproof.simulate(ASSETS / "scenarios" / "vicsek_noise.toml")
+    side = float(np.ptp(run.positions))
+    steps = [np.abs(np.diff(line.get_xydata(), axis=0)) for line in plot.paths(run).get_lines()[:-1]]
+    assert all(np.nanmax(step) <= side / 2 + 1e-9 for step in steps)

@@ -298,3 +298,15 @@ def test_names_of_graphs_are_those_of_the_command_line() -> None:
         assert sum(own.multiplicity for own in flockproof.spectrum(text)) == order
     with pytest.raises(ValueError, match="petersson"):
         flockproof.spectrum("petersson")
+
+
+def test_a_sweep_with_names_of_its_own() -> None:
+    question = {
+        "question": {"id": "mine.trees"},
+        "for": {"n": "2..4", "graph": "trees(n)"},
+        "values": {"twice": "2 * mine"},
+    }
+    table = flockproof.sweep(question, define={"mine": "lambda(2)"})
+    assert [row["twice"] for row in table][:2] == [4, 2]
+    with pytest.raises(TypeError, match="functions are for check"):
+        flockproof.sweep(question, define={"mine": len})  # type: ignore[dict-item]

@@ -234,7 +234,7 @@ def test_deeplabcut_and_sleap_through_movement(tmp_path: Path) -> None:
     )
     # movement brings sleap-io.
     sio = pytest.importorskip("sleap_io")
-    skeleton, video = sio.Skeleton(NODES), sio.Video(filename="video.mp4", open_backend=False)
+    skeleton, video = sio.Skeleton(list(NODES)), sio.Video(filename="video.mp4", open_backend=False)
     tracks = [sio.Track(f"track_{k}") for k in range(4)]
     frames = []
     for frame in range(200):
@@ -371,3 +371,26 @@ def test_smoothing_is_that_of_scipy() -> None:
         flockproof.tracks(data, fps=25, window=3, smoothing="savgol")
     with pytest.raises(ValueError, match="there are mean, savgol, spline"):
         flockproof.tracks(data, fps=25, smoothing="kalman")
+
+
+def test_texts_are_no_lists() -> None:
+    places = np.arange(60.0).reshape(10, 3, 2)
+    with pytest.raises(
+        TypeError, match=r"columns should be a dictionary of other names, such as .* but it is `frame=t`"
+    ):
+        flockproof.tracks(places, fps=10, columns="frame=t")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="ids should be a list, but it is the text `ab`"):
+        flockproof.tracks(places, fps=10, ids="ab")
+
+
+def test_columns_of_frames_need_a_rate() -> None:
+    table = {"frame": [], "id": [], "x": [], "y": []}
+    for frame in range(60):
+        for name in "ab":
+            for key, value in zip(table, (frame, name, frame + 3.0 * (name == "a"), frame % 7), strict=True):
+                table[key].append(value)
+    names = {"frame": "t"}
+    with pytest.raises(ValueError, match=r"called `frame` and holds whole numbers"):
+        flockproof.tracks(table, columns=names, null=0)
+    found = flockproof.tracks(table, columns=names, fps=10, null=0, window=5)
+    assert found.summary["declaration"]["times_from"] == "frames, and their rate is chosen"

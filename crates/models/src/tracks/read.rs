@@ -127,6 +127,14 @@ pub enum TracksError {
         /// The form.
         form: &'static str,
     },
+    /// A column that is named after frames holds whole numbers, and nobody says their rate.
+    #[error(
+        "the column of times is called `{column}` and holds whole numbers, as of frames: say how many frames there are in a second (fps; 1 if these are seconds)"
+    )]
+    Numbered {
+        /// The column.
+        column: String,
+    },
     /// Body parts or scores where there are none.
     #[error("a table of this form ({form}) has no body parts and no scores")]
     NoParts {
@@ -319,6 +327,11 @@ impl Tracks {
     /// [`TracksError`], with the line.
     pub fn from_table(text: &str, format: &Format) -> Result<Tracks, TracksError> {
         let Table { mut rows, clock, form, parts } = rows(text, format)?;
+        let column = &format.columns[0];
+        let counted = form == Form::Rows && column.to_lowercase().starts_with("frame");
+        if counted && format.fps.is_none() && rows.iter().all(|row| row.date.is_none() && row.time.fract() == 0.0) {
+            return Err(TracksError::Numbered { column: column.clone() });
+        }
         let first = rows.iter().filter_map(|row| row.date).min();
         for row in &mut rows {
             if let Some((first, date)) = first.zip(row.date) {

@@ -1,16 +1,95 @@
 //! The errata of a paper: fit to print, and to send to its authors.
 
 use super::Site;
-use super::by_hand::by_hand;
-use super::words::spoken;
+use super::by_hand::{Item, items};
+use super::texts::words;
 use crate::page::Links;
 use crate::papers::{Paper, papers};
 use ledger::{Entry, Fault};
 use maud::{Markup, html};
+use std::collections::BTreeMap;
 
-/// The entries of a paper whose printed form fails.
-fn errata<'a>(site: &'a Site, paper: Paper) -> impl Iterator<Item = &'a Entry> {
-    site.entries().iter().filter(move |e| e.paper == paper.key && e.fault.is_some())
+/// A part of a page of errata.
+pub(super) struct Kind {
+    /// Its name in the files of items.
+    pub key: &'static str,
+    title: &'static str,
+    about: &'static str,
+    /// What the corrected text and the example are called.
+    labels: [&'static str; 2],
+}
+
+/// The parts of a page, the mathematics first.
+pub(super) const KINDS: [Kind; 7] = [
+    Kind {
+        key: "false",
+        title: "Statements that are false",
+        about: "Each fails within the paper's own hypotheses, at the example that is given.",
+        labels: ["Correct", "Fails at"],
+    },
+    Kind {
+        key: "open",
+        title: "A statement whose proof does not stand",
+        about: "Neither a proof nor a counterexample is known to us.",
+        labels: ["State", "Fails at"],
+    },
+    Kind {
+        key: "slip",
+        title: "Slips",
+        about: "A step is wrong; the use that the paper makes of it survives.",
+        labels: ["Correct", "Fails at"],
+    },
+    Kind {
+        key: "hypothesis",
+        title: "Missing hypotheses",
+        about: "True with a hypothesis that the paper does not state.",
+        labels: ["Correct", "Fails at"],
+    },
+    Kind { key: "typo", title: "Misprints", about: "The intended text is evident.", labels: ["Correct", "Fails at"] },
+    Kind {
+        key: "scan",
+        title: "Marks to compare with the printed page",
+        about: "Each is one mark (a sign, an index, a dot, a radical, a bracket) that the scan which was read may have lost or altered. \
+            If the printed page has it right, there is no error.",
+        labels: ["Correct", "Fails at"],
+    },
+    Kind {
+        key: "convention",
+        title: "Conventions that a reader needs",
+        about: "No errors: the text is right if it is read in one way, and not in another one that its words allow.",
+        labels: ["In full", "Otherwise"],
+    },
+];
+
+/// An item with the entries of its claims.
+struct Found<'a> {
+    item: Item<'static>,
+    kind: &'static str,
+    entries: Vec<&'a Entry>,
+}
+
+/// The items of a paper in the order of their kinds; items none of whose claims is in the ledger are left out.
+fn found<'a>(site: &'a Site<'_>, paper: Paper) -> Vec<Found<'a>> {
+    let mut all: Vec<Found> = items(paper.key)
+        .filter_map(|item| {
+            let entries: Vec<&Entry> =
+                item.ids.iter().filter_map(|id| site.entries().iter().find(|e| e.id == *id)).collect();
+            let kind = item.kind.or_else(|| entries.first()?.fault.map(key))?;
+            (!entries.is_empty()).then_some(Found { item, kind, entries })
+        })
+        .collect();
+    all.sort_by_key(|found| KINDS.iter().position(|kind| kind.key == found.kind));
+    all
+}
+
+/// The kind of a fault.
+fn key(fault: Fault) -> &'static str {
+    match fault {
+        Fault::False => "false",
+        Fault::Slip => "slip",
+        Fault::Hypothesis => "hypothesis",
+        Fault::Typo => "typo",
+    }
 }
 
 /// The list of errata.
@@ -19,60 +98,64 @@ pub(super) fn list(site: &Site) -> Markup {
         h1 { "Errata" }
         p.lead { "For each paper one page that can be printed: place, what is printed, what is correct, why, and how to check it, by hand and by the program." }
         ul { @for paper in papers() {
-            li { a href={ (paper.key) ".html" } { (paper.short) " " (paper.year) } ": " (errata(site, paper).count()) " entries" }
+            li { a href={ (paper.key) ".html" } { (paper.short) " " (paper.year) } ": "
+                (found(site, paper).len()) " items" }
         } }
     }
 }
 
-/// The errata of one paper, the mathematics first.
+/// The errata of one paper.
 pub(super) fn body(site: &Site, paper: Paper) -> Markup {
-    let kinds = [
-        (
-            Fault::False,
-            "Statements that are false",
-            "Each fails within the paper's own hypotheses, at the example that is given.",
-        ),
-        (Fault::Slip, "Slips", "A step is wrong; the use that the paper makes of it survives."),
-        (Fault::Hypothesis, "Missing hypotheses", "True with a hypothesis that the paper does not state."),
-        (Fault::Typo, "Misprints", "The intended text is evident."),
-    ];
-    let mut number = 0;
+    let all = found(site, paper);
+    let numbers: BTreeMap<&str, usize> =
+        all.iter().zip(1..).flat_map(|(one, k)| one.item.ids.iter().map(move |id| (*id, k))).collect();
     html! {
         h1 { "Errata: " (paper.title) }
         p.lead { (paper.citation()) }
-        p { "Each correction is checked by the same computation that refutes the printed form. What was read \
-            is the text of a scan, which may have lost a sign, an index or the extent of a radical: compare each item with the printed page." @if paper.key == "tanner2" {
+        p { "What was read is the text of a scan, which may have lost a sign, an index or the extent of a radical: compare each item with the \
+            printed page." @if paper.key == "tanner2" {
             " Sections and equations are those of the authors' preprint, which cites by author and year, not of the pages of the journal." } }
-        p { "Symbols, equations and places are those of the paper. " b { "By hand" } " is a program of a few lines that needs Python and NumPy and nothing else: \
-            it prints what stands behind " code { "#" } ". " b { "Check" } " names the command that computes the whole entry again, with proofs and \
-            enclosures, by the program flockproof " (env!("CARGO_PKG_VERSION")) "." }
-        @for (fault, title, about) in kinds {
-            @let of_kind: Vec<&Entry> = errata(site, paper).filter(|e| e.fault == Some(fault)).collect();
+        p { "Symbols, equations and places are those of the paper. " b { "By hand" } " says how an item is seen in a minute: mostly by a program of a few \
+            lines that needs Python and NumPy and nothing else and prints what stands behind " code { "#" } ". " b { "Check" } " names the command that \
+            computes the whole entry again, with proofs and enclosures, by the program flockproof " (env!("CARGO_PKG_VERSION")) "; nothing here leans on it." }
+        @for kind in &KINDS {
+            @let of_kind: Vec<&Found> = all.iter().filter(|one| one.kind == kind.key).collect();
             @if !of_kind.is_empty() {
-                h2 { (title) }
-                p { (about) }
-                @for e in of_kind {
-                    @let () = number += 1;
-                    (erratum(site, e, number))
-                }
+                h2 { (kind.title) }
+                p { (kind.about) }
+                @for one in of_kind { (erratum(site, kind, one, &numbers)) }
             }
         }
     }
 }
 
-fn erratum(site: &Site, e: &Entry, number: usize) -> Markup {
-    let rich = |text: &str| site.names.rich(text, Links::Folder);
+fn erratum(site: &Site, kind: &Kind, Found { item, entries, .. }: &Found, numbers: &BTreeMap<&str, usize>) -> Markup {
+    // Other items are named by their numbers.
+    let rich = |text: &str| {
+        let text: String =
+            words(text).map(|word| numbers.get(word).map_or(word.to_string(), |k| format!("item {k}"))).collect();
+        site.names.rich(&text, Links::Alone)
+    };
+    let several = entries.len() > 1;
+    let each = |text: fn(&Entry) -> Option<&str>| {
+        html! { @for e in entries { @if let Some(text) = text(e) { div { @if several { i { (e.place) ". " } } (rich(text)) } } } }
+    };
+    let mut places: Vec<&str> = entries.iter().map(|e| e.place.as_str()).collect();
+    places.dedup();
+    let lead = entries[0];
+    let why = item.why.or_else(|| site.derivation(&lead.id)).filter(|text| !text.is_empty());
     html! {
-        article.erratum id=(e.id) {
-            h3 { (number) ". " (e.place) }
+        article.erratum id=(lead.id) {
+            h3 { @if let Some(k) = numbers.get(lead.id.as_str()) { (k) ". " } (places.join("; ")) }
             dl {
-                dt { "Printed" } dd { (rich(&e.statement)) }
-                @if let Some(text) = &e.corrected { dt { "Correct" } dd { (rich(text)) } }
-                @if let Some(text) = &e.counterexample { dt { "Fails at" } dd { (rich(text)) } }
-                @if let Some(text) = site.derivation(&e.id).filter(|text| !text.is_empty()) { dt { "Why" } dd { (rich(text)) } }
-                @if let Some(plain) = by_hand(&e.id) { dt { "By hand" } dd { (rich(plain.what)) pre tabindex="0" { code { (plain.code) } } } }
+                dt { "Printed" } dd { (each(|e| Some(&e.statement))) }
+                dt { (kind.labels[0]) }
+                dd { @match item.correct { Some(text) => (rich(text)), None => (each(|e| e.corrected.as_deref())) } }
+                @if let Some(text) = item.fails.or(lead.counterexample.as_deref()) { dt { (kind.labels[1]) } dd { (rich(text)) } }
+                @if let Some(text) = why { dt { "Why" } dd { (rich(text)) } }
+                dt { "By hand" } dd { (rich(item.what)) @if !item.code.is_empty() { pre tabindex="0" { code { (item.code) } } } }
                 dt { "Check" }
-                dd { code { "flockproof explain " (e.id) } ", " a href={ "../claims/" (e.id) ".html" } { (e.id) } " (" (spoken(e.verdict)) ")" }
+                dd { @for e in entries { div { a href={ "../claims/" (e.id) ".html" } { code { "flockproof explain " (e.id) } } } } }
             }
         }
     }

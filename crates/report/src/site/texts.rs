@@ -68,7 +68,7 @@ impl Names {
 }
 
 /// A text cut into words that may be names, and what lies between them; joined they are the text.
-fn words(text: &str) -> impl Iterator<Item = &str> {
+pub(super) fn words(text: &str) -> impl Iterator<Item = &str> {
     let part_of_name = |c: char| c.is_ascii_alphanumeric() || "._/-".contains(c);
     let mut rest = text;
     std::iter::from_fn(move || {

@@ -138,6 +138,9 @@ fn zones(report: &TracksReport) -> String {
         (Known::OF_SIDEBAR, Some(unit)) if unit != "cm" => {
             format!(" (that of the sidebar in cm, which means nothing for positions in {unit}: say the body length)")
         }
+        (Known::OF_SIDEBAR, None) => {
+            " (that of the sidebar in cm, while nobody says the unit of the positions: in another one say the body length)".to_string()
+        }
         (Known::OF_SIDEBAR, _) => " (that of the sidebar in cm; --body-length says another)".to_string(),
         (from, _) => format!(" ({from})"),
     };

@@ -432,6 +432,11 @@ fn names_of_columns_of_other_software_are_known() {
     // Named columns come first.
     let named = Format::new(&["frame=t", "particle=id"], Some(2.0)).expect("a format");
     assert_eq!(Tracks::from_table(trackpy, &named).map(|tracks| tracks.form), Ok(Form::Rows));
+    // Named after frames and without their rate: refused, unless it holds other numbers.
+    let seconds = Format::new(&["frame=t", "particle=id"], None).expect("a format");
+    assert!(error(trackpy, &seconds).contains("`frame` and holds whole numbers"));
+    let fractions = "frame,particle,x,y\n0.5,a,0,0\n0.5,b,1,0\n1.0,a,0,1\n1.0,b,1,1\n1.5,a,0,2\n1.5,b,1,2\n";
+    assert_eq!(Tracks::from_table(fractions, &seconds).map(|tracks| tracks.step), Ok(0.5));
 }
 
 /// What idtracker.ai writes beside a table; what is no length is none.

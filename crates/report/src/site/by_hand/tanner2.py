@@ -7,70 +7,91 @@ import numpy as np
 print(round(np.linalg.det(np.ones((5, 5)) - np.eye(5))))  # 4
 
 # tanner2.cor2_rate: two agents, lambda_2 = 2, V = k (s + 1/s - 2): x'' + 2 x' + 16 k x = 0: the slowest rates for k = 1 and k = 1/32
+# why: dW/dt <= -lambda_2 |v^n|^2 bounds how fast energy is lost at a given disagreement, not how fast W or the velocities tend to their limits: that depends on the potentials too. Near an equilibrium a mode obeys x'' + l x' + h x = 0, with l from the Laplacian and h from the potentials; for h small its rate is about h/l, which decreases as l grows. Two agents have rates above and below 1/2 for different potentials at the same lambda_2 = 2, and closing the path of three to a triangle raises lambda_2 from 1 to 3 and lowers the rate. (Modes of rate 0, which keep the shape or move it along equilibria, are left out.) Without potentials lambda_2 is the rate, as the corollary has it.
 import numpy as np
 print(*(f"{-max(np.roots([1, 2, 16 * k]).real):.3f}" for k in (1, 1 / 32)))  # 1.000 0.293
 
 # tanner2.eq10_exist: two agents at rest at the distance R = 2, V = s + 1/s - 2: V' at s = R^2 > 0: linked they approach, not linked they rest
 print(1 - 1 / 4**2)  # 0.9375
 
-# tanner2.lem1: U at R = 2 for V = s + 1/s - 2: the quotient from R outwards is U', that from below R to R bounds U°(R; 1) from below
+# tanner2.lem1 tanner2.lem2: U at R = 2 for V = s + 1/s - 2: the quotient from R outwards is U', that from below R to R bounds U°(R; 1) from below
+# fails: V = s + 1/s - 2 with s = r^2, R = 2, w = 1: U'(R; w) = 0, but U°(R; w) = 15/4. The generalised gradient of U at R is [0, 15/4], and not empty
+# why: Let c = V_r(R) > 0. One-sided: U'(R; w) = 0 for w > 0 and cw for w < 0. Generalised: base points y < R give quotients that tend to cw, base points y > R give 0, so that U°(R; w) = max(0, cw): it differs in both directions. The printed proof bounds U(y') by V_R but keeps y' >= R for w > 0, and for w < 0 overlooks y > R. A kink where an increasing function becomes flat is concave; what is regular is -U. The generalised gradient of a Lipschitz function is never empty (Clarke); the proof of Lemma 2 puts U' in the place of U°.
 U = lambda r: min(r, 2)**2 + 1 / min(r, 2)**2 - 2
 h = 1e-6
 print(f"{(U(2 + h) - U(2)) / h:.2f} {(U(2) - U(2 - h)) / h:.2f}")  # 0.00 3.75
 
-# tanner2.lem2: slopes of U on both sides of R = 2: their hull [0, 3.75] is the generalised gradient, which is not empty
-U = lambda r: min(r, 2)**2 + 1 / min(r, 2)**2 - 2
-h = 1e-6
-print(f"{(U(2 + 2 * h) - U(2 + h)) / h:.2f} {(U(2 - h) - U(2 - 2 * h)) / h:.2f}")  # 0.00 3.75
-
-# tanner2.sec4.flocking: the path 1-2-3 at (1, 0), (0, 0), (1, 0), V = s + 1/s - 2: the forces along x; agents 1 and 3 are in one place
-slope = lambda s: 1 - 1 / s**2
-x = [1, 0, 1]
-force = lambda i, j: -2 * slope((x[i] - x[j])**2) * (x[i] - x[j])
-print(force(0, 1), force(1, 0) + force(1, 2), force(2, 1))  # -0.0 0.0 -0.0
-
 # tanner2.thm1c: three linked agents at -1, 0, 1, V = 4/(3 s) + log s: the force on agent 1, and its potential here and when it moves aside by 0.1
+# why: The proof shows grad V_i = 0, which is what the corrected statement says. Three agents at rest in a row with all pairs linked are in equilibrium where 2 V'(a^2) a + 4 V'(4a^2) a = 0; with V = m/s + log(s/m) this is a^2 = 3m/4. Agent 1 sits at a saddle of its own potential. By symmetry every start in a row with velocities along it stays in a row, so that a whole set of starts tends to such points. (Also: with four or more agents no configuration in the plane makes all V_ij least at once.)
 from math import log
 m = 4 / 3
 V, slope = lambda s: m / s + log(s / m), lambda s: -m / s**2 + 1 / s
 print(round(-2 * slope(1) * -1 - 2 * slope(4) * -2, 12) + 0.0, V(1.01) + V(4.01) < V(1) + V(4))  # 0.0 True
 
 # tanner2.thm2_pot: the same three agents with R = 3: all pairs are linked, V increases at R, they rest, and the potential of agent 1 is not least
+# why: The row of three agents of the item on Theorem 1: with R = 3 every pair is linked, V is increasing at R, and they stay at rest. What survives is proved so. Along a Filippov solution the law holds at almost every time with weights m_e in [0, 1] on the tied pairs e. At almost every time at which |r_e| = R also d/dt |r_e|^2 = 0, so that ties do no work and dQ/dt = -sum_e m_e |v_e|^2 over links (m_e = 1) and ties. (Q is not regular, tanner2.lem1, but -Q is, and the chain rule of Theorem 4 for -Q gives the same.) So dQ/dt <= -l |v - mean|^2 with l > 0 the least lambda_2 of a connected graph on N vertices. |v - mean|^2 is integrable, and its rate is bounded: it tends to 0. Limit sets are weakly invariant; on them velocities agree for all time, so that all accelerations are equal and, as their sum is 0, vanish: 0 lies in K[(grad_{r_i} V_i)_i].
 from math import log
 m = 4 / 3
 V, slope = lambda s: m / s + log(s / m), lambda s: -m / s**2 + 1 / s
 print(slope(9) > 0, round(-2 * slope(1) * -1 - 2 * slope(4) * -2, 12) + 0.0, V(1.01) + V(4.01) < V(1) + V(4))  # True 0.0 True
 
 # tanner2.bound_r: three agents in a row, 2 apart, linked 1-2-3, at rest, V = s + 1/s - 2: W = c, and V_13 at |r_13| = 4 against c (N - 1)
+# fails: three agents in a row, 2 apart, linked 1-2-3, at rest, V = s + 1/s - 2: W = c = 9/2, and |r_13|^2 = 16, but V <= c(N - 1) = 9 only for |r|^2 < 11
 V = lambda s: s + 1 / s - 2
 c = V(4) + V(4)
 print(c, V(16), 2 * c, V(16) <= 2 * c)  # 4.5 14.0625 9.0 False
 
 # tanner2.bound_v: one agent of speed 1: W = c = 1/2, and its speed squared
+# fails: one agent of speed 1: W = c = 1/2, and |v|^2 = 1
 v = 1.0
 print(v**2 / 2, v**2)  # 0.5 1.0
 
 # tanner2.eq13.interval: two linked agents with equal velocities: the right side of (13) is the number 0, no e < 0
+# fails: two linked agents with equal velocities: the right side of (13) is {0}, which is no [e, 0] with e < 0
 import numpy as np
 v, L = np.array([1, 1]), np.array([[1, -1], [-1, 1]])
 print(v @ L @ v)  # 0
 
 # tanner2.vdotB: agents at (1, 1), (1, -1), V' = 1: the acceleration of agent 1 along y, and -(B grad V) with -1 for the outgoing edge
+# fails: two linked agents at (1, 1) and (1, -1) with equal velocities, V' = 1: the acceleration of agent 1 along y is -4, the printed product gives 4
 gradient = 2 * 1 * (1 - -1)
 print(-gradient, -(-1 * gradient))  # -4 4
+
+# tanner2.sec4.flocking: the path 1-2-3 at (1, 0), (0, 0), (1, 0), V = s + 1/s - 2: the forces along x; agents 1 and 3 are in one place
+# kind: hypothesis
+# why: The authors say so themselves after Corollary 2: agents that are not linked are not aware of each other, and Corollary 3 asks for the complete graph. The sentence that opens the section lacks this. Its first half, that velocities agree in the limit and linked agents do not collide, is Theorem 1 and right. On the complete graph nobody collides, but the equilibria include saddles (three agents in a row), which are not stable; hence the minimum, isolated among the critical configurations, in the corrected statement.
+slope = lambda s: 1 - 1 / s**2
+x = [1, 0, 1]
+force = lambda i, j: -2 * slope((x[i] - x[j])**2) * (x[i] - x[j])
+print(force(0, 1), force(1, 0) + force(1, 2), force(2, 1))  # -0.0 0.0 -0.0
 
 # tanner2.cor1: V' = (s - 1)(s - 4)^2 (s + 2/3)/s^2 at s = 3, 4, 5: two agents at rest at |r|^2 = 4 stay, and V is not least there
 slope = lambda s: (s - 1) * (s - 4)**2 * (s + 2 / 3) / s**2
 print(slope(3) > 0, slope(4), slope(5) > 0)  # True 0.0 True
 
+# tanner2.eq2: two opposite velocities: arctan of the quotient, and the two headings
+# kind: convention
+# why: arctan of the quotient gives the same angle to opposite velocities and none to (0, 1). Meant is the angle of the vector, as in equation (2) of the authors' conference paper, which needs a velocity other than zero. Nothing else in the paper uses it.
+from math import atan, atan2
+print(f"{atan(1 / 1) == atan(-1 / -1)} {atan2(1, 1):.3f} {atan2(-1, -1):.3f}")  # True 0.785 -2.356
+
 # tanner2.S_config: two linked agents 3/2 apart with equal velocities: dW/dt = -|v_1 - v_2|^2 vanishes, and r_12 does not
+# kind: scan
 print(-(1 - 1)**2, 1.5)  # 0 1.5
 
+# tanner2.appA.def4: K[f](0) = [-1, 0] is the hull of the values -1 and 0 of f on both sides of 0; the rate 0 of x = 0 lies in it, and is not it
+# why: K[f](x) is a set, here [-1, 0] at 0, and a rate is a number: with an equality sign nothing starts from 0. The text after the definition has it right: the tangent vector belongs to the hull.
+
+# tanner2.appA.thm4: count the arguments of V(x(t), t) for x in R^2: three
+
+# tanner2.appA.thm5: read which of the two proofs refers to a nonsmooth principle
+# fails: the law of Theorem 1 is smooth, and its proof names the classical principle
+# why: Theorem 1 is about a fixed graph; the proof of Theorem 2 applies the nonsmooth principle.
+
 # tanner2.cor2_sub: two agents with the same velocity 1 along x: dW/dt = -v L v, and the bound -lambda_2 |v_p|^2 with v_p = v
+# fails: two linked agents with the same velocity (1, 0): dW/dt = 0, and the printed bound is -lambda_2 |v^p|^2 = -4
 import numpy as np
 v, L = np.array([1, 1]), np.array([[1, -1], [-1, 1]])
 print(v @ L @ v, -2 * (v @ v))  # 0 -4
 
-# tanner2.eq2: two opposite velocities: arctan of the quotient, and the two headings
-from math import atan, atan2
-print(f"{atan(1 / 1) == atan(-1 / -1)} {atan2(1, 1):.3f} {atan2(-1, -1):.3f}")  # True 0.785 -2.356
+# tanner2.sec6.figures: compare the captions of Figures 4, 5 and 6 with the three sentences of Section 6 that name Figure 6
