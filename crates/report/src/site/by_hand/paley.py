@@ -18,7 +18,7 @@ L = 2 * np.eye(4) - np.roll(np.eye(4), 1, axis=0) - np.roll(np.eye(4), -1, axis=
 print(np.allclose(L @ z, 2 * z), np.diff(np.sort(turns)))  # True [1 5 1]
 
 # paley.fig3.gain: C12, neighbours 5/12 of a turn apart, omega_0 = 0.1, K0 = 1.2 as in Figure 3: whether (22), linearised in the rotating frame, is stable but for rotation and translation, for K1 = 0.1, 1, 10
-# fails: C_12, theta_k = 2 pi 5 k/12, Figure 3(c): a circular formation that is exponentially stable, up to rotation and translation, for every K_1 > 0
+# fails: Read as a change of the gain during the run: C_12, theta_k = 2 pi 5 k/12 (the caption says splay; the stable splay arrangements of C_12 have neighbours 5/12 or 7/12 of a turn apart): a circular formation that is exponentially stable, up to rotation and translation, for every K_1 > 0
 # why: At theta_k = 2 pi m k/N the Hessian of W_1 is (1/N) cos(2 pi m/N) L: negative definite up to rotation for m = 5 and for m = 6, the (2,N)-pattern. With V of paley.eq21 both formations are exponentially stable for every K_1 > 0: no gain turns Figure 3(c) into the other pattern. Which of the two is reached depends on the initial state, at every gain; started anew from one state, a larger gain can end in the other pattern.
 import numpy as np
 N, w, K0 = 12, 0.1, 1.2
@@ -39,9 +39,9 @@ def stable(K1, h=1e-5):
 print([stable(K1) for K1 in (0.1, 1, 10)])  # [True, True, True]
 
 # paley.fig8.pos: the factor that (29) gives to the orientation network at K1 = K0 = 0.1, N = 12
-# correct: With K_0 on the attraction network (paley.eq29) and K_1 = K_0 = omega_0 = 0.1, N = 12 and the blind spot of 60 degrees, most runs from random states have at t = 2400 nine to twelve clusters for M = 12, six to ten for M = 8 and at most four for M = 2, the gaps for M = 12 and 8 at least three quarters of 2 pi/M.
+# correct: At K_1 = K_0 the law (29) does not depend on the orientation network. The caption needs K_1 > K_0, or K_0 on the attraction network (paley.eq29).
 # fails: K_1 = K_0: the factor (K_1 - K_0)/N of the orientation network in (29) is 0, so that the runs for M = 2, 8 and 12 are one and the same from every start
-# why: At K_1 = K_0 the law (29) does not contain the orientation network, and for 0 < K_1 < K_0 its term aligns. Nor was the caption borne out by runs at 1.5 K_0 to 10 K_0: up to 3 K_0 there are too few clusters for M = 12, from 5 K_0 on far more than four for M = 2. With K_0 on the attraction network the runs show what the text describes, which suggests that the figure was made so.
+# why: At K_1 = K_0 the law (29) does not contain the orientation network, and for 0 < K_1 < K_0 its term aligns. With K_0 on the attraction network the networks differ at these gains, and the text's account of the figure, symmetric clusters that need not be M in number, can be meant.
 K0 = K1 = 0.1
 print((K1 - K0) / 12)  # 0.0
 
@@ -66,7 +66,7 @@ print(2 / (n + 1) * W1 > 1, W1 / n)  # True 1.0
 # why: The definition of a parallel formation asks for thetadot_k = 0. Phase locking gives equal rates only: under (6) with a control that vanishes at equal phases, such as (9) and (14), the common rate is omega_0. The caption of Figure 1(c) says rightly that the formation there is no relative equilibrium.
 from math import sin
 theta = [0.3, 0.3]
-print([1.0 - sum(sin(b - a) for b in theta) / 2 for a in theta])  # [1.0, 1.0]
+print([1.0 + sum(sin(b - a) for b in theta) / 2 for a in theta])  # [1.0, 1.0]
 
 # paley.zero.dir: one arc between two particles, a quarter of a turn apart: W1 = (1/(2N)) sum over arcs of 1 - cos
 # fails: two particles and one arc between them, phases a quarter of a turn apart: each strongly connected subgraph is a single node, so synchronised, and W_1 = 1/4

@@ -16,13 +16,13 @@ print(1 - 1 / 4**2)  # 0.9375
 
 # tanner2.lem1 tanner2.lem2: U at R = 2 for V = s + 1/s - 2: the quotient from R outwards is U', that from below R to R bounds U°(R; 1) from below
 # fails: V = s + 1/s - 2 with s = r^2, R = 2, w = 1: U'(R; w) = 0, but U°(R; w) = 15/4. The generalised gradient of U at R is [0, 15/4], and not empty
-# why: Let c = V_r(R) > 0. One-sided: U'(R; w) = 0 for w > 0 and cw for w < 0. Generalised: base points y < R give quotients that tend to cw, base points y > R give 0, so that U°(R; w) = max(0, cw): it differs in both directions. The printed proof bounds U(y') by V_R but keeps y' >= R for w > 0, and for w < 0 overlooks y > R. A kink where an increasing function becomes flat is concave; what is regular is -U. The generalised gradient of a Lipschitz function is never empty (Clarke); the proof of Lemma 2 puts U' in the place of U°.
+# why: Let c = V_r(R) > 0. One-sided: U'(R; w) = 0 for w > 0 and cw for w < 0. Generalised: base points y < R give quotients that tend to cw, base points y > R give 0, so that U°(R; w) = max(0, cw): it differs in both directions. The printed proof bounds U(y') by V_R, but for w > 0 then puts V_R for U(y' - tw) too, as if y' - tw >= R, and for w < 0 overlooks y > R. A kink where an increasing function becomes flat is concave; what is regular is -U. The generalised gradient of a Lipschitz function is never empty (Clarke); the proof of Lemma 2 puts U' in the place of U°.
 U = lambda r: min(r, 2)**2 + 1 / min(r, 2)**2 - 2
 h = 1e-6
 print(f"{(U(2 + h) - U(2)) / h:.2f} {(U(2) - U(2 - h)) / h:.2f}")  # 0.00 3.75
 
 # tanner2.thm1c: three linked agents at -1, 0, 1, V = 4/(3 s) + log s: the force on agent 1, and its potential here and when it moves aside by 0.1
-# why: The proof shows grad V_i = 0, which is what the corrected statement says. Three agents at rest in a row with all pairs linked are in equilibrium where 2 V'(a^2) a + 4 V'(4a^2) a = 0; with V = m/s + log(s/m) this is a^2 = 3m/4. Agent 1 sits at a saddle of its own potential. By symmetry every start in a row with velocities along it stays in a row, so that a whole set of starts tends to such points. (Also: with four or more agents no configuration in the plane makes all V_ij least at once.)
+# why: The proof shows grad V_i = 0, which is what the corrected statement says. Three agents at rest in a row with all pairs linked are in equilibrium where 2 V'(a^2) a + 4 V'(4a^2) a = 0; with V = m/s + log(s/m) this is a^2 = 3m/4. Agent 1 sits at a saddle of its own potential. By symmetry every start in a row with velocities along it stays in a row, so that a whole set of starts tends to such points. (Also: with four or more agents, all linked and with one desired distance, no configuration in the plane makes all V_ij least at once.)
 from math import log
 m = 4 / 3
 V, slope = lambda s: m / s + log(s / m), lambda s: -m / s**2 + 1 / s
@@ -80,6 +80,7 @@ print(f"{atan(1 / 1) == atan(-1 / -1)} {atan2(1, 1):.3f} {atan2(-1, -1):.3f}")  
 print(-(1 - 1)**2, 1.5)  # 0 1.5
 
 # tanner2.appA.def4: K[f](0) = [-1, 0] is the hull of the values -1 and 0 of f on both sides of 0; the rate 0 of x = 0 lies in it, and is not it
+# kind: scan
 # why: K[f](x) is a set, here [-1, 0] at 0, and a rate is a number: with an equality sign nothing starts from 0. The text after the definition has it right: the tangent vector belongs to the hull.
 
 # tanner2.appA.thm4: count the arguments of V(x(t), t) for x in R^2: three
@@ -94,4 +95,4 @@ import numpy as np
 v, L = np.array([1, 1]), np.array([[1, -1], [-1, 1]])
 print(v @ L @ v, -2 * (v @ v))  # 0 -4
 
-# tanner2.sec6.figures: compare the captions of Figures 4, 5 and 6 with the three sentences of Section 6 that name Figure 6
+# tanner2.sec6.figures: compare the captions of Figures 4, 5 and 6 with the five sentences of Section 6 that name Figure 6 (three on the fixed run, one on the dynamic one, one on the loss of connectivity)

@@ -36,6 +36,7 @@ h = 1e-6
 print(f"{(2 * exp(1j * h) - 2 * exp(-1j * h)) / (2 * h):.3f} {1j * exp(0):.3f}")  # 0.000+2.000j 0.000+1.000j
 
 # veerman.prop1: |1/gamma|^2 at the frequency w = |f| = 4 (g = -1): below one, so that nothing limits N
+# kind: scan
 f, g, w = -4, -1, 4
 print((f**2 + g**2 * w**2) / ((w**2 - abs(f))**2 + g**2 * w**2))  # 0.2
 
@@ -47,6 +48,7 @@ y = sqrt(3) - 1
 print(f"{sqrt(y):.4f} {((1 + y) / ((y - 1)**2 + y))**64:.0e}")  # 0.8556 2e+21
 
 # veerman.sep_remark: a0 = 2 and gamma^-k e^(iwt) = gamma^-(k+1) e^(iwt) = 1: both cars are displaced by 2, their distance is 1
+# kind: scan
 # fails: a_0 = 2, and gamma^{-k} e^{iwt} = gamma^{-k-1} e^{iwt} = 1 (both cars displaced by 2): the separation is 1, the printed formula gives -2
 a0, h = 2, 1
 print((h + a0) - a0, a0 * 1 - a0 * (1 + 1))  # 1 -2
