@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::given::Given;
 use crate::names::{FUNCTIONS, Subject, quantities, quantity_of};
 use crate::scenario_file::ScenarioFile;
-use crate::states::LawFile;
+use crate::states::{LawFile, names_an_agent};
 use crate::syntax::Node;
 use algebra::graph::LaplacianKind;
 use arithmetic::{Rational, rational};
@@ -184,12 +184,8 @@ impl Question {
     /// Whether it is about all states of a law and agents are not alike in it: they are named by number, or have parameters or starts of their own.
     pub(crate) fn names_agents(&self) -> bool {
         let Some(law) = &self.law else { return false };
-        let names = |text: &str| {
-            let mut parts = text.split('[').skip(1);
-            parts.any(|rest| rest.trim_start().starts_with(|c: char| c.is_ascii_digit()))
-        };
-        let asked = self.property.iter().chain(&self.controls).any(|asked| names(&asked.node.to_string()));
-        asked || law.names_agents() || self.bounds.iter().any(|bound| names(&bound.name))
+        let asked = self.property.iter().chain(&self.controls).any(|asked| names_an_agent(&asked.node.to_string()));
+        asked || law.names_agents() || self.bounds.iter().any(|bound| names_an_agent(&bound.name))
     }
 
     /// The law whose states the question is about, where there is one.

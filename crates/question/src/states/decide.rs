@@ -61,6 +61,7 @@ fn together(
                 return Ok(Decided { truth: Truth::False, margin, boxes: 1, counterexample, ..Decided::nothing() });
             }
             (Found::Open(why), _) => truth = Truth::unknown(why, None),
+            (Found::NoValue, _) => truth = Truth::unknown(NO_VALUE, None),
         }
     }
     let open = u64::from(truth != Truth::True);
@@ -77,10 +78,11 @@ pub(super) enum Found {
     Holds(Vec<How>, Vec<Certificate>),
     Fails(Vec<Rational>),
     Open(String),
+    /// At none of the states that were tried there is a value: what holds wherever it has one says nothing.
+    NoValue,
 }
 
-/// What holds wherever it has a value says nothing then.
-pub(super) const NO_VALUE: &str = "law and property have no value at any of the states that were tried";
+const NO_VALUE: &str = "law and property have no value at any of the states that were tried";
 
 pub(super) fn clause_holds(
     instance: &Instance,
@@ -103,7 +105,7 @@ pub(super) fn clause_holds(
     }
     match search::counterexample(instance, clause, search::TRIED, progress)? {
         Tried::False(state) => return Ok(Found::Fails(state)),
-        Tried::NoValue => return Ok(Found::Open(NO_VALUE.to_string())),
+        Tried::NoValue => return Ok(Found::NoValue),
         Tried::Nothing => {}
     }
     for comparison in clause {

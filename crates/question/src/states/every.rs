@@ -4,7 +4,7 @@
 //! N = 2, .., k + d + 2; on all networks, if it is with a variable for the weight of each link. So identities are tested for these N, among them that a number is a
 //! positive multiple of a sum over the linked pairs of its value for the two alone: then it has the sign that this has at all states of two.
 
-use super::decide::{Found, NO_VALUE, clause_holds};
+use super::decide::{Found, clause_holds};
 use super::identity::agree;
 use super::inequality::{self, on_states};
 use super::instance::{Instance, filled};
@@ -136,7 +136,7 @@ impl<'a> Sizes<'a> {
             }
         }
         if !has_value {
-            return Ok((Found::Open(NO_VALUE.to_string()), None));
+            return Ok((Found::NoValue, None));
         }
         let Found::Holds(how, certificates) = self.alone(clause, progress)? else {
             return Ok((Found::Open("one agent alone is undecided".to_string()), None));
@@ -165,7 +165,7 @@ impl<'a> Sizes<'a> {
     fn alone(&self, clause: usize, progress: &dyn Progress) -> Result<Found, QuestionError> {
         let alone = self.member(1, None)?.instance;
         Ok(match clause_holds(&alone, &alone.clauses[clause], progress)? {
-            Found::Open(why) if why == NO_VALUE => Found::Holds(Vec::new(), Vec::new()),
+            Found::NoValue => Found::Holds(Vec::new(), Vec::new()),
             found => found,
         })
     }

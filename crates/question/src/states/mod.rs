@@ -132,10 +132,8 @@ impl LawFile {
     pub fn names_agents(&self) -> bool {
         let LawText { define, rates, observables, parameters, .. } = &self.law;
         let texts = define.iter().chain(rates).chain(observables).map(|(_, text)| text);
-        let named = |text: &String| {
-            text.split('[').skip(1).any(|rest| rest.trim_start().starts_with(|c: char| c.is_ascii_digit()))
-        };
-        parameters.iter().any(|(_, given)| matches!(given, Parameter::Each(_))) || texts.into_iter().any(named)
+        parameters.iter().any(|(_, given)| matches!(given, Parameter::Each(_)))
+            || texts.into_iter().any(|text| names_an_agent(text))
     }
 
     /// The law as one line, for the canonical form of a question.
@@ -204,6 +202,11 @@ impl LawFile {
         let told = scenario::law_problem(&self.text, error);
         question.at(expression.base, Problem::Other(format!("{}: {told}", self.name)))
     }
+}
+
+/// Whether a text speaks of an agent by its number, as in `x[2]`.
+pub(crate) fn names_an_agent(text: &str) -> bool {
+    text.split('[').skip(1).any(|rest| rest.trim_start().starts_with(|c: char| c.is_ascii_digit()))
 }
 
 /// `x[2].1` as part, agent and component, from 1.
