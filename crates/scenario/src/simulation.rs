@@ -241,16 +241,42 @@ pub(super) struct Continuous<L> {
     tolerance: Tolerance,
     /// Switches in a row that took no time worth speaking of.
     crowd: usize,
+    /// Steps tried in vain, all steps tried and the time at the last look at the pace.
+    pace: (usize, usize, f64),
 }
 
 /// So many switches in no time are taken for a sliding motion.
 const LARGEST_CROWD: usize = 1000;
 
+/// The pace of the steps is looked at after so many tries.
+const TRIES: usize = 1 << 14;
+
+/// More tries than these to the next time that is asked are not taken where a third of them are in vain: a jump of the law that the motion does not leave.
+const MOST_TRIES: f64 = 1048576.0;
+
 impl<L: Law> Continuous<L> {
     /// The law at its start.
     pub fn new(law: L, state: &[f64], tolerance: f64) -> Self {
         let tolerance = Tolerance { relative: tolerance, absolute: tolerance };
-        Continuous { law, solution: Integrator::new(0.0, state, tolerance), tolerance, crowd: 0 }
+        Continuous { law, solution: Integrator::new(0.0, state, tolerance), tolerance, crowd: 0, pace: (0, 0, 0.0) }
+    }
+
+    /// Goes on from a state after a change.
+    fn restart(&mut self, time: f64, state: &[f64]) {
+        self.solution = Integrator::new(time, state, self.tolerance);
+        self.pace = (0, 0, time);
+    }
+
+    /// Whether the steps have become so short, by being refused, that the motion does not get to a time.
+    fn is_caught(&mut self, until: f64) -> bool {
+        let (steps, rejected) = self.solution.counts();
+        let (vain, tries, from) = self.pace;
+        if steps + rejected < tries + TRIES {
+            return false;
+        }
+        let time = self.solution.time();
+        self.pace = (rejected, steps + rejected, time);
+        3 * (rejected - vain) > TRIES && (until - time) * TRIES as f64 > MOST_TRIES * (time - from)
     }
 
     /// Replaces what is due by now.
@@ -258,7 +284,7 @@ impl<L: Law> Continuous<L> {
         while self.law.next_time().is_some_and(|due| due <= self.solution.time()) {
             let (time, state) = (self.solution.time(), self.solution.state().to_vec());
             events.extend(self.law.replace(&state).iter().map(|change| Event::new(time, change)));
-            self.solution = Integrator::new(time, &state, self.tolerance);
+            self.restart(time, &state);
         }
     }
 
@@ -298,13 +324,16 @@ impl<L: Law> Follower for Continuous<L> {
             if let Some((time, state)) = self.step(end)? {
                 let changes = self.law.switch(&state);
                 events.extend(changes.iter().map(|change| Event::new(time, change)));
-                self.solution = Integrator::new(time, &state, self.tolerance);
+                self.restart(time, &state);
                 self.crowd = if time - before > 1e-9 * (1.0 + time) { 0 } else { self.crowd + 1 };
                 if self.crowd > LARGEST_CROWD {
                     return Err(FollowError::Sliding(time).into());
                 }
             }
             self.replace_due(events);
+            if self.is_caught(until) {
+                return Err(FollowError::Jumps(self.solution.time()).into());
+            }
         }
         Ok(true)
     }

@@ -2,9 +2,9 @@
 
 use super::instance::{Instance, admits};
 use arithmetic::random::{generator, uniform};
-use arithmetic::{Cancelled, Progress, Rational, Sign, rational};
+use arithmetic::{Cancelled, Progress, Rational, Sign, rational, simplest_between};
 use expressions::{Comparison, Evaluator};
-use num_traits::ToPrimitive;
+use num_traits::{Signed, ToPrimitive};
 use polynomials::Side;
 use rand_chacha::ChaCha8Rng;
 
@@ -153,7 +153,7 @@ fn arrange(instance: &Instance, k: usize, state: &mut [Rational], random: &mut C
     }
 }
 
-/// The same with simpler numbers, as long as the clause is false.
+/// The same with simpler numbers, as long as the clause is false: small whole ones, else simpler ones nearby, again and again, so that a size that is not needed goes.
 fn simpler(
     instance: &Instance,
     clause: &[Comparison],
@@ -165,20 +165,35 @@ fn simpler(
         if side.as_point().is_some() {
             continue;
         }
-        for tried in [0, 1, -1, 2, -2, 3, -3].map(|n| rational(n, 1)) {
-            progress.checkpoint()?;
-            if tried == state[place] {
+        loop {
+            let current = state[place].clone();
+            let mut taken = false;
+            for tried in simpler_numbers(&current).take_while(|tried| *tried != current) {
+                progress.checkpoint()?;
+                if !side.contains(&tried) {
+                    continue;
+                }
+                state[place] = tried;
+                taken = instance.clause_holds(clause, &state) == Some(false);
+                if taken {
+                    break;
+                }
+                state[place] = current.clone();
+            }
+            if !taken {
                 break;
             }
-            if !side.contains(&tried) {
-                continue;
-            }
-            let before = std::mem::replace(&mut state[place], tried);
-            if instance.clause_holds(clause, &state) == Some(false) {
-                break;
-            }
-            state[place] = before;
         }
     }
     Ok(state)
+}
+
+/// Numbers that are simpler than one: small whole ones, then the simplest within a half, a quarter, .. of it.
+fn simpler_numbers(x: &Rational) -> impl Iterator<Item = Rational> {
+    let small = [0, 1, -1, 2, -2, 3, -3].map(|n| rational(n, 1));
+    let near = (1..12).map(move |k| {
+        let reach = x.abs() * rational(1, 1 << k);
+        simplest_between(&(x - &reach), &(x + reach))
+    });
+    small.into_iter().chain(near)
 }

@@ -16,8 +16,8 @@ use std::cell::RefCell;
 /// Most steps that are taken.
 const MOST_STEPS: usize = 1000;
 
-/// States whose numbers have more bits together are not followed further.
-const MOST_BITS: u64 = 1 << 24;
+/// States whose exact numbers have more bits together are enclosed from there on.
+const MOST_BITS: u64 = 1 << 20;
 
 /// Bits of enclosures at first, and the most.
 const BITS: [u32; 2] = [256, 4096];
@@ -102,12 +102,8 @@ impl Followed {
         let Followed { flock, states, rest, .. } = self;
         while states.len() <= time && rest.is_none() {
             progress.checkpoint()?;
+            flock.enclose_beyond(MOST_BITS);
             let before = flock.state().to_vec();
-            let exact_bits = before.iter().filter_map(exact).map(|q| q.numer().bits() + q.denom().bits());
-            if exact_bits.sum::<u64>() > MOST_BITS {
-                let why = format!("the numbers grow beyond all use after t = {}", states.len() - 1);
-                return Err(Failure::open(why, None));
-            }
             // Links that are replaced at the end of the step count from the next one on.
             let is_autonomous = flock.is_autonomous();
             flock.step().map_err(open)?;

@@ -198,3 +198,14 @@ fn numbers_of_the_law_have_their_names() {
     let answer = answered(&timed, "n = 1", "always[0, inf](clock <= 20)", "always[0, 3](clock <= 2)");
     assert_ne!(answer.verdict, Verdict::Holds, "{}", answer.why);
 }
+
+/// Exact numbers whose digits double at each step are enclosed where they grow too long. Largest value of the orbit of 1/3 up to t = 100, by decimals of 200
+/// digits: 0.99994845321270...
+#[test]
+fn long_rationals_are_enclosed() {
+    let text = "model = \"own\"\n[law]\ntime = \"discrete\"\ndimension = 1\nstate = { x = \"number\" }\n[law.next]\nx = \"4*x*(1 - x)\"\n\
+                [state]\nx = [\"1/3\"]\n[run]\nuntil = 100\n";
+    let [above, below] = [271, 270].map(|last| format!("always[0, 100](x[1] <= 99994845321{last}/100000000000000)"));
+    let answer = answered(text, "n = 1", &above, &below);
+    assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{}", answer.why);
+}

@@ -15,6 +15,9 @@ use rand_chacha::ChaCha8Rng;
 use std::cell::RefCell;
 use std::sync::Arc;
 
+/// Rationals with more bits in numerator or denominator are not followed further: under a law that squares, each step doubles them.
+const MOST_BITS: u64 = 1 << 20;
+
 /// A scalar over which laws are followed step by step.
 pub(super) trait Stepped: Number {
     /// What computes the next state.
@@ -29,6 +32,11 @@ pub(super) trait Stepped: Number {
     /// How far the number may be from that float, beyond its rounding.
     fn spread(&self) -> f64 {
         0.0
+    }
+
+    /// Whether the number has more digits than are followed.
+    fn is_too_long(&self) -> bool {
+        false
     }
 
     /// Writes the next state.
@@ -79,6 +87,10 @@ impl Stepped for Rational {
 
     fn rounded(&self) -> f64 {
         float(self)
+    }
+
+    fn is_too_long(&self) -> bool {
+        self.numer().bits().max(self.denom().bits()) > MOST_BITS
     }
 
     fn write(
@@ -177,6 +189,11 @@ impl<T: Stepped> Stepping<T> {
         let time = self.time();
         let now = time.to_f64().unwrap_or(f64::NAN);
         let Some(scalar) = self.state.first().map(|like| like.rational(&time)) else { return Ok(Vec::new()) };
+        if self.state.iter().any(T::is_too_long) {
+            let fault =
+                "an exact number has more than 300000 digits; without `exact = true` the steps are taken in floats";
+            return Err(RunError::Own { time: now, fault: fault.to_string() });
+        }
         let drawn = draw(&self.law, &mut self.random);
         T::set_drawn(&mut self.machine, &self.law, &drawn);
         let moment = (&scalar, &self.state[..]);
@@ -193,6 +210,11 @@ impl<T: Stepped> Stepping<T> {
 
     pub fn state(&self) -> &[T] {
         &self.state
+    }
+
+    /// Changes each number of the state in its place.
+    pub fn change(&mut self, change: impl FnMut(&mut T)) {
+        self.state.iter_mut().for_each(change);
     }
 
     pub fn law(&self) -> &Law {

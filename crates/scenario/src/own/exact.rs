@@ -92,6 +92,17 @@ impl OwnSteps {
         self.stepping.step().map(drop)
     }
 
+    /// Goes on with enclosures of all numbers where the exact ones have more bits together; exact numbers under a law that squares grow without use.
+    pub fn enclose_beyond(&mut self, bits: u64) {
+        let length = |x: &PreciseNumber| match &x.number {
+            RealNumber::Exact(q) => q.numer().bits() + q.denom().bits(),
+            _ => 0,
+        };
+        if self.state().iter().map(length).sum::<u64>() > bits {
+            self.stepping.change(|x| x.number = RealNumber::interval(x.number.enclosure(x.precision)));
+        }
+    }
+
     /// The whole state.
     pub fn state(&self) -> &[PreciseNumber] {
         self.stepping.state()

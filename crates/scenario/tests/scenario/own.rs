@@ -2,7 +2,7 @@
 
 use super::{run, value as number};
 use arithmetic::Unwatched;
-use scenario::{Outcome, OwnFlock, Part, Row, Scenario, Source, with_law};
+use scenario::{End, Outcome, OwnFlock, Part, Row, Scenario, Source, with_law};
 
 const VELOCITIES: &str = r#"
 [law]
@@ -201,6 +201,24 @@ fn a_number_without_a_value_ends_the_run_and_is_named() {
     let outcome = Scenario::read(text).unwrap_or_else(|error| panic!("{error}")).run(&Unwatched);
     assert_eq!(outcome.reached(), 2.0);
     assert!(format!("{:?}", outcome.end).contains("of agent 1"), "{:?}", outcome.end);
+}
+
+/// What would take for ever ends with a sentence: a motion that slides along a jump of its law, and rationals whose digits double.
+#[test]
+fn what_does_not_get_on_ends() {
+    let head = "model = \"own\"\n[state]\nx = [\"1/3\"]\n[run]\nuntil = 60\n";
+    let law = "[law]\ndimension = 1\nstate = { x = \"number\" }\n";
+    let slides = format!("{head}{law}[law.rates]\nx = \"if(x > 0, -1, 1)\"\n");
+    let doubles = format!("{head}exact = true\n{law}time = \"discrete\"\n[law.next]\nx = \"4*x*(1 - x)\"\n");
+    for (text, reached, word) in [(slides, 0.24, "jumps without end"), (doubles, 20.0, "more than 300000 digits")] {
+        let outcome = Scenario::read(&text).unwrap_or_else(|error| panic!("{error}")).run(&Unwatched);
+        assert!((outcome.reached() - reached).abs() < 1e-9, "{}", outcome.reached());
+        assert!(matches!(&outcome.end, End::Failed(error) if error.to_string().contains(word)), "{:?}", outcome.end);
+    }
+    // A thousand jumps that are passed are followed: x' = -1 and 1 in turn, so that x(60) = x(0).
+    let passes = format!("{head}{law}[law.rates]\nx = \"if(sin(50*t) > 0, -1, 1)\"\n");
+    let end = part(run(&passes).rows.last().expect("a row"), "x");
+    assert!((end[0] - 0.333).abs() < 0.1, "{end:?}");
 }
 
 const COUPLED: &str = "[law]\nstate = { theta = \"angle\" }\nparameters = { K = 1 }\n[law.rates]\ntheta = \"K/agents*sum(j, sin(theta[j] - theta))\"\n";
