@@ -109,9 +109,14 @@ impl<T: Number> Evaluator<T> {
     /// # Errors
     /// [`Fault`] where one has no value.
     pub fn flock(&mut self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<Vec<T>, Fault> {
+        self.flock_each(time, state, hearing).into_iter().collect()
+    }
+
+    /// The numbers of the flock, in their order, each with a value or why it has none.
+    pub fn flock_each(&mut self, time: &T, state: &[T], hearing: &dyn Hearing) -> Vec<Result<T, Fault>> {
         let program = self.program.clone();
         self.steps(&program.once, &Moment { time, state, hearing });
-        self.results(None, |_, value| Ok(value))
+        self.results(None).map(|(_, value)| value).collect()
     }
 
     /// The numbers of some agents, from 0, in turn.
@@ -130,29 +135,24 @@ impl<T: Number> Evaluator<T> {
         for agent in agents {
             self.bound[OWN] = agent;
             self.steps(&program.each, &moment);
-            self.results(Some(agent), |output, value| {
-                write(agent, output, value);
-                Ok(())
-            })?;
+            for (output, value) in self.results(Some(agent)) {
+                write(agent, output, value?);
+            }
         }
         Ok(())
     }
 
-    fn results<R>(
-        &self,
-        agent: Option<usize>,
-        mut of: impl FnMut(usize, T) -> Result<R, Fault>,
-    ) -> Result<Vec<R>, Fault> {
-        let outputs = self.program.outputs.iter().enumerate();
-        let value = |(output, &id): (usize, &usize)| match &self.known[id] {
-            Known::Number(value) => of(output, value.clone()),
-            Known::Truth(truth) => of(output, self.like.integer(i64::from(*truth))),
-            Known::Share(share) => of(output, share.clone()),
-            Known::Unsure => Err(Fault { agent, output, error: ArithmeticError::UNDECIDED_SIGN }),
-            Known::Missing(error) => Err(Fault { agent, output, error: error.clone() }),
-            Known::Nothing => Err(Fault { agent, output, error: ArithmeticError::Domain("a value") }),
-        };
-        outputs.map(value).collect()
+    fn results(&self, agent: Option<usize>) -> impl Iterator<Item = (usize, Result<T, Fault>)> {
+        self.program.outputs.iter().enumerate().map(move |(output, &id)| {
+            let error = match &self.known[id] {
+                Known::Number(value) | Known::Share(value) => return (output, Ok(value.clone())),
+                Known::Truth(truth) => return (output, Ok(self.like.integer(i64::from(*truth)))),
+                Known::Unsure => ArithmeticError::UNDECIDED_SIGN,
+                Known::Missing(error) => error.clone(),
+                Known::Nothing => ArithmeticError::Domain("a value"),
+            };
+            (output, Err(Fault { agent, output, error }))
+        })
     }
 
     fn steps(&mut self, steps: &[Step], moment: &Moment<T>) {

@@ -255,12 +255,9 @@ impl Law {
         Evaluator::new(&self.observed, &self.lists, like)
     }
 
-    /// The numbers of all observables, in their order.
-    ///
-    /// # Errors
-    /// [`Fault`] where a number has no value.
-    pub fn observe<T: Number>(&self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<Vec<T>, Fault> {
-        self.observing(time).flock(time, state, hearing)
+    /// The numbers of all observables, in their order, each with a value or why it has none.
+    pub fn observe<T: Number>(&self, time: &T, state: &[T], hearing: &dyn Hearing) -> Vec<Result<T, Fault>> {
+        self.observing(time).flock_each(time, state, hearing)
     }
 
     /// A number by its name in a property: `x[2].1` and `v[1]` of the state, observables by their names, `momentum.1` where they are vectors.

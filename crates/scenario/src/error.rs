@@ -283,6 +283,14 @@ pub enum RunError {
     /// A flock of switching links.
     #[error(transparent)]
     Motion(#[from] MotionError),
+    /// What is measured has no value, though the law may have one.
+    #[error("an observable has no value near t = {time}: {error}")]
+    Observed {
+        /// About when.
+        time: f64,
+        /// What was asked for.
+        error: ArithmeticError,
+    },
     /// A law of one's own in discrete time has no value.
     #[error("no step beyond t = {time}: {fault}")]
     Own {

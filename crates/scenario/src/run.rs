@@ -128,7 +128,7 @@ pub(super) fn run(
                 written += 1;
             }
             Err(error) => {
-                end = End::Failed(RunError::law(time, error));
+                end = End::Failed(RunError::Observed { time, error });
                 break;
             }
         }

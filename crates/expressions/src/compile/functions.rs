@@ -66,6 +66,9 @@ impl Compiler<'_> {
             }
             (Value::Angle(a), Value::Angle(b)) => Ok(Value::Angle(join(a, b))),
             (Value::Number(a) | Value::Angle(a), Value::Number(b) | Value::Angle(b)) => Ok(Value::Number(join(a, b))),
+            (first @ Value::Truth(_), _) => {
+                self.refuse(arguments[1].at, Problem::expected("a number, an angle or a vector", first.words()))
+            }
             (first, second) => self.refuse(arguments[2].at, Problem::expected(first.words(), second.words())),
         }
     }

@@ -246,6 +246,7 @@ impl<'a> Compiler<'a> {
         let rates = Arc::new(self.things.program(outputs));
         let noise = if text.noise.is_empty() { None } else { Some(self.noise()?) };
         let (observed, observables) = self.observables()?;
+        self.check_definitions()?;
         let nothing = vec![rational(0, 1); self.agents];
         self.lists.extend(self.drawn.iter().map(|_| nothing.clone()));
         Ok(Law {
@@ -360,6 +361,32 @@ impl<'a> Compiler<'a> {
             outputs.extend(numbers);
         }
         Ok((Arc::new(self.things.program(outputs)), names))
+    }
+
+    /// Unknown names in definitions that nobody uses. What else is wrong depends on the agents for which a definition is written out.
+    fn check_definitions(&mut self) -> Made<()> {
+        let drawn = self.drawn.len();
+        let mut definitions: Vec<Definition> = self.definitions.values().cloned().collect();
+        definitions.sort_by_key(|definition| definition.key);
+        for definition in definitions {
+            let (mut agents, mut innermost) = (Vec::new(), FLOCK);
+            for agent in &definition.agents {
+                innermost = if innermost == FLOCK { OWN } else { self.things.slot(innermost, None, agent) };
+                agents.push(((*agent).to_string(), Of::Slot(innermost)));
+            }
+            let hears = agents.first().map(|(_, of)| *of);
+            let own = hears.filter(|_| agents.len() == 1);
+            self.reading = vec![("define", definition.key)];
+            let found = self.value(&definition.body, &Scope { own, innermost, hears, agents });
+            if let Err(error) = found
+                && matches!(error.problem, Problem::Unknown { .. })
+            {
+                return Err(error);
+            }
+        }
+        self.reading.clear();
+        self.drawn.truncate(drawn);
+        Ok(())
     }
 
     fn value(&mut self, node: &Node, scope: &Scope) -> Made<Value> {

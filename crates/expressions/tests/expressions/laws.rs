@@ -75,7 +75,7 @@ fn cucker_and_smale_as_by_hand_on_every_network() {
                 assert!((rates[2 * n + 2 * i + c] - wanted).abs() < 1e-14, "{i}, {c}");
             }
         }
-        let observed = law.observe(&0.0, &state, &Lists(lists)).unwrap();
+        let observed = law.observing(&0.0).flock(&0.0, &state, &Lists(lists)).unwrap();
         let total = |c: usize| (0..n).map(|i| v[2 * i + c]).sum::<f64>();
         let spread: f64 = (0..n)
             .flat_map(|i| (0..2).map(move |c| (i, c)))

@@ -44,8 +44,8 @@ struct State {
     velocities: Vec<Vec<PreciseNumber>>,
     links: (usize, Vec<(usize, usize)>),
     numbers: Vec<PreciseNumber>,
-    /// Those of the observables, where there are some.
-    observed: Option<Result<Vec<Number>, String>>,
+    /// Those of the observables, or why one has no value.
+    observed: Vec<Result<Number, String>>,
 }
 
 /// The number itself, where it is known.
@@ -57,7 +57,7 @@ fn exact(x: &PreciseNumber) -> Option<&Rational> {
 }
 
 impl State {
-    fn of(flock: &OwnSteps, observes: bool) -> Self {
+    fn of(flock: &OwnSteps) -> Self {
         let links = match flock.links() {
             Links::These(order, links) => (order, links.into_owned()),
             Links::Everyone(order) | Links::Between(order, _) => {
@@ -69,7 +69,7 @@ impl State {
             velocities: flock.velocities(),
             links,
             numbers: flock.state().to_vec(),
-            observed: observes.then(|| flock.observed().map_err(|fault| fault.to_string())),
+            observed: flock.observed().into_iter().map(|x| x.map_err(|fault| fault.to_string())).collect(),
         }
     }
 
@@ -81,24 +81,20 @@ impl State {
     fn is_within(&self, bits: u32) -> bool {
         let least = Dyadic::new(1.into(), -i64::from(bits));
         let narrow = |x: &Number| matches!(x, Number::Exact(_)) || x.enclosure(bits).width() <= least;
-        let observed = match &self.observed {
-            None => true,
-            Some(Ok(all)) => all.iter().all(narrow),
-            Some(Err(_)) => self.is_exact(),
-        };
-        observed && self.numbers.iter().all(|x| narrow(&x.number))
+        let observed = |x: &Result<Number, String>| x.as_ref().map_or_else(|_| self.is_exact(), narrow);
+        self.observed.iter().all(observed) && self.numbers.iter().all(|x| narrow(&x.number))
     }
 }
 
 impl Followed {
-    fn start(flock: &OwnFlock, bits: u32, observes: bool) -> Result<Self, Failure> {
+    fn start(flock: &OwnFlock, bits: u32) -> Result<Self, Failure> {
         let flock = flock.start(bits).map_err(open)?;
-        let states = vec![State::of(&flock, observes)];
+        let states = vec![State::of(&flock)];
         Ok(Followed { bits, flock, states, rest: None })
     }
 
     /// Goes on to a time, or to a rest before.
-    fn follow(&mut self, time: usize, observes: bool, progress: &dyn Progress) -> Result<(), Failure> {
+    fn follow(&mut self, time: usize, progress: &dyn Progress) -> Result<(), Failure> {
         let Followed { flock, states, rest, .. } = self;
         while states.len() <= time && rest.is_none() {
             progress.checkpoint()?;
@@ -114,7 +110,7 @@ impl Followed {
             if flock.state().iter().zip(&before).all(stays) && is_autonomous {
                 *rest = Some(states.len() - 1);
             } else {
-                states.push(State::of(flock, observes));
+                states.push(State::of(flock));
             }
         }
         Ok(())
@@ -137,14 +133,13 @@ impl<'c> StepsSubject<'c> {
     /// The state at a time, or where it rests before, enclosed to so many bits where the start allows it. Where enclosures do not decide a step, it
     /// begins anew with twice as many bits.
     fn state(&self, time: usize, precision: u32) -> Result<State, Failure> {
-        let observes = !self.flock.law().observables().is_empty();
         let mut kept = self.followed.borrow_mut();
         let mut followed = match kept.take() {
             Some(followed) => followed,
-            None => Followed::start(&self.flock, BITS[0], observes)?,
+            None => Followed::start(&self.flock, BITS[0])?,
         };
         loop {
-            let reached = followed.follow(time, observes, self.progress);
+            let reached = followed.follow(time, self.progress);
             let place = followed.rest.map_or(followed.states.len() - 1, |rest| rest.min(time));
             let last = &followed.states[place.min(time)];
             let is_final = !self.flock.is_exact() || 2 * followed.bits > BITS[1] || last.is_exact();
@@ -153,7 +148,7 @@ impl<'c> StepsSubject<'c> {
                 *kept = Some(followed);
                 return found;
             }
-            followed = Followed::start(&self.flock, 2 * followed.bits, observes)?;
+            followed = Followed::start(&self.flock, 2 * followed.bits)?;
         }
     }
 
@@ -229,11 +224,10 @@ impl Moment for At<'_, '_> {
                 return Err(Failure::open(format!("`{name}` depends on the time"), None));
             }
             Some(Asked::State(place)) => state.numbers.get(place).map(|x| x.number.clone()),
-            Some(Asked::Observed(place)) => match state.observed {
-                Some(Ok(all)) => all.get(place).cloned(),
-                Some(Err(why)) => return Err(Failure::open(why, None)),
-                None => None,
-            },
+            Some(Asked::Observed(place)) => {
+                let number = state.observed.get(place).cloned().transpose();
+                number.map_err(|why| Failure::open(why, None))?
+            }
             None => None,
         };
         Ok(Measured::Number(number.ok_or_else(|| Failure::open("there is no such number", None))?))

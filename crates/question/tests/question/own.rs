@@ -199,6 +199,18 @@ fn numbers_of_the_law_have_their_names() {
     assert_ne!(answer.verdict, Verdict::Holds, "{}", answer.why);
 }
 
+/// An observable without a value says nothing about the others, in both kinds of time.
+#[test]
+fn observables_are_asked_one_by_one() {
+    for text in [PAIR.to_string(), OPINIONS.to_string()] {
+        let text = text.replace("[state]", "[law.observables]\nnone = \"1/(x[1] - x[1])\"\nfirst = \"x[1]\"\n[state]");
+        let answer = answered(&text, "n = 1", "always[0, 3](first < x[1] + 1/10)", "always[0, 3](first > x[1] + 1/10)");
+        assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{}", answer.why);
+        let answer = answered(&text, "n = 1", "always[0, 3](none > 0)", "always[0, 3](none <= 0)");
+        assert_ne!(answer.verdict, Verdict::Holds, "{}", answer.why);
+    }
+}
+
 /// Exact numbers whose digits double at each step are enclosed where they grow too long. Largest value of the orbit of 1/3 up to t = 100, by decimals of 200
 /// digits: 0.99994845321270...
 #[test]

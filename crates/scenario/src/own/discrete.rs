@@ -221,8 +221,8 @@ impl<T: Stepped> Stepping<T> {
         &self.law
     }
 
-    /// The numbers of the observables over any scalar.
-    pub fn observed<U: Number>(&self, time: &U, state: &[U]) -> Result<Vec<U>, Fault> {
+    /// The numbers of the observables over any scalar, each with a value or why it has none.
+    pub fn observed<U: Number>(&self, time: &U, state: &[U]) -> Vec<Result<U, Fault>> {
         self.law.observe(time, state, &Heard(&self.network))
     }
 

@@ -80,10 +80,9 @@ impl OwnMotion {
             Asked::Observed(_) if self.law.observes_time() => Err(ArithmeticError::Domain("the state alone")),
             Asked::Observed(place) => {
                 let like = state.first()?.zero();
-                let numbers = self.law.observe(&like, state, &Heard(&self.network));
-                numbers
-                    .map_err(|fault| fault.error)
-                    .and_then(|all| all.get(place).cloned().ok_or(ArithmeticError::Domain("a number")))
+                let all = self.law.observe(&like, state, &Heard(&self.network));
+                let number = all.into_iter().nth(place).ok_or(ArithmeticError::Domain("a number"));
+                number.and_then(|number| number.map_err(|fault| fault.error))
             }
         })
     }

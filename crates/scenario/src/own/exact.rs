@@ -108,15 +108,12 @@ impl OwnSteps {
         self.stepping.state()
     }
 
-    /// The numbers of the observables.
-    ///
-    /// # Errors
-    /// [`Fault`] where one has no value, or it cannot be told which one.
-    pub fn observed(&self) -> Result<Vec<RealNumber>, Fault> {
-        let Some(like) = self.state().first() else { return Ok(Vec::new()) };
+    /// The numbers of the observables, each with a value or why it has none, or why it cannot be told which one.
+    pub fn observed(&self) -> Vec<Result<RealNumber, Fault>> {
+        let Some(like) = self.state().first() else { return Vec::new() };
         let time = PreciseNumber::exact(self.stepping.time(), like.precision);
-        let all = self.stepping.observed(&time, self.state())?;
-        Ok(all.into_iter().map(|x| x.number).collect())
+        let all = self.stepping.observed(&time, self.state());
+        all.into_iter().map(|number| number.map(|x| x.number)).collect()
     }
 
     /// Whether a state that stays as it is in a step stays so for ever: neither the law nor the network depends on the time from now on.

@@ -187,6 +187,12 @@ fn what_is_wrong_is_told_with_line_and_column() {
         ("state = { x = \"vector\" }", "state = { x = \"matrix\" }", "allowed are vector, number, angle"),
         ("[law.rates]", "[law.next]", "a law in continuous time has [law.rates]"),
         ("x = [[0, 0], [1, 0]]", "x = [[0, 0], [1]]", "there are 1 coordinates instead of 2"),
+        (
+            "[law.rates]",
+            "[law.define]\nunused = \"1 + foo\"\n\"two(i, j)\" = \"norm(x[i] - x[j])\"\n[law.rates]",
+            "`law.define.unused`: there is no name `foo`",
+        ),
+        ("\"-x\"", "\"if(t > 0, t > 1, t < 1)\"", "a number, an angle or a vector is expected here"),
         ("until = 1", "until = 1\nexact = true", "only laws in discrete time run exactly"),
     ] {
         let error = Scenario::read(&good.replace(from, to)).unwrap_err().to_string();
@@ -201,6 +207,14 @@ fn a_number_without_a_value_ends_the_run_and_is_named() {
     let outcome = Scenario::read(text).unwrap_or_else(|error| panic!("{error}")).run(&Unwatched);
     assert_eq!(outcome.reached(), 2.0);
     assert!(format!("{:?}", outcome.end).contains("of agent 1"), "{:?}", outcome.end);
+}
+
+/// An observable without a value ends the run, and it is not the law that is blamed.
+#[test]
+fn observables_without_a_value() {
+    let text = "model = \"own\"\n[state]\nx = [\"1\", \"3\"]\n[run]\nuntil = 5\n[law]\ndimension = 1\nstate = { x = \"number\" }\n[law.rates]\nx = \"0\"\n[law.observables]\nq = \"1/(x[1] - 1)\"\n";
+    let outcome = Scenario::read(text).unwrap_or_else(|error| panic!("{error}")).run(&Unwatched);
+    assert!(format!("{:?}", outcome.end).contains("Observed"), "{:?}", outcome.end);
 }
 
 /// What would take for ever ends with a sentence: a motion that slides along a jump of its law, and rationals whose digits double.
