@@ -160,6 +160,24 @@ impl Division<'_> {
         Ok(true)
     }
 
+    /// A property of single numbers that enclosures leave open, by what is known of them exactly.
+    pub fn at_numbers(&self, whole: &Bindings) -> Result<Option<bool>, QuestionError> {
+        let Some(clauses) = clauses(whole, None, &self.expression.node) else { return Ok(None) };
+        let nowhere = [Rational::default()];
+        let domain = [Side::point(Rational::default())];
+        let effort = Effort { boxes: 1, squares: false, certified: false };
+        let has_value = clauses.conditions.iter().all(|own| is_true_at(std::slice::from_ref(own), &nowhere));
+        let mut holds = true;
+        for clause in &clauses.list {
+            match polynomials::decide::decide(clause, &domain, effort, self.progress)? {
+                Decision::Holds(_) => {}
+                Decision::Fails(_) if has_value => return Ok(Some(false)),
+                _ => holds = false,
+            }
+        }
+        Ok((holds && has_value).then_some(true))
+    }
+
     /// A clause, in one number by its parts without absolute values, minima and maxima where it is not decided as a whole.
     fn decided(&self, clause: &Clause, domain: &[Side], effort: Effort) -> Result<Decision, QuestionError> {
         let whole = polynomials::decide::decide(clause, domain, effort, self.progress)?;

@@ -227,3 +227,21 @@ fn no_rule_hides_a_missing_value() {
     assert_eq!(verdict(narrow, "sin(pi/(6*x)) >= 1/2"), Verdict::False);
     assert_eq!(verdict(narrow, "sin(pi/(6*x)) <= 1/2"), Verdict::False);
 }
+
+/// Sums of powers of all eigenvalues are traces, also where each of them is irrational.
+#[test]
+fn sums_of_eigenvalues_are_exact() {
+    let all = "g = \"connected(5)\"";
+    assert_eq!(verdict(all, "sum(i, lambda(i)) = 2*edges"), Verdict::Holds);
+    assert_eq!(verdict(all, "sum(i, lambda(i)^2) = sum(i, degree(i)^2 + degree(i))"), Verdict::Holds);
+    assert_eq!(verdict(all, "sum(i, lambda(i)) <= 2*edges - 1/1000000000"), Verdict::False);
+    assert_eq!(verdict(all, "sum(i, lambda(i)^2) = sum(i, degree(i)^2) + 2*edges + 1/1000000000"), Verdict::False);
+}
+
+/// Numbers that are equal by identities, without an interval.
+#[test]
+fn single_numbers_are_compared_exactly() {
+    assert_eq!(verdict("", "exp(log(2)) = 2 and sqrt(2)*sqrt(3) = sqrt(6)"), Verdict::Holds);
+    assert_eq!(verdict("", "exp(log(2)) < 2"), Verdict::False);
+    assert_eq!(verdict("", "exp(log(2)) = 2 + 1/1000000000"), Verdict::False);
+}
