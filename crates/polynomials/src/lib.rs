@@ -36,4 +36,4 @@ pub mod univariate;
 
 pub use function::{Compared, Function, Literal, Side};
 pub use multivariate::{Monomial, Multivariate, monomial_product, total_degree};
-pub use symbolic::{Extension, Symbolic};
+pub use symbolic::{Extension, Settled, Symbolic};

@@ -1,12 +1,14 @@
 //! Functions themselves as a scalar: quotients of polynomials in the arguments and in new variables for roots, absolute values, sines and exponentials.
 
 mod functions;
+mod value;
 
-use crate::function::Function as Valued;
 use crate::multivariate::Multivariate;
-use arithmetic::{ArithmeticError, Field, Number, Rational, Ring, Sign, Signed, operators, rational};
+use arithmetic::{ArithmeticError, Field, Rational, Ring, Sign, Signed, operators, rational};
 use num_traits::{Signed as _, Zero};
 use std::sync::{Arc, Mutex, PoisonError};
+
+pub use value::Settled;
 
 type Polynomial = Multivariate<Rational>;
 
@@ -23,6 +25,8 @@ enum Function {
 /// What a new variable stands for.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Meaning {
+    /// One over a polynomial, where quotients are not brought to a common denominator.
+    Reciprocal(Polynomial),
     /// The square root of the quotient of two polynomials.
     Root(Polynomial, Polynomial),
     /// The absolute value of the quotient of two polynomials.
@@ -57,6 +61,8 @@ pub struct Extension {
     arity: usize,
     /// Arguments of exponentials and sines are multiples of terms with this denominator, where it is one of theirs.
     grid: i64,
+    /// Whether what is divided by has a variable of its own.
+    splits: bool,
     inner: Arc<Mutex<Inner>>,
 }
 
@@ -81,7 +87,13 @@ impl Extension {
 
     /// The same, where `exp(x)` is a power of `exp(x/grid)`.
     pub(crate) fn with_grid(arity: usize, grid: i64) -> Self {
-        Extension { arity, grid, inner: Arc::default() }
+        Extension { arity, grid, splits: false, inner: Arc::default() }
+    }
+
+    /// For functions of so many arguments with many different denominators, whose reciprocals are variables of their own: a common denominator would be
+    /// larger than they are.
+    pub fn of_many_denominators(arity: usize) -> Self {
+        Extension { splits: true, ..Extension::new(arity) }
     }
 
     /// The grid on which all arguments of exponentials and sines so far are integer multiples, as far as it is small.
@@ -320,6 +332,10 @@ impl Field for Symbolic {
         }
         // One term: each variable divides by itself. Others are scaled, so that the first coefficient is 1.
         let lead = numerator.terms().next().map_or(rational(1, 1), |(_, c)| c.clone());
+        if self.extension.splits {
+            let reciprocal = self.extension.known(Meaning::Reciprocal(numerator.scaled(&lead.recip())));
+            return Ok(self.extension.of(Multivariate::x(reciprocal).scaled(&lead.recip()) * &denominator));
+        }
         let factors: Vec<(Polynomial, u32)> = match numerator.terms().next() {
             Some((monomial, _)) if numerator.terms().len() == 1 => monomial
                 .iter()
@@ -354,25 +370,5 @@ impl Signed for Symbolic {
 
     fn smaller(&self, other: &Self) -> Result<Self, ArithmeticError> {
         Ok(self.extreme(other, false))
-    }
-}
-
-/// A quotient of polynomials in the arguments, roots and absolute values is a function of the arguments alone.
-impl Valued for Symbolic {
-    fn value<T: Number>(&self, at: &[T]) -> Result<T, ArithmeticError> {
-        let like = at.first().ok_or(ArithmeticError::Domain("a variable"))?;
-        let of = |polynomial: &Polynomial, point: &[T]| polynomial.at(point, like, |q| like.rational(q));
-        let mut point = at.to_vec();
-        for meaning in self.extension.meanings() {
-            point.push(match meaning {
-                Meaning::Root(over, under) => of(&over, &point).over(&of(&under, &point))?.sqrt()?,
-                Meaning::Absolute(over, under) => of(&over, &point).over(&of(&under, &point))?.absolute()?,
-                _ => return Err(ArithmeticError::Domain("a function of the arguments alone")),
-            });
-        }
-        let (numerator, divisors) = self.parts();
-        let divided =
-            |value: T, (divisor, power): (Polynomial, u32)| value.over(&of(&divisor, &point).power(u64::from(power)));
-        divisors.into_iter().try_fold(of(&numerator, &point), divided)
     }
 }

@@ -166,6 +166,15 @@ impl Question {
             }
             (kept, decided) => kept.and(decided)?,
         };
+        let exactly = match &truth {
+            Truth::Unknown(_) => Division { question: self, expression, progress, most: 1 }.at_numbers(bindings)?,
+            _ => None,
+        };
+        let (truth, margin) = match exactly {
+            Some(true) => (Truth::True, margin.held()),
+            Some(false) => (Truth::False, margin),
+            None => (truth, margin),
+        };
         let counterexample = (truth == Truth::False).then(|| bindings.clone());
         let open = u64::from(matches!(truth, Truth::Unknown(_)));
         Ok(Decided {

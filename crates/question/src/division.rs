@@ -15,7 +15,7 @@ use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::{Progress, Rational};
 use motion::sets::Range;
 use num_traits::{Signed, ToPrimitive};
-use polynomials::decide::{Decision, Effort, Open, Place, Proof, is_true_at};
+use polynomials::decide::{Decision, Effort, Open, Place, Proof, is_true_at, is_true_in_closed_form};
 use polynomials::sums::{Certificate, Statement};
 use polynomials::{Literal, Side};
 
@@ -160,6 +160,24 @@ impl Division<'_> {
         Ok(true)
     }
 
+    /// A property of single numbers that enclosures leave open, by what is known of them exactly.
+    pub fn at_numbers(&self, whole: &Bindings) -> Result<Option<bool>, QuestionError> {
+        let Some(clauses) = clauses(whole, None, &self.expression.node) else { return Ok(None) };
+        let nowhere = [Rational::default()];
+        let domain = [Side::point(Rational::default())];
+        let effort = Effort { boxes: 1, squares: false, certified: false };
+        let has_value = clauses.conditions.iter().all(|own| is_true_at(std::slice::from_ref(own), &nowhere));
+        let mut holds = true;
+        for clause in &clauses.list {
+            match polynomials::decide::decide(clause, &domain, effort, self.progress)? {
+                Decision::Holds(_) => {}
+                Decision::Fails(_) if has_value => return Ok(Some(false)),
+                _ => holds = false,
+            }
+        }
+        Ok((holds && has_value).then_some(true))
+    }
+
     /// A clause, in one number by its parts without absolute values, minima and maxima where it is not decided as a whole.
     fn decided(&self, clause: &Clause, domain: &[Side], effort: Effort) -> Result<Decision, QuestionError> {
         let whole = polynomials::decide::decide(clause, domain, effort, self.progress)?;
@@ -199,10 +217,12 @@ impl Division<'_> {
         let mut missing = Missing::default();
         let mut left: Option<Open> = None;
         let mut closed: Option<Spot> = None;
-        // The only name that stands for more than one number, where numbers in closed form are told.
-        let mut free = places.iter().zip(&domain).filter(|(_, side)| side.as_point().is_none());
-        let line = free.next().filter(|_| free.next().is_none()).map(|(place, _)| *place);
-        let spot = |place: &Place| Some(Spot::of(whole, &[(line?, place.to_string())]));
+        // Numbers in closed form are told in the place of names that stand for more than one number.
+        let spot = |list: &Vec<Place>| {
+            let free = places.iter().zip(&domain).zip(list).filter(|((_, side), _)| side.as_point().is_none());
+            let texts: Vec<(usize, String)> = free.map(|((place, _), own)| (*place, own.to_string())).collect();
+            Spot::of(whole, &texts)
+        };
         (found.open, found.truth) = (0, Truth::True);
         for clause in &clauses.list {
             match self.decided(clause, &domain, effort)? {
@@ -216,7 +236,7 @@ impl Division<'_> {
                         && !clauses.conditions.iter().any(|own| own.function == literal.function)
                     {
                         let rational = || proof.zeros.first().map(|zero| Spot::of(&at(zero), &[]));
-                        closed = proof.places.first().and_then(spot).or_else(rational);
+                        closed = proof.places.first().map(spot).or_else(rational);
                     }
                     for zero in proof.zeros {
                         let point = at(&zero);
@@ -229,13 +249,12 @@ impl Division<'_> {
                     }
                 }
                 // The property fails there if all of it has a value.
-                Decision::FailsAt(place) => {
-                    let has_value =
-                        clauses.conditions.iter().all(|own| place.is_true(std::slice::from_ref(own), &domain));
-                    if let Some(spot) = spot(&place).filter(|_| has_value) {
-                        return Ok(fails_exactly(found, spot));
+                Decision::FailsAt(list) => {
+                    let is_true = |own: &Literal<_>| is_true_in_closed_form(std::slice::from_ref(own), &list);
+                    if clauses.conditions.iter().all(is_true) {
+                        return Ok(fails_exactly(found, spot(&list)));
                     }
-                    let why = format!("whether there is a value at {place} could not be told");
+                    let why = format!("whether there is a value at ({}) could not be told", spot(&list));
                     left.get_or_insert_with(|| Open::at_point(why));
                 }
                 Decision::Fails(point) => {

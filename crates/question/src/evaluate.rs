@@ -1,27 +1,30 @@
 //! Values and truth of expressions in one case.
 
 mod curve;
+mod growth;
 mod steps;
+mod terms;
 mod time;
 mod until;
 
 pub(crate) use time::horizon;
 
-use crate::binder::{Binder, Gathered};
+use crate::binder::{Binder, Gathered, Over};
 use crate::bindings::Value;
 use crate::case::Case;
 use crate::error::Problem;
 use crate::failure::Failure;
 use crate::names::{FUNCTIONS, GIVEN, OWN};
-use crate::subject::graph::kind_number;
+use crate::subject::graph::{GraphSubject, kind_number};
 use crate::syntax::{Kind, Node, Relation};
 use crate::timeline::{Measured, Moment, Piece};
 use crate::truth::{Margin, Truth};
 use algebra::graph::LaplacianKind;
-use arithmetic::{Interval, Sign, rational};
+use arithmetic::{Interval, Rational, Sign, rational};
 use arithmetic::{Obstacle, RealNumber as Number};
 use num_integer::Integer;
-use num_traits::Signed;
+use num_traits::{Signed, ToPrimitive};
+use std::rc::Rc;
 
 /// Evaluates the expressions of a case at a precision, at a moment if there is one.
 pub(crate) struct Evaluator<'c, 'q> {
@@ -208,7 +211,7 @@ impl Evaluator<'_, '_> {
     /// A relation that is known to hold, with the margin that the numbers leave.
     fn certain(&self, a: &Number, relation: Relation, b: &Number) -> (Truth, Margin) {
         let (_, margin) = self.compared(a, relation, b);
-        (Truth::True, Margin { lo: margin.lo.max(0.0).min(margin.hi.max(0.0)), hi: margin.hi.max(0.0) })
+        (Truth::True, margin.held())
     }
 
     fn compared(&self, a: &Number, relation: Relation, b: &Number) -> (Truth, Margin) {
@@ -379,13 +382,41 @@ impl Evaluator<'_, '_> {
         let precision = self.precision;
         let mut values = values.into_iter();
         if matches!(binder.gathered, Gathered::Sum | Gathered::Count) {
-            return Ok(values.fold(Number::integer(0), |sum, value| sum.plus(&value, precision)));
+            let sum = values.fold(Number::integer(0), |sum, value| sum.plus(&value, precision));
+            return Ok(match sum {
+                Number::Exact(_) => sum,
+                sum => self.trace(binder, &graph).map_or(sum, Number::Exact),
+            });
         }
         let larger = binder.gathered == Gathered::Largest;
         let none =
             || Failure::Refused(node.at, Problem::Other("there is nothing whose extreme could be taken".to_string()));
         let first = values.next().ok_or_else(none)?;
         Ok(values.fold(first, |best, value| best.extreme(&value, larger, precision)))
+    }
+
+    /// A sum of a power of all eigenvalues of a graph, exactly: the trace of the power of the matrix.
+    fn trace(&self, binder: &Binder, graph: &Rc<GraphSubject>) -> Option<Rational> {
+        let ([own], Over::Vertices, Gathered::Sum, None) =
+            (&binder.names[..], binder.over, binder.gathered, binder.condition)
+        else {
+            return None;
+        };
+        let (eigenvalue, power) = match &binder.body.kind {
+            Kind::Power(base, exponent) => match &exponent.kind {
+                Kind::Number(q) => (base.as_ref(), q.to_integer().to_u32().filter(|_| q.is_integer())?),
+                _ => return None,
+            },
+            _ => (binder.body, 1),
+        };
+        let Kind::Name { name, arguments, .. } = &eigenvalue.kind else { return None };
+        let (owner, name) = name.split_once('.').map_or((None, name.as_str()), |(owner, name)| (Some(owner), name));
+        let (first, kind) = arguments.split_first()?;
+        let is_own = matches!(&first.kind, Kind::Name { name, called: false, .. } if name == own);
+        let is_eigenvalue = name == "lambda" && is_own && kind.len() <= 1;
+        let of = self.case.graph(owner).filter(|of| is_eigenvalue && Rc::ptr_eq(of, graph))?;
+        let kind = kind.first().map(kind_argument).transpose().ok()?;
+        of.power_sum(kind.as_ref(), power)
     }
 
     /// The value for the present names; nothing where the condition leaves them out.

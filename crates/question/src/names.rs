@@ -571,6 +571,12 @@ pub(crate) fn unknown_quantity(owner: Option<&str>, name: &str, known: &[String]
     if let Some((_, why)) = not_decided().find(|(other, _)| *other == name) {
         return Problem::Other(format!("`{name}` is an observable of `simulate` that no question decides: {why}"));
     }
+    if let ("true" | "false", None) = (name, owner) {
+        let written = if name == "true" { "0 = 0" } else { "0 = 1" };
+        let why =
+            format!("a property is made of comparisons: `{name}` is no name in it, and can be written `{written}`");
+        return Problem::Other(why);
+    }
     let full = owner.map_or(name.to_string(), |owner| format!("{owner}.{name}"));
     Problem::unknown("name", &full, known.iter().map(String::as_str))
 }

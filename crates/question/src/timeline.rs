@@ -8,6 +8,7 @@ use arithmetic::RealNumber as Number;
 use arithmetic::{Rational, rational};
 use num_bigint::BigInt;
 use polynomials::{Side, Symbolic};
+use scenario::Amount;
 
 /// A quantity that was measured.
 #[derive(Debug, Clone)]
@@ -31,18 +32,40 @@ pub(crate) trait Moment {
     }
 }
 
-/// What is measured at the times of a piece, as functions of one number that each time has.
-pub(crate) trait Curve {
-    /// What the number ranges over.
-    fn range(&self) -> &Side;
-
+/// What is measured, as functions of some numbers.
+pub(crate) trait Formulas {
     /// A constant.
     fn number(&self, q: &Rational) -> Option<Symbolic>;
 
-    fn measure(&self, quantity: &Quantity, arguments: &[Number]) -> Option<Symbolic>;
+    /// The quantity as it is given by the state; of a list the entry that is asked for.
+    fn amount(&self, quantity: &Quantity, arguments: &[Number]) -> Option<Amount<Symbolic>>;
 
     /// A number of a law of one's own by its name.
     fn own(&self, name: &str) -> Option<Symbolic>;
+}
+
+/// What is measured at the times of a piece, as functions of one number that each time has.
+pub(crate) trait Curve: Formulas {
+    /// What the number ranges over.
+    fn range(&self) -> &Side;
+}
+
+/// What is measured in a piece as functions of the state and, last, the time, and how these move.
+pub(crate) trait Field: Formulas {
+    /// What the numbers range over in the piece; at time 0 just the starts, where these are known exactly.
+    fn region(&self) -> &[Side];
+
+    /// How fast they change.
+    fn rates(&self) -> &[Symbolic];
+
+    /// The least value of a function of them in the piece, or less.
+    fn least(&self, function: &Symbolic) -> Option<f64>;
+
+    /// The squared distances of all pairs.
+    fn squares(&self) -> Option<Vec<Symbolic>>;
+
+    /// The links in force, which tell one law of a motion from another one.
+    fn links(&self) -> &[(usize, usize)];
 }
 
 /// All times from one to another, or on for ever.
@@ -93,6 +116,11 @@ pub(crate) trait Timeline {
 
     /// What is measured in a piece as functions of one number, where the motion has such a form.
     fn curve<'t>(&'t self, _: &Piece, _precision: u32) -> Option<Box<dyn Curve + 't>> {
+        None
+    }
+
+    /// What is measured in a piece as functions of the state, where these and the rates of the state have such a form.
+    fn field<'t>(&'t self, _: &Piece) -> Option<Box<dyn Field + 't>> {
         None
     }
 

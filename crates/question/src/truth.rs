@@ -59,6 +59,11 @@ pub struct Margin {
 }
 
 impl Margin {
+    /// That of a comparison that is known to hold: its smallest value is at least 0, and what is below in its enclosure is not met.
+    pub(crate) fn held(self) -> Self {
+        Margin { lo: self.lo.max(0.0).min(self.hi.max(0.0)), hi: self.hi.max(0.0) }
+    }
+
     /// Nothing is known.
     pub(crate) const ANY: Margin = Margin { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 

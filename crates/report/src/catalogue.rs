@@ -93,15 +93,27 @@ pub fn catalogue<'a>(ledger: &'a Ledger) -> Vec<Listing<'a>> {
     all
 }
 
-/// The claims of these papers (of all where none is named) that stand at a place, such as `Theorem 1`: where the place is that, or begins with it.
+/// The claims of these papers (of all where none is named) that stand at a place, such as `Theorem 1`: where the place is that, or begins with it. An equation may be
+/// named by its number alone, `(9)`: its claims, or where it has none those that stand next to it.
 pub fn of_place<'a>(all: &[Listing<'a>], papers: &[String], place: &str) -> Vec<&'a str> {
     let wanted = place.trim().to_lowercase();
-    let begins = |claim: &&Listing<'a>| {
-        let rest = claim.place.to_lowercase();
-        let rest = rest.strip_prefix(&wanted).map(str::to_string);
-        rest.is_some_and(|rest| !rest.starts_with(char::is_alphanumeric)) && claim.is_of(papers)
+    let of_papers: Vec<_> = all.iter().filter(|claim| claim.is_of(papers)).collect();
+    let found = |is_there: &dyn Fn(&str) -> bool| -> Vec<&'a str> {
+        let here = of_papers.iter().filter(|claim| is_there(&claim.place.to_lowercase()));
+        here.map(|claim| claim.id).collect()
     };
-    all.iter().filter(begins).map(|claim| claim.id).collect()
+    let begins = |wanted: &str| {
+        found(&|place| place.strip_prefix(wanted).is_some_and(|rest| !rest.starts_with(char::is_alphanumeric)))
+    };
+    let mut ids = begins(&wanted);
+    let number = ["equation", "eq."].iter().find_map(|word| wanted.strip_prefix(word)).unwrap_or(&wanted).trim();
+    if ids.is_empty() && number.starts_with('(') && number.ends_with(')') {
+        ids = begins(&format!("eq {number}"));
+        if ids.is_empty() {
+            ids = found(&|place| place.contains(number));
+        }
+    }
+    ids
 }
 
 /// What is looked for; an empty list asks for nothing, and the others must all be met.

@@ -379,8 +379,9 @@ impl Measurable for Symbolic {
         Symbolic::size(self)
     }
 
-    fn potential<'p>(_: &'p Potential, _: &Self) -> Result<ValueAt<'p, Self>, ArithmeticError> {
-        Err(ArithmeticError::Domain("a scalar with logarithms"))
+    fn potential<'p>(potential: &'p Potential, like: &Self) -> Result<ValueAt<'p, Self>, ArithmeticError> {
+        let value = potential.value_over(like)?;
+        Ok(Box::new(move |s| value.at(s)))
     }
 
     fn heading_spread(_: &Rows<Self>) -> Amount<Self> {

@@ -55,7 +55,7 @@ impl Variables<'_> {
                 Side { lo: Some(rational(0, 1)), ..Side::line() }
             }
             Meaning::Between(lo, hi) => Side::between(lo.clone(), hi.clone()),
-            Meaning::Any => Side::line(),
+            Meaning::Any | Meaning::Reciprocal(_) => Side::line(),
         }
     }
 
@@ -69,7 +69,7 @@ impl Variables<'_> {
     pub fn are_defined(&self) -> bool {
         self.meanings.iter().all(|meaning| match meaning {
             Meaning::Root(over, under) => under.as_constant().is_some() && self.range(over).lo >= 0.0,
-            Meaning::Any => false,
+            Meaning::Any | Meaning::Reciprocal(_) => false,
             _ => true,
         })
     }

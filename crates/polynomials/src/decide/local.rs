@@ -1,7 +1,7 @@
 //! One function on one box: enclosures, slopes, convexity, expansions.
 
 use super::exact::{self, Exact};
-use super::places::Place;
+use super::places::{Place, exactly, points_near};
 use super::{Extended, Method};
 use crate::function::{Compared, Function, Literal, Side};
 use arithmetic::{ArithmeticError, Dual, PreciseNumber, Rational, Ring, Series, Sign, Signed, simplest_between};
@@ -123,10 +123,14 @@ pub(super) fn at_point<F: Function>(clause: &[Literal<F>], point: &[Rational]) -
 pub(super) enum Local {
     /// It has its sign at all points.
     True { method: Method, zero: Option<Vec<Rational>> },
+    /// It has its sign at all points, and is 0 at this one.
+    TrueAround(Vec<Place>),
     /// It has its sign at all points but this one, at which it is 0.
     TrueBut(Vec<Rational>),
     /// At this point it has not.
     FailsAt(Vec<Rational>),
+    /// The same of one in closed form.
+    FailsAround(Vec<Place>),
     /// It has its sign at no point.
     False,
     /// Not known; enclosures of the slopes where there are such.
@@ -193,7 +197,9 @@ impl<F: Function> Sided<'_, F> {
             return Local::Open(Vec::new());
         }
         match self.by_slopes(sides) {
-            found @ (Local::FailsAt(_) | Local::Open(_)) if self.strict => self.but_at_zero(sides).unwrap_or(found),
+            found @ (Local::FailsAt(_) | Local::FailsAround(_) | Local::Open(_)) if self.strict => {
+                self.but_at_zero(sides).unwrap_or(found)
+            }
             found => found,
         }
     }
@@ -330,6 +336,9 @@ impl<F: Function> Sided<'_, F> {
         if self.sign_at(&point).is_some_and(|sign| !self.is_true(sign)) {
             return Some(Local::FailsAt(point));
         }
+        if let Some(found) = self.by_closed_form(&x, sides, free) {
+            return Some(found);
+        }
         bound.filter(|bound| self.suffices(*bound)).map(|_| Local::True { method: Method::Convexity, zero: None })
     }
 
@@ -353,13 +362,39 @@ impl<F: Function> Sided<'_, F> {
                 let of = |one: &Exact| self.value(&seeded(&constants(point, one), k)).ok()?.derivative.sign();
                 exact::computed(of, |_| true)
             });
-            match slope {
-                Some(Sign::Zero) => true,
-                Some(Sign::Positive) => sides[k].lo.as_ref() == Some(&point[k]),
-                Some(Sign::Negative) => sides[k].hi.as_ref() == Some(&point[k]),
-                None => false,
-            }
+            self.is_no_way_down(slope, &sides[k], |end| *end == point[k])
         })
+    }
+
+    /// What the sign at the least value of a convex function says, where that is 0 at a point in closed form.
+    fn by_closed_form(&self, x: &[f64], sides: &[Side], free: &[usize]) -> Option<Local> {
+        const NEAR: f64 = 1e-8;
+        if !self.value(x).is_ok_and(|value| value.abs() <= NEAR) {
+            return None;
+        }
+        let is_least = |places: &Vec<Place>| {
+            free.iter().all(|&k| {
+                let of = |one: &Exact| self.value(&seeded(&exactly(places, one)?, k)).ok()?.derivative.sign();
+                self.is_no_way_down(exact::computed(of, |_| true), &sides[k], |end| places[k].is(end))
+            })
+        };
+        let places = points_near(x, sides).into_iter().find(is_least)?;
+        let sign = exact::computed(|one| self.value(&exactly(&places, one)?).ok()?.sign(), |_| true)?;
+        match self.is_true(sign) {
+            false => Some(Local::FailsAround(places)),
+            true if sign == Sign::Zero => Some(Local::TrueAround(places)),
+            true => Some(Local::True { method: Method::Convexity, zero: None }),
+        }
+    }
+
+    /// Whether a slope of this sign does not go down into a side, at a point of it.
+    fn is_no_way_down(&self, slope: Option<Sign>, side: &Side, is_at: impl Fn(&Rational) -> bool) -> bool {
+        match slope {
+            Some(Sign::Zero) => true,
+            Some(Sign::Positive) => side.lo.as_ref().is_some_and(is_at),
+            Some(Sign::Negative) => side.hi.as_ref().is_some_and(is_at),
+            None => false,
+        }
     }
 
     /// One number is left: `f(c + h) = sum_(j<m) f_j h^j + f_m(xi) h^m`, with the exact coefficients at `c` and the enclosed one on the box.
@@ -425,7 +460,8 @@ impl<F: Function> Sided<'_, F> {
         }
         let Some(remainders) = self.remainders(&boxed, free) else { return false };
         let point: Vec<Rational> = sides.iter().map(Side::middle).collect();
-        let of = |one: &Exact| self.signs(&place.on_line(&point, free, one).ok()?, free);
+        let places = place.on_line(&point, free);
+        let of = |one: &Exact| self.signs(&exactly(&places, one)?, free);
         let Some(signs) = exact::computed(of, |signs| !signs.contains(&None)) else { return false };
         let found = expansion(&signs, &remainders, (above, !above), self.strict);
         matches!(found, Some(Expanded::True { .. } | Expanded::TrueBut))

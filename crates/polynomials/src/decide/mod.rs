@@ -63,8 +63,8 @@ pub struct Proof {
     pub methods: Vec<Method>,
     /// Points at which a literal that may be 0 is 0.
     pub zeros: Vec<Vec<Rational>>,
-    /// Numbers that are not rational, or not simple, at which a literal is 0; only where one variable is not a number.
-    pub places: Vec<Place>,
+    /// Points at which a literal is 0 and some numbers are not rational, or not simple: a number in closed form for each variable.
+    pub places: Vec<Vec<Place>>,
     /// Sums of squares; empty where none was needed.
     pub certificates: Vec<Certificate>,
     /// Boxes that were looked at.
@@ -100,8 +100,8 @@ pub enum Decision {
     Holds(Proof),
     /// All literals are false at this point, exactly or by enclosure.
     Fails(Vec<Rational>),
-    /// All literals are false at this number, exactly, which stands for the only variable that is not one.
-    FailsAt(Place),
+    /// All literals are false at this point, exactly: a number in closed form for each variable.
+    FailsAt(Vec<Place>),
     /// Neither was established.
     Undecided(Open),
 }
@@ -150,8 +150,9 @@ pub fn decide<F: Function>(
         }
         Decision::Fails(point) => Decision::Fails(restored(point)),
         // The variables that were replaced have no rational values there.
-        Decision::FailsAt(place) => {
-            Decision::Undecided(Open::at_point(format!("it fails where a variable is {place}")))
+        Decision::FailsAt(places) => {
+            let list: Vec<String> = places.iter().map(ToString::to_string).collect();
+            Decision::Undecided(Open::at_point(format!("it fails where the other numbers are {}", list.join(", "))))
         }
         Decision::Undecided(mut open) => {
             for sides in &mut open.boxes {
@@ -165,6 +166,11 @@ pub fn decide<F: Function>(
 /// Whether a literal is true at a point, exactly or by enclosure.
 pub fn is_true_at<F: Function>(clause: &[Literal<F>], point: &[Rational]) -> bool {
     matches!(local::at_point(clause, point), local::Signs::Holds { .. })
+}
+
+/// Whether a literal is true at a point in closed form, exactly.
+pub fn is_true_in_closed_form<F: Function>(clause: &[Literal<F>], places: &[Place]) -> bool {
+    matches!(places::truth(clause, places), local::Signs::Holds { .. })
 }
 
 /// Where no literal in one variable is true.
@@ -212,13 +218,15 @@ fn on_box<F: Function>(
         decided => return Ok(with_zeros(decided, found.zeros)),
     };
     let places = places::zeros(clause, domain);
-    if let Some(place) = places.iter().find(|place| place.fails(clause, domain)) {
-        return Ok(Decision::FailsAt(place.clone()));
+    if let Some(places) = places.iter().find_map(|place| place.fails(clause, domain)) {
+        return Ok(Decision::FailsAt(places));
     }
     if !places.is_empty()
         && let Decision::Holds(mut proof) = subdivision::divide(clause, domain, &places, first, progress)?
     {
-        proof.places = places;
+        let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
+        let free = places::only_free(domain).unwrap_or_default();
+        proof.places = places.iter().map(|place| place.on_line(&point, free)).collect();
         return Ok(with_zeros(Decision::Holds(proof), found.zeros));
     }
     // An equation is never shown by boxes.
@@ -242,7 +250,12 @@ fn on_box<F: Function>(
     };
     Ok(match rest {
         Decision::Undecided(all) => {
-            let why = match places::coincidence(clause, domain) {
+            let several = || places::all_but_equal(clause, all.boxes.first()?);
+            let told = match places::only_free(domain) {
+                Some(_) => places::coincidence(clause, domain),
+                None => several(),
+            };
+            let why = match told {
                 Some(told) => format!("{}; {told}", all.why),
                 None => all.why,
             };

@@ -1,7 +1,7 @@
-//! Numbers in closed form at which a function of one number is zero: floats and a search for simple forms propose, exact numbers decide.
+//! Numbers in closed form at which a function is zero: floats and a search for simple forms propose, exact numbers decide.
 
 use super::exact::{self, Exact};
-use super::local::Signs;
+use super::local::{Signs, polish};
 use crate::function::{Function, Literal, Side};
 use arithmetic::{
     ArithmeticError, Dual, Field, Number, PreciseNumber, Rational, Series, Sign, Signed, rational, simplest_between,
@@ -58,35 +58,24 @@ impl Place {
         }
     }
 
-    /// The truth of a clause at the place, on a line through a point.
-    pub(super) fn truth<F: Function>(&self, clause: &[Literal<F>], point: &[Rational], free: usize) -> Signs {
-        let sign = |literal: &Literal<F>| {
-            let of = |one: &Exact| literal.function.value(&self.on_line(point, free, one)?).map(|value| value.sign());
-            exact::computed(|one| of(one).ok().flatten(), |_| true)
-        };
-        let signs: Vec<Option<Sign>> = clause.iter().map(sign).collect();
-        let own = |(sign, literal): (&Option<Sign>, &Literal<F>)| sign.map(|sign| literal.compared.admits(sign));
-        let truths: Vec<Option<bool>> = signs.iter().zip(clause).map(own).collect();
-        if truths.contains(&Some(true)) {
-            Signs::Holds { zero: signs.contains(&Some(Sign::Zero)) }
-        } else if truths.iter().all(|truth| *truth == Some(false)) {
-            Signs::Fails
-        } else {
-            Signs::Unknown
+    /// The place on the only line of a domain, at which all literals are false; it has to lie in the domain.
+    pub(super) fn fails<F: Function>(&self, clause: &[Literal<F>], domain: &[Side]) -> Option<Vec<Place>> {
+        let free = only_free(domain).filter(|&k| self.lies_in(&domain[k]))?;
+        let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
+        Some(self.on_line(&point, free)).filter(|places| truth(clause, places) == Signs::Fails)
+    }
+
+    /// Whether it is known to be the number.
+    pub(super) fn is(&self, q: &Rational) -> bool {
+        self.outer == Outer::Itself && self.b.is_zero() && self.a == *q
+    }
+
+    /// Whether it is in a side, exactly.
+    pub(super) fn is_in(&self, side: &Side) -> bool {
+        match (self.outer, self.b.is_zero()) {
+            (Outer::Itself, true) => side.contains(&self.a),
+            _ => !side.integer && self.lies_in(side),
         }
-    }
-
-    /// Whether a literal is true there, exactly.
-    pub fn is_true<F: Function>(&self, clause: &[Literal<F>], domain: &[Side]) -> bool {
-        let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
-        only_free(domain).is_some_and(|free| matches!(self.truth(clause, &point, free), Signs::Holds { .. }))
-    }
-
-    /// Whether all literals are false at the place, which has to lie in the domain.
-    pub(super) fn fails<F: Function>(&self, clause: &[Literal<F>], domain: &[Side]) -> bool {
-        let Some(free) = only_free(domain) else { return false };
-        let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
-        self.lies_in(&domain[free]) && self.truth(clause, &point, free) == Signs::Fails
     }
 
     /// Whether it is known to lie within a side, exactly; at an end of it, it is a rational point, which is looked at as such.
@@ -104,10 +93,61 @@ impl Place {
     }
 
     /// The point with this number in the place of one of its own.
-    pub(super) fn on_line(&self, point: &[Rational], free: usize, one: &Exact) -> Result<Vec<Exact>, ArithmeticError> {
-        let own = |(k, q): (usize, &Rational)| if k == free { self.value(one) } else { Ok(one.rational(q)) };
+    pub(super) fn on_line(&self, point: &[Rational], free: usize) -> Vec<Place> {
+        let own = |(k, q): (usize, &Rational)| if k == free { self.clone() } else { Place::of(q.clone()) };
         point.iter().enumerate().map(own).collect()
     }
+
+    fn of(q: Rational) -> Self {
+        Place::rational(Outer::Itself, q)
+    }
+}
+
+/// The numbers of a point.
+pub(super) fn exactly(places: &[Place], one: &Exact) -> Option<Vec<Exact>> {
+    places.iter().map(|place| place.value(one).ok()).collect()
+}
+
+/// The sign of a function at a point, exactly.
+fn sign<F: Function>(function: &F, places: &[Place]) -> Option<Sign> {
+    exact::computed(|one| function.value(&exactly(places, one)?).ok()?.sign(), |_| true)
+}
+
+/// The truth of a clause at a point.
+pub(super) fn truth<F: Function>(clause: &[Literal<F>], places: &[Place]) -> Signs {
+    let signs: Vec<Option<Sign>> = clause.iter().map(|literal| sign(&literal.function, places)).collect();
+    let own = |(sign, literal): (&Option<Sign>, &Literal<F>)| sign.map(|sign| literal.compared.admits(sign));
+    let truths: Vec<Option<bool>> = signs.iter().zip(clause).map(own).collect();
+    if truths.contains(&Some(true)) {
+        Signs::Holds { zero: signs.contains(&Some(Sign::Zero)) }
+    } else if truths.iter().all(|truth| *truth == Some(false)) {
+        Signs::Fails
+    } else {
+        Signs::Unknown
+    }
+}
+
+/// Points in closed form near floats, in a box: of each number a few simple forms.
+pub(super) fn points_near(x: &[f64], sides: &[Side]) -> Vec<Vec<Place>> {
+    const MOST_FORMS: usize = 3;
+    const MOST_POINTS: usize = 16;
+    let mut points = vec![Vec::new()];
+    for (x, side) in x.iter().zip(sides) {
+        let own = match side.as_point() {
+            Some(q) => vec![Place::of(q.clone())],
+            None => {
+                let (lo, hi) = side.floats();
+                let ends = [(lo, &side.lo), (hi, &side.hi)].into_iter().filter(|(end, _)| end == x);
+                let ends = ends.filter_map(|(_, end)| end.clone().map(Place::of));
+                ends.chain(forms(*x)).filter(|form| form.is_in(side)).take(MOST_FORMS).collect()
+            }
+        };
+        let longer = |before: &Vec<Place>| -> Vec<Vec<Place>> {
+            own.iter().map(|form| before.iter().chain([form]).cloned().collect()).collect()
+        };
+        points = points.iter().flat_map(longer).take(MOST_POINTS).collect();
+    }
+    points
 }
 
 /// As the language writes it.
@@ -282,11 +322,8 @@ pub(super) fn zeros<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Vec<
         if !place.lies_in(&domain[free]) {
             return false;
         }
-        let sign = |literal: &Literal<F>| {
-            let of = |one: &Exact| literal.function.value(&place.on_line(&point, free, one).ok()?).ok()?.sign();
-            exact::computed(of, |_| true)
-        };
-        clause.iter().any(|literal| sign(literal) == Some(Sign::Zero))
+        let places = place.on_line(&point, free);
+        clause.iter().any(|literal| sign(&literal.function, &places) == Some(Sign::Zero))
     };
     near(clause, domain, free).into_iter().filter_map(|x| forms(x).into_iter().find(is_zero)).collect()
 }
@@ -309,6 +346,23 @@ pub(super) fn coincidence<F: Function>(clause: &[Literal<F>], domain: &[Side]) -
             "where the only number is near {x}, the two sides agree to 2^-{bits}, and no identity tells whether they are equal there"
         ))
     })
+}
+
+/// In words, where the two sides of a clause in several numbers all but agree in an open box.
+pub(super) fn all_but_equal<F: Function>(clause: &[Literal<F>], sides: &[Side]) -> Option<String> {
+    const SMALL: f64 = 1e-12;
+    let ends: Vec<(f64, f64)> = sides.iter().map(Side::floats).collect();
+    let near_zero = |literal: &Literal<F>| {
+        let mut x: Vec<f64> = sides.iter().map(|side| side.middle().to_f64().unwrap_or(0.0)).collect();
+        polish(&literal.function, &mut x, &ends);
+        let value = literal.function.value(&x).ok()?;
+        (value.abs() <= SMALL).then_some(x)
+    };
+    let numbers: Vec<String> = clause.iter().find_map(near_zero)?.iter().map(ToString::to_string).collect();
+    Some(format!(
+        "near ({}) the two sides differ by less than 10^-12, and whether they are equal there no identity tells, or no rule decides what follows",
+        numbers.join(", ")
+    ))
 }
 
 /// To how many bits a function is zero near a float: after steps of Newton's method, towards a zero of the slope if that is asked for.

@@ -1,7 +1,7 @@
 //! Boxes that are divided until on each of them some literal is true: in layers, each on all cores, so that the result does not depend on their number.
 
 use super::local::{Local, Sided, Signs, at_point};
-use super::places::{Place, only_free};
+use super::places::{Place, only_free, truth};
 use super::{Decision, Effort, Extended, Method, Open, Proof};
 use crate::function::{Compared, Function, Literal, Side};
 use arithmetic::{Cancelled, Progress, Rational, rational, simplest_between};
@@ -21,7 +21,10 @@ struct Cell {
 
 enum Standing {
     Closed(Vec<Method>, Option<Vec<Rational>>),
+    /// By convexity, around a zero in closed form.
+    ClosedAround(Vec<Place>),
     Fails(Vec<Rational>),
+    FailsAt(Vec<Place>),
     Split(Vec<Extended>),
 }
 
@@ -38,8 +41,8 @@ fn one<F: Function>(literal: &Literal<F>, sides: &[Side]) -> Local {
             found @ (Local::True { .. } | Local::TrueBut(_)) => found,
             _ => match sided(literal, true).on_box(sides) {
                 // Neither sign everywhere says nothing about zero.
-                found @ (Local::True { .. } | Local::TrueBut(_) | Local::Open(_)) => found,
-                Local::False | Local::FailsAt(_) => Local::Open(Vec::new()),
+                found @ (Local::True { .. } | Local::TrueAround(_) | Local::TrueBut(_) | Local::Open(_)) => found,
+                Local::False | Local::FailsAt(_) | Local::FailsAround(_) => Local::Open(Vec::new()),
             },
         },
         // Never by boxes; a point can refute it.
@@ -65,19 +68,24 @@ fn is_true_around<F: Function>(clause: &[Literal<F>], sides: &[Side], place: &Pl
     let point: Vec<Rational> = sides.iter().map(Side::middle).collect();
     inside
         && [false, true].iter().all(|&above| clause.iter().any(|literal| beside(literal, above)))
-        && matches!(place.truth(clause, &point, free), Signs::Holds { .. })
+        && matches!(truth(clause, &place.on_line(&point, free)), Signs::Holds { .. })
 }
 
 fn look<F: Function>(clause: &[Literal<F>], cell: &Cell, places: &[Place]) -> Standing {
     let admitted = |point: &Vec<Rational>| cell.sides.iter().zip(point).all(|(side, q)| side.contains(q));
     let mut slopes = Vec::new();
     let mut open = false;
-    let mut candidates = Vec::new();
+    let (mut candidates, mut around) = (Vec::new(), None);
     for literal in clause {
         match one(literal, &cell.sides) {
             Local::True { method, zero } => {
                 let zero = zero.filter(|zero| literal.compared == Compared::NotNegative && admitted(zero));
                 return Standing::Closed(vec![method], zero);
+            }
+            Local::TrueAround(places) => return Standing::ClosedAround(places),
+            Local::FailsAround(places) => {
+                open = true;
+                around = Some(places);
             }
             // Another literal may be true at that point.
             Local::TrueBut(point) => match at_point(clause, &point) {
@@ -105,6 +113,9 @@ fn look<F: Function>(clause: &[Literal<F>], cell: &Cell, places: &[Place]) -> St
     }
     match candidates.into_iter().find(|point| admitted(point) && at_point(clause, point) == Signs::Fails) {
         Some(point) => Standing::Fails(point),
+        None if around.as_ref().is_some_and(|places| truth(clause, places) == Signs::Fails) => {
+            Standing::FailsAt(around.unwrap_or_default())
+        }
         None if places.iter().any(|place| is_true_around(clause, &cell.sides, place)) => {
             Standing::Closed(vec![Method::Expansion], None)
         }
@@ -212,6 +223,11 @@ pub(super) fn divide<F: Function>(
         for (cell, standing) in layer.into_iter().zip(found) {
             match standing {
                 Standing::Fails(point) => return Ok(Decision::Fails(point)),
+                Standing::FailsAt(places) => return Ok(Decision::FailsAt(places)),
+                Standing::ClosedAround(places) => {
+                    proof.methods.push(Method::Convexity);
+                    proof.places.push(places);
+                }
                 Standing::Closed(methods, zero) => {
                     proof.methods.extend(methods);
                     proof.zeros.extend(zero.filter(|zero| !proof.zeros.contains(zero)));

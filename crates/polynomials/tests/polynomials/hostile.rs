@@ -12,6 +12,13 @@ fn log_2() -> Tree {
 type Row = (&'static str, Vec<Side>, Vec<Said>);
 
 /// What must never be said to hold.
+/// Convex, and 0 at the square roots of 2 and 3 only.
+fn bowl() -> super::expression::Tree {
+    let own =
+        |x: super::expression::Tree, q: i64| (x.clone() - c(q, 1).root()).call("exp") - x + c(q, 1).root() - c(1, 1);
+    own(x(), 2) + own(y(), 3)
+}
+
 fn false_ones() -> Vec<Row> {
     let unit = || sides(&[(0, 1)]);
     let square = || sides(&[(-1, 1), (-1, 1)]);
@@ -20,6 +27,13 @@ fn false_ones() -> Vec<Row> {
         ("slopes: below at the corner", unit(), vec![at_least(x() + x().to(2), nano(1))]),
         ("slopes: the sign turns within the box", unit(), vec![at_least(x().to(2) - nano(1) * x(), c(0, 1))]),
         ("convexity: a bowl below", square(), vec![at_least(x().to(2) + (y() - c(1, 3)).to(2), nano(1))]),
+        ("closed form: a bowl below", sides(&[(0, 2), (0, 2)]), vec![at_least(bowl(), nano(1))]),
+        ("closed form: strict at its bottom", sides(&[(0, 2), (0, 2)]), vec![above(bowl(), c(0, 1))]),
+        (
+            "closed form: a bowl a little beside",
+            sides(&[(0, 2), (0, 2)]),
+            vec![at_least(bowl(), nano(1) * (x() - c(1, 1)).to(2))],
+        ),
         ("convexity: strict at its bottom", square(), vec![above(x().to(2) + (y() - c(1, 3)).to(2), c(0, 1))]),
         (
             "convexity: a bowl with a hole beside it",
@@ -247,6 +261,8 @@ fn true_ones() -> Vec<Row> {
             vec![at_least((c(1, 1) + x().to(2)).root() * (c(1, 1) + y().to(2)).root(), c(1, 1) + x() * y())],
         ),
         ("two roots: a sum", quadrant(), vec![at_least(x().root() + y().root(), (x() + y()).root())]),
+        ("closed form: the bottom of a bowl", sides(&[(0, 2), (0, 2)]), vec![at_least(bowl(), c(0, 1))]),
+        ("closed form: outside of the box", sides(&[(0, 1), (0, 2)]), vec![above(bowl(), c(0, 1))]),
         (
             "two roots: lengths",
             lines(3),
@@ -327,6 +343,7 @@ fn near(place: &str) -> f64 {
         "pi/2" => std::f64::consts::FRAC_PI_2,
         "sqrt(2)" => 2f64.sqrt(),
         "-sqrt(2)" => -2f64.sqrt(),
+        "sqrt(3)" => 3f64.sqrt(),
         "exp(-1)" => (-1f64).exp(),
         other => panic!("{other}"),
     }
@@ -361,9 +378,10 @@ fn near_misses_are_not_said_to_hold() {
                     assert!(is_false_near(&clause, &at), "{name}: {at:?}");
                 }
                 // Never by boxes or points: the function itself is looked at beside it.
-                Decision::FailsAt(place) => {
-                    let sides = [-1, 1].map(|sign| vec![near(&place.to_string()) + sign as f64 * 1e-9]);
-                    assert!(sides.iter().any(|at| is_false_at(&clause, at)), "{name}: {place}");
+                Decision::FailsAt(places) => {
+                    let at: Vec<f64> = places.iter().map(|place| near(&place.to_string())).collect();
+                    let beside = |sign: i32| at.iter().map(|x| x + f64::from(sign) * 1e-9).collect::<Vec<_>>();
+                    assert!([-1, 1].iter().any(|sign| is_false_at(&clause, &beside(*sign))), "{name}: {places:?}");
                 }
                 Decision::Undecided(_) => open.push(name),
             }

@@ -55,14 +55,14 @@ fn random_polynomials_get_no_wrong_answer() {
         match decided(&sum) {
             Decision::Holds(_) => {}
             Decision::Fails(at) => panic!("{sum} is not negative at {at:?}"),
-            Decision::FailsAt(at) => panic!("{sum} is not negative at {at}"),
+            Decision::FailsAt(at) => panic!("{sum} is not negative at {at:?}"),
             Decision::Undecided(_) => open += 1,
         }
         let fails = is_negative_on_a_grid(&dip, variables);
         match decided(&dip) {
             Decision::Holds(_) => assert!(!fails, "{dip} is negative somewhere"),
             Decision::Fails(at) => assert!(dip.value(&at) < rational(0, 1), "{dip} at {at:?}"),
-            Decision::FailsAt(at) => panic!("{dip} is negative at rational numbers, too, not only at {at}"),
+            Decision::FailsAt(at) => panic!("{dip} is negative at rational numbers, too, not only at {at:?}"),
             Decision::Undecided(_) => kept += 1,
         }
         if number % 4 < 2 {

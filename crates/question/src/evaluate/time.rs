@@ -1,6 +1,7 @@
 //! Time operators: `always[a, b]`, `eventually[a, b]`, `p until[a, b] q`, decided on pieces of time on which everything is enclosed; in discrete time by
 //! [`super::steps`].
 
+use super::growth::Growth;
 use super::steps::{each_stretch, over_steps};
 use super::until::until;
 use super::{Evaluator, Judged};
@@ -265,6 +266,7 @@ impl Operator<'_, '_, '_> {
         let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
         let (mut margin, mut doubt, mut missing, mut judged) = (Margin::of_truth(true), None, None, 0);
         let (mut open, mut settled) = (Vec::new(), 0);
+        let mut growth = Growth::of(self.body, self.negated);
         while let Some((piece, depth)) = queue.pop() {
             judged += 1;
             let is_sure = sure.as_ref().is_some_and(|sure| meets(&piece, sure));
@@ -280,7 +282,10 @@ impl Operator<'_, '_, '_> {
             // What happens at times that may not be meant bounds the smallest margin from below only.
             let own = if is_sure { own } else { Margin { hi: f64::INFINITY, ..own } };
             match truth {
-                Truth::True => margin = margin.least(own),
+                Truth::True => {
+                    growth.note(&piece);
+                    margin = margin.least(own);
+                }
                 Truth::False if is_sure => {
                     let rest = if covered.rest.is_none() { self.least(&queue) } else { f64::NEG_INFINITY };
                     let margin = margin.least(own);
@@ -288,6 +293,15 @@ impl Operator<'_, '_, '_> {
                 }
                 truth => {
                     let halves = self.timeline.halves(&piece);
+                    let is_tried = matches!(truth, Truth::Unknown(_)) && (depth > DEPTH - 3 || depth == COARSE);
+                    if is_tried && growth.is_worth_while() {
+                        if self.grows(&growth, &piece)? {
+                            growth.note(&piece);
+                            margin = margin.least(own.held());
+                            continue;
+                        }
+                        growth.left -= 1;
+                    }
                     let looks = settled < MOST_SETTLED && (matches!(depth, 0 | COARSE) || halves.is_none());
                     settled += usize::from(looks);
                     let truth = if looks { self.settled(&piece, truth)? } else { truth };

@@ -95,7 +95,10 @@ pub(super) fn on_states(
             Found::Holds(how, proof.certificates)
         }
         Decision::Fails(at) => Found::Fails(filled_points(&sides, &free, &at)),
-        Decision::FailsAt(place) => Found::Open(format!("it fails where the only number left is {place}")),
+        Decision::FailsAt(places) => {
+            let list: Vec<String> = places.iter().map(ToString::to_string).collect();
+            Found::Open(format!("it fails where the numbers left are {}", list.join(", ")))
+        }
         Decision::Undecided(open) => Found::Open(open.why),
     })
 }

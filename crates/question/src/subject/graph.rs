@@ -228,10 +228,18 @@ impl<'q> GraphSubject<'q> {
         spectra.entry(kind).or_insert_with(|| Rc::new(Spectra::new(self.graph.clone(), kind))).clone()
     }
 
+    /// The sum of these powers of all eigenvalues, exactly, where that is the trace of a matrix.
+    pub fn power_sum(&self, kind: Option<&Number>, power: u32) -> Option<Rational> {
+        self.of_kind(self.kind_of(kind)).power_sum(power)
+    }
+
+    fn kind_of(&self, argument: Option<&Number>) -> LaplacianKind {
+        let named = argument.and_then(Number::as_integer).and_then(|k| k.to_usize());
+        named.and_then(|k| LaplacianKind::NAMES.get(k)).map_or(self.kind, |(_, kind)| *kind)
+    }
+
     fn eigenvalue(&self, arguments: &[Number], precision: u32) -> Found {
-        let named = arguments.get(1).and_then(Number::as_integer).and_then(|k| k.to_usize());
-        let kind = named.and_then(|k| LaplacianKind::NAMES.get(k)).map_or(self.kind, |(_, kind)| *kind);
-        let spectra = self.of_kind(kind);
+        let spectra = self.of_kind(self.kind_of(arguments.get(1)));
         let k = index("the index of `lambda`", arguments.first(), spectra.order())?;
         spectra.eigenvalue(k, precision).map(Measured::Number)
     }

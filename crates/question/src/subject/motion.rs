@@ -13,7 +13,7 @@ pub(crate) use numbers::Start;
 
 use crate::error::Problem;
 use crate::failure::Failure;
-use crate::timeline::{Covered, Curve, Moment, Piece, Timeline, clock};
+use crate::timeline::{Covered, Curve, Field, Moment, Piece, Timeline, clock};
 use crate::truth::Doubt;
 use arithmetic::{FloatInterval, Number, Progress, Rational, Ring, rational};
 use at::At;
@@ -69,6 +69,9 @@ enum States {
     Step(Step),
     Box(IntervalVector),
 }
+
+/// States as polynomials in the start, and the links; `None` while they change.
+type Enclosed = (Vec<Expanded>, Option<Rc<Vec<Pair>>>);
 
 /// Most sections of a tube.
 const MOST_SECTIONS: usize = 50_000;
@@ -221,12 +224,7 @@ impl<'c> MotionSubject<'c> {
                 self.small(own.agents())?;
                 let mut state: IntervalVector = own.start.iter().map(point).collect();
                 for (list, agent, coordinate, lo, hi) in &self.wide {
-                    let place = match list {
-                        Start::Own(part) => own.place(part, *agent, *coordinate),
-                        Start::Positions => own.place("positions", *agent, *coordinate),
-                        Start::Velocities => own.place("velocities", *agent, *coordinate),
-                        Start::Phases => own.place("phases", *agent, *coordinate),
-                    };
+                    let place = own.place(list.part(), *agent, *coordinate);
                     if let Some(number) = place.and_then(|place| state.get_mut(place)) {
                         *number = point(lo).hull(&point(hi));
                     }
@@ -247,6 +245,36 @@ impl<'c> MotionSubject<'c> {
                 self.followed(PlatoonLaw { platoon, frequency: &swing.1 }, &Expanded::of_start(&state), until)
             }
         }
+    }
+
+    /// The states at all times of a piece that lies in one section of the tube, and the links.
+    fn enclosed_at(&self, piece: &Piece) -> Result<Enclosed, Failure> {
+        let last = piece.to.as_ref().unwrap_or(&piece.from);
+        let tube = self.tube.borrow().clone();
+        let begin = point(&piece.from);
+        let end = piece.to.as_ref().map_or(begin, point);
+        let float = |q: &Rational| q.to_f64().unwrap_or(0.0);
+        let middle = piece.to.as_ref().map_or(piece.from.clone(), |to| (&piece.from + to) * rational(1, 2));
+        let place = tube.sections.partition_point(|section| section.from <= float(&middle)).saturating_sub(1);
+        let Some(section) = tube.sections.get(place) else {
+            return Err(Failure::open("the motion is not enclosed at that time", None));
+        };
+        let exact = |x: f64| Rational::from_float(x).unwrap_or_else(|| rational(0, 1));
+        if piece.from < exact(section.from) || *last > exact(section.to) {
+            return Err(Failure::open("a piece of time lies across two steps", None));
+        }
+        let state = match &section.states {
+            States::Box(states) => Expanded::of_box(states),
+            States::Step(step) => {
+                let after = begin.hull(&end) - FloatInterval::point(section.from);
+                let after = FloatInterval::between(
+                    after.lo().clamp(0.0, step.span.hi()),
+                    after.hi().clamp(0.0, step.span.hi()),
+                );
+                step.expanded(after)
+            }
+        };
+        Ok((state, section.pairs.clone()))
     }
 
     fn small(&self, agents: usize) -> Result<(), Failure> {
@@ -478,32 +506,9 @@ impl Timeline for MotionSubject<'_> {
                 pairs: None,
             }));
         }
-        let tube = self.tube.borrow().clone();
-        let begin = point(&piece.from);
-        let end = piece.to.as_ref().map_or(begin, point);
-        let float = |q: &Rational| q.to_f64().unwrap_or(0.0);
-        let middle = piece.to.as_ref().map_or(piece.from.clone(), |to| (&piece.from + to) * rational(1, 2));
-        let place = tube.sections.partition_point(|section| section.from <= float(&middle)).saturating_sub(1);
-        let Some(section) = tube.sections.get(place) else {
-            return Err(Failure::open("the motion is not enclosed at that time", None));
-        };
-        let exact = |x: f64| Rational::from_float(x).unwrap_or_else(|| rational(0, 1));
-        if piece.from < exact(section.from) || *last > exact(section.to) {
-            return Err(Failure::open("a piece of time lies across two steps", None));
-        }
-        let state = match &section.states {
-            States::Box(states) => Expanded::of_box(states),
-            States::Step(step) => {
-                let after = begin.hull(&end) - FloatInterval::point(section.from);
-                let after = FloatInterval::between(
-                    after.lo().clamp(0.0, step.span.hi()),
-                    after.hi().clamp(0.0, step.span.hi()),
-                );
-                step.expanded(after)
-            }
-        };
+        let (state, pairs) = self.enclosed_at(piece)?;
         let holds = self.holds(piece);
-        Ok(Box::new(At { subject: self, motion: &self.motion, holds, state, pairs: section.pairs.clone() }))
+        Ok(Box::new(At { subject: self, motion: &self.motion, holds, state, pairs }))
     }
 
     fn has_instants(&self) -> bool {
@@ -519,6 +524,10 @@ impl Timeline for MotionSubject<'_> {
             (times, Box::new(at) as Box<dyn Moment>)
         });
         instants.collect()
+    }
+
+    fn field<'t>(&'t self, piece: &Piece) -> Option<Box<dyn Field + 't>> {
+        Some(Box::new(self.on_states(piece)?))
     }
 
     fn curve<'t>(&'t self, piece: &Piece, precision: u32) -> Option<Box<dyn Curve + 't>> {

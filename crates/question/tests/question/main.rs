@@ -17,6 +17,7 @@ mod one_number;
 mod own;
 mod sets;
 mod sharp;
+mod starts;
 mod states;
 mod touching;
 mod traces;

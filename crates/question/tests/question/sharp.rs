@@ -18,6 +18,18 @@ const ATTAINED: &[(&str, &str)] = &[
     ),
     ("x = \"[-2, 2]\"\ny = \"[-2, 2]\"", "x^4*y^2 + x^2*y^4 - 3*x^2*y^2 + 1 >= EPS"),
     ("x = \"[0, 1]\"", "x^2 - x + 1/4 >= EPS"),
+    // At points without rational coordinates.
+    ("x = \"[-2, 2]\"\ny = \"[-4, 4]\"", "x^4 - 4*x^2 + 4 + (y - x^3)^2*exp(x) >= EPS"),
+    (
+        "x = \"[0, 2]\"\ny = \"[0, 2]\"",
+        "exp(x - sqrt(2)) + exp(y - sqrt(3)) >= 2 + (x - sqrt(2)) + (y - sqrt(3)) + EPS",
+    ),
+    ("x = \"[0, 2]\"\ny = \"[0, 2]\"", "x^3/3 - 2*x + (y - x)^2*exp(y) >= EPS - 4*sqrt(2)/3"),
+    ("x = \"[1/10, 3]\"\ny = \"[1/10, 3]\"", "x*log(x) + y*log(y) >= EPS - 2/exp(1)"),
+    ("x = \"[1/2, 4]\"\ny = \"[1/2, 4]\"", "x + 2/x + y + 3/y >= 2*sqrt(2) + 2*sqrt(3) + EPS"),
+    ("x = \"[-2, 2]\"\ny = \"[-2, 2]\"", "exp(x) - 2*x + exp(y) - 3*y >= 5 - 2*log(2) - 3*log(3) + EPS"),
+    ("x = \"[0, 3]\"\ny = \"[0, 3]\"", "sin(x) + sin(y) + sin(x + y) <= 3*sqrt(3)/2 - EPS"),
+    ("x = \"[-1, 1]\"\ny = \"[0, 2]\"", "(exp(x) - y)^2 + (y^2 - 2)^2 >= EPS"),
     ("x = \"[-1, 1]\"", "x > 0 implies 1/x >= 1 + EPS"),
     ("x = \"[-1, 3]\"", "x > 0 implies log(x) <= x - 1 - EPS"),
     ("x = \"[-1, 1]\"\ny = \"[-1, 1]\"", "abs(x + y) <= (abs(x) + abs(y))*(1 - EPS)"),
@@ -191,6 +203,26 @@ fn the_point_of_equality_and_the_open_part_are_told() {
     assert!(found.why.contains("of the volume"), "{}", found.why);
 }
 
+/// In several numbers, too, a point of equality is told in closed form, and refutes what is said to be strict; where none is known, that is told.
+#[test]
+fn points_of_equality_without_rational_coordinates() {
+    let sides = "exp(x) - 2*x + exp(y) - 3*y RELATION 5 - 2*log(2) - 3*log(3)";
+    let family = "x = \"[-2, 2]\"\ny = \"[-2, 2]\"";
+    let found = answer(&asked(family, &sides.replace("RELATION", ">="), "1 < 0"));
+    assert!(found.text(None).contains("smallest margin = 0 at (x = log(2), y = log(3))"), "{}", found.text(None));
+    let found = answer(&asked(family, &sides.replace("RELATION", ">"), "1 < 0"));
+    assert_eq!(found.verdict, Verdict::False);
+    assert!(found.text(None).contains("x = log(2), y = log(3), exactly"), "{}", found.text(None));
+    // The point lies outside, or another literal is true at it.
+    assert_eq!(verdict("x = \"[-2, 2/3]\"\ny = \"[-2, 2]\"", &sides.replace("RELATION", ">")), Verdict::Holds);
+    let guarded = format!("x + y = log(6) or {}", sides.replace("RELATION", ">"));
+    assert_ne!(verdict(family, &guarded), Verdict::False);
+    // A cube root has none of the forms that are tried.
+    let found = answer(&asked("x = \"[1, 2]\"\ny = \"[-1, 1]\"", "exp(x^3 - 2) + y^2*exp(y) >= x^3 - 1", "1 < 0"));
+    assert_ne!(found.verdict, Verdict::False);
+    assert!(found.verdict == Verdict::Holds || found.why.contains("differ by less than 10^-12"), "{}", found.why);
+}
+
 /// True wherever there is a value, with a point at which there is none: no rule may make `holds` of that.
 #[test]
 fn no_rule_hides_a_missing_value() {
@@ -226,4 +258,22 @@ fn no_rule_hides_a_missing_value() {
     let narrow = "x = \"[999999/1000000, 1000001/1000000]\"";
     assert_eq!(verdict(narrow, "sin(pi/(6*x)) >= 1/2"), Verdict::False);
     assert_eq!(verdict(narrow, "sin(pi/(6*x)) <= 1/2"), Verdict::False);
+}
+
+/// Sums of powers of all eigenvalues are traces, also where each of them is irrational.
+#[test]
+fn sums_of_eigenvalues_are_exact() {
+    let all = "g = \"connected(5)\"";
+    assert_eq!(verdict(all, "sum(i, lambda(i)) = 2*edges"), Verdict::Holds);
+    assert_eq!(verdict(all, "sum(i, lambda(i)^2) = sum(i, degree(i)^2 + degree(i))"), Verdict::Holds);
+    assert_eq!(verdict(all, "sum(i, lambda(i)) <= 2*edges - 1/1000000000"), Verdict::False);
+    assert_eq!(verdict(all, "sum(i, lambda(i)^2) = sum(i, degree(i)^2) + 2*edges + 1/1000000000"), Verdict::False);
+}
+
+/// Numbers that are equal by identities, without an interval.
+#[test]
+fn single_numbers_are_compared_exactly() {
+    assert_eq!(verdict("", "exp(log(2)) = 2 and sqrt(2)*sqrt(3) = sqrt(6)"), Verdict::Holds);
+    assert_eq!(verdict("", "exp(log(2)) < 2"), Verdict::False);
+    assert_eq!(verdict("", "exp(log(2)) = 2 + 1/1000000000"), Verdict::False);
 }

@@ -5,12 +5,13 @@ use crate::failure::Failure;
 use algebra::graph::{AnyGraph, Graph, LaplacianKind};
 use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{
-    Eigenvalue, FloatEnclosure, matrix_spectrum, named_spectrum, small_symmetric_eigenvalues, symmetric_enclosures,
+    Eigenvalue, FloatEnclosure, LARGEST_DIGITS, matrix_spectrum, named_spectrum, small_symmetric_eigenvalues,
+    symmetric_enclosures,
 };
 use arithmetic::{Algebraic, RealNumber as Number};
 use arithmetic::{Dyadic, Interval, Rational, common_denominator};
 use num_bigint::BigInt;
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, Zero};
 use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 
@@ -96,6 +97,29 @@ impl Spectra {
         Some(Number::Enclosed(enclosure, Some(bounds)))
     }
 
+    /// The sum of these powers of all eigenvalues: the trace of the power of the matrix. Of higher powers only where all eigenvalues are known to be real.
+    pub fn power_sum(&self, power: u32) -> Option<Rational> {
+        const MOST: u32 = 8;
+        let matrix = self.matrix().ok()?;
+        if power == 0 || power > MOST || power > 1 && !matrix.is_symmetric() {
+            return None;
+        }
+        let row = |i: usize| {
+            let mut row = vec![Rational::zero(); matrix.order()];
+            row[i] = Rational::one();
+            // The row of the power.
+            for _ in 0..power {
+                let mut next = vec![Rational::zero(); matrix.order()];
+                for (k, x) in row.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
+                    matrix.row(k).iter().for_each(|(j, entry)| next[*j] += x * entry);
+                }
+                row = next;
+            }
+            row.swap_remove(i)
+        };
+        Some((0..matrix.order()).map(row).sum())
+    }
+
     fn matrix(&self) -> Result<&SparseMatrix, Failure> {
         let found = self.matrix.get_or_init(|| self.graph.weighted().matrix(self.kind).map_err(|e| e.to_string()));
         found.as_ref().map_err(|error| Failure::Refused(0, Problem::Other(error.clone())))
@@ -127,6 +151,10 @@ fn eigenvalues<E: std::fmt::Display>(
     find: &dyn Fn(Option<u32>) -> Result<Vec<Eigenvalue>, E>,
 ) -> Result<Vec<Eigenvalue>, Failure> {
     let digits = (f64::from(precision) * std::f64::consts::LOG10_2).ceil() as u32 + 1;
+    if digits > LARGEST_DIGITS {
+        let why = format!("it would take eigenvalues to more than {LARGEST_DIGITS} digits");
+        return Err(Failure::open(why, None));
+    }
     find(Some(digits))
         .or_else(|error| if precision <= FLOAT_BITS { find(None) } else { Err(error) })
         .map_err(|error| Failure::open(error.to_string(), None))

@@ -14,6 +14,18 @@ pub(crate) enum Start {
     Own(String),
 }
 
+impl Start {
+    /// The name of the list.
+    pub fn part(&self) -> &str {
+        match self {
+            Start::Positions => "positions",
+            Start::Velocities => "velocities",
+            Start::Phases => "phases",
+            Start::Own(part) => part,
+        }
+    }
+}
+
 /// The narrowest floats around a rational.
 pub(super) fn point(q: &Rational) -> FloatInterval {
     FloatInterval::from_rational(q)
