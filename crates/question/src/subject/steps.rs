@@ -17,7 +17,7 @@ use std::cell::RefCell;
 const MOST_STEPS: usize = 1000;
 
 /// States whose exact numbers have more bits together are enclosed from there on.
-const MOST_BITS: u64 = 1 << 20;
+const MOST_BITS: u64 = 1 << 24;
 
 /// Bits of enclosures at first, and the most.
 const BITS: [u32; 2] = [256, 4096];

@@ -1,6 +1,6 @@
 //! A law of one's own in discrete time, step by step, for what is decided: on rational numbers where it has no other functions, else enclosed.
 
-use super::discrete::Stepping;
+use super::discrete::{Stepped, Stepping};
 use super::read::{Described, describe};
 use crate::error::{ConfigError, RunError};
 use crate::source::{Entry, Source};
@@ -92,13 +92,15 @@ impl OwnSteps {
         self.stepping.step().map(drop)
     }
 
-    /// Goes on with enclosures of all numbers where the exact ones have more bits together; exact numbers under a law that squares grow without use.
+    /// Goes on with enclosures of all numbers where an exact one has more digits than exact runs follow, or all together have more bits: exact numbers under a law that squares grow without use.
     pub fn enclose_beyond(&mut self, bits: u64) {
         let length = |x: &PreciseNumber| match &x.number {
-            RealNumber::Exact(q) => q.numer().bits() + q.denom().bits(),
-            _ => 0,
+            RealNumber::Exact(q) => (q.numer().bits() + q.denom().bits(), q.is_too_long()),
+            _ => (0, false),
         };
-        if self.state().iter().map(length).sum::<u64>() > bits {
+        let lengths = self.state().iter().map(length);
+        let (together, any) = lengths.fold((0, false), |(sum, any), (own, long)| (sum + own, any || long));
+        if together > bits || any {
             self.stepping.change(|x| x.number = RealNumber::interval(x.number.enclosure(x.precision)));
         }
     }
