@@ -36,7 +36,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import isqrt
 from random import Random
-from typing import Any, Generic, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar, cast
 
 import numpy as np
 
@@ -53,6 +53,9 @@ from ._numbers import (
     size_ends,
     why_not_exact,
 )
+
+if TYPE_CHECKING:
+    from ._questions import Question
 
 __all__ = ["Claimed", "Exact", "Outcome", "Run", "Truth", "claim", "every", "some", "verify"]
 
@@ -411,6 +414,39 @@ class Run:
         """A proof on paper for all parameters; ``place`` says where it stands, step by step."""
         return self._issue(Outcome("holds", "", (_Evidence("argued", part, place, tuple(clauses), "all"),)))
 
+    def question(
+        self, part: str, question: Question, clauses: Sequence[int] = (), scope: Literal["all", "instances"] = "instances"
+    ) -> Outcome:
+        """Decides a question as :func:`flockproof.check` does, of a law of one's own for instance; its grades.
+
+        Parameters
+        ----------
+        part, clauses
+            What it shows, and of which clauses.
+        question
+            A dictionary or the path of a file; ``[question] law`` may be a :class:`flockproof.Law`. Its own controls
+            must be refuted as well, where it has any.
+        scope
+            ``all`` where the family of the question is all that the clauses speak of.
+        """
+        from ._questions import check
+
+        if scope not in ("all", "instances"):
+            raise ValueError(f"scope should be all or instances, but it is `{str(scope)[:60]}`")
+        answer = check(question)
+        if answer.verdict in ("undecided", "withheld"):
+            return self._issue(Outcome("undecided", f"{part}: {answer.why or answer.verdict}"))
+        doubt = self._floats[0] if self._floats else None
+        grades = answer.grades if doubt is None else ("simulated",)
+        holds = answer.verdict == "holds"
+        covered = scope if holds and "simulated" not in grades else "instances"
+        detail = _with_doubt("decided as a question", doubt)
+        evidence = tuple(_Evidence(grade, part, detail, tuple(clauses), covered, answer.cases) for grade in grades)
+        if holds:
+            return self._issue(Outcome("holds", "", evidence))
+        at = ", ".join(f"{name} = {value}" for name, value in (answer.counterexample or {}).items())
+        return self._issue(Outcome("fails", f"{part}: {_shown(at)}: {answer.why}", evidence))
+
     def undecided(self, why: str) -> Outcome:
         """Neither could be established."""
         return self._issue(Outcome("undecided", why))
@@ -551,8 +587,8 @@ def claim(
         statement, and its variant.
     expected, expected_grades
         The verdict that is recorded, ``holds``, ``needs_hypothesis``, ``misprint``, ``false``, ``undecided`` or
-        ``not_checkable``, and the grades, of ``argued``, ``exhaustive``, ``exact``, ``simulated`` and ``fuzzed``;
-        others are a difference.
+        ``not_checkable``, and the grades, of ``identity``, ``argued``, ``exhaustive``, ``certified``, ``exact``,
+        ``simulated`` and ``fuzzed``; others are a difference.
 
     Returns
     -------

@@ -200,9 +200,8 @@ fn verdict(word: &str) -> Result<Verdict, String> {
 }
 
 fn grade(word: &str) -> Result<Grade, String> {
-    // Kernel and identity are for what Coq or the identity test says; Python has neither.
-    let all: Vec<Grade> =
-        Grade::ALL.into_iter().filter(|grade| !matches!(grade, Grade::Kernel | Grade::Identity)).collect();
+    // Kernel is for what Coq says; Python does not ask it. Identities come from questions.
+    let all: Vec<Grade> = Grade::ALL.into_iter().filter(|grade| !matches!(grade, Grade::Kernel)).collect();
     one_of("grade", word, &all, Grade::word)
 }
 

@@ -4,6 +4,7 @@ import flockproof
 import numpy as np
 import pytest
 from flockproof import Law
+from flockproof.claims import claim, verify
 from flockproof.law import mean, norm2, total
 
 
@@ -87,3 +88,62 @@ def test_sweeps_and_attacks():
 
 def test_latex_of_a_law():
     assert r"\dot v_i" in cucker_smale(False)._repr_latex_()
+
+
+def conserving() -> Law:
+    """Two agents that draw each other along, with a momentum."""
+    return Law(
+        state={"v": "number"},
+        rates={"v": lambda i: total(lambda j: j.v - i.v)},
+        observables={"momentum": lambda: total(lambda i: i.v)},
+    )
+
+
+def all_velocities(law: Law, property: str) -> dict[str, object]:
+    """A question about every state of three agents."""
+    head = {"id": "mine.law", "law": law}
+    return {"question": head, "for": {"agents": 3, "v": "any"}, "holds": {"property": property}}
+
+
+def test_claims_over_own_laws():
+    @claim(
+        "mine.momentum",
+        "The momentum of three agents is conserved, and no square of a velocity grows.",
+        clauses=["The momentum is conserved.", "The sum of squares does not grow."],
+        printed=conserving(),
+        controls={"an agent that brakes": Law(state={"v": "number"}, rates={"v": "-v^3 + v"}, observables={"momentum": "sum(i, v[i])"})},
+    )
+    def momentum(law, run):
+        "Terms of a pair cancel."
+        return run.all(
+            run.question("momentum", all_velocities(law, "rate(momentum) = 0"), clauses=[1], scope="all"),
+            run.question("squares", all_velocities(law, "rate(sum(i, v[i]^2)) <= 0"), clauses=[2], scope="all"),
+        )
+
+    report = verify(momentum)
+    entry = report["mine.momentum"]
+    assert entry.verdict == "holds", report
+    assert report.as_recorded, report.differences
+    assert "identity" in entry.grades
+    assert all(evidence.scope == "all" for evidence in entry.evidence)
+    assert entry.controls.failed[0].startswith("momentum: ")
+
+
+def test_a_claim_that_a_law_refutes():
+    @claim("mine.rest", "Nobody's velocity changes.", printed="rate(v[1]) = 0", controls={"it grows": "rate(v[1]) > 0"})
+    def rest(property, run):
+        return run.question("rest", all_velocities(conserving(), property))
+
+    entry = verify(rest)["mine.rest"]
+    assert entry.verdict == "false" and entry.counterexample is not None, entry
+
+
+def test_a_question_of_a_claim_whose_own_controls_hold():
+    @claim("mine.open", "The momentum is conserved.", printed="0", controls={"a sum": "sum(i, v[i])"})
+    def momentum(rate, run):
+        asked = all_velocities(conserving(), f"rate(momentum) = {rate}")
+        with pytest.raises(ValueError, match="scope should be all or instances"):
+            run.question("momentum", asked, scope="some")
+        return run.question("momentum", {**asked, "holds": {**asked["holds"], "controls": ["rate(momentum) < 1"]}})
+
+    assert verify(momentum)["mine.open"].verdict == "undecided"

@@ -239,11 +239,10 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
         }
         None => None,
     };
-    let decisive = match &shrunk {
-        Some((simpler, _)) if question.law().is_none() => {
-            question.decisive(&simpler.property, &simpler.bindings, false, progress)?
-        }
-        _ => None,
+    let decisive = match (&shrunk, question.law()) {
+        (None, _) => None,
+        (Some((simpler, _)), None) => question.decisive(&simpler.property, &simpler.bindings, false, progress)?,
+        (Some((simpler, _)), Some(law)) => states::decisive(question, law, &simpler.property, &simpler.bindings)?,
     };
     // What stands beside a counterexample is measured there.
     let there = match &shrunk {
@@ -274,6 +273,11 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
     let remarks = unmet.into_iter().chain(made.iter().flat_map(|made| made.remarks.clone())).chain(of_a_platoon);
     answer.why = std::iter::once(answer.why).chain(remarks).collect::<Vec<String>>().join(" ");
     answer.made = made;
+    if question.law().is_some()
+        && let Some(decisive) = &decisive
+    {
+        answer.margin = Some(decisive.margin);
+    }
     answer.decisive = decisive.filter(|_| answer.counterexample.is_some());
     if let Some(law) = question.law().filter(|_| answer.verdict == Verdict::Holds) {
         let (grades, how) = law.told();

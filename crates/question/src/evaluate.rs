@@ -71,6 +71,27 @@ fn joined(mut parts: impl Iterator<Item = Judged>, stops: bool) -> Judged {
     }
 }
 
+/// What is at least 0, or above 0, where a relation is true (the difference where it says equal or different), and its margin.
+pub(crate) fn slack(a: &Number, relation: Relation, b: &Number, precision: u32) -> (Number, Margin) {
+    let slack = match relation {
+        Relation::Less | Relation::AtMost => b.minus(a, precision),
+        _ => a.minus(b, precision),
+    };
+    let enclosure = match slack.sign() {
+        Some(Sign::Zero) => Interval::from_rational(&rational(0, 1), precision),
+        _ => slack.enclosure(precision),
+    };
+    let margin = match relation {
+        Relation::Equal | Relation::Different => {
+            let size = Number::interval(enclosure).absolute(precision).enclosure(precision);
+            let size = Margin::between(size.lo(), size.hi());
+            if relation == Relation::Equal { size.negated() } else { size }
+        }
+        _ => Margin::between(enclosure.lo(), enclosure.hi()),
+    };
+    (slack, margin)
+}
+
 /// The kind of matrix that an argument names.
 pub(crate) fn kind_argument(node: &Node) -> Result<Number, (usize, Problem)> {
     // `out-degree` is read as a difference.
@@ -215,25 +236,8 @@ impl Evaluator<'_, '_> {
     }
 
     fn compared(&self, a: &Number, relation: Relation, b: &Number) -> (Truth, Margin) {
-        // The margin is what is at least 0, or above 0, where the relation is true.
-        let slack = match relation {
-            Relation::Less | Relation::AtMost => b.minus(a, self.precision),
-            _ => a.minus(b, self.precision),
-        };
+        let (slack, margin) = slack(a, relation, b, self.precision);
         let sign = slack.sign();
-        let enclosure = match sign {
-            Some(Sign::Zero) => Interval::from_rational(&rational(0, 1), self.precision),
-            _ => slack.enclosure(self.precision),
-        };
-        let margin = Margin::between(enclosure.lo(), enclosure.hi());
-        let margin = match relation {
-            Relation::Equal | Relation::Different => {
-                let size = Number::interval(enclosure).absolute(self.precision).enclosure(self.precision);
-                let size = Margin::between(size.lo(), size.hi());
-                if relation == Relation::Equal { size.negated() } else { size }
-            }
-            _ => margin,
-        };
         let Some(sign) = sign else { return (self.undecided(&slack, relation), margin) };
         let holds = match relation {
             Relation::Equal => sign == Sign::Zero,

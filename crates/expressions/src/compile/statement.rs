@@ -18,9 +18,13 @@ const MOST: usize = 64;
 #[derive(Debug, Clone)]
 pub struct Comparison {
     program: Arc<Program>,
+    /// What stood on both sides.
+    sides: Arc<Program>,
     lists: Arc<Vec<Vec<Rational>>>,
     /// How it is compared.
     pub relation: Relation,
+    /// As it is written, without a `not` around it; of vectors with the component that it is about.
+    pub text: Arc<str>,
 }
 
 impl Comparison {
@@ -30,6 +34,16 @@ impl Comparison {
     /// [`ArithmeticError`] where it has no value, or the scalar cannot hold it.
     pub fn value<T: Number>(&self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<T, ArithmeticError> {
         first(&mut self.evaluator(time), time, state, hearing)
+    }
+
+    /// The two numbers of which it is the difference.
+    ///
+    /// # Errors
+    /// [`ArithmeticError`] as [`Self::value`].
+    pub fn sides<T: Number>(&self, time: &T, state: &[T], hearing: &dyn Hearing) -> Result<[T; 2], ArithmeticError> {
+        let mut evaluator = Evaluator::new(&self.sides, &self.lists, time);
+        let numbers = evaluator.flock(time, state, hearing).map_err(|fault| fault.error)?;
+        numbers.try_into().map_err(|_| ArithmeticError::Domain("two sides"))
     }
 
     /// What computes the number again and again.
@@ -91,7 +105,16 @@ fn first<T: Number>(
 /// Some comparison of each clause is true.
 pub type Clauses = Vec<Vec<Comparison>>;
 
-type Drafts = Vec<Vec<(Id, Relation)>>;
+/// A difference, its two sides, how it is compared with zero, and as it is written.
+#[derive(Clone)]
+struct Draft {
+    difference: Id,
+    sides: [Id; 2],
+    relation: Relation,
+    text: Arc<str>,
+}
+
+type Drafts = Vec<Vec<Draft>>;
 
 impl LawText {
     /// A property of a flock of so many agents, with `rate(e)` and the observables by their names.
@@ -120,10 +143,12 @@ impl LawText {
         compiler.reading.push(("property", ""));
         let drafts = compiler.clauses(property, true)?;
         let lists = Arc::new(compiler.lists.clone());
-        let comparison = |(id, relation): (Id, Relation)| Comparison {
-            program: Arc::new(compiler.things.program(vec![id])),
+        let comparison = |Draft { difference, sides, relation, text }| Comparison {
+            program: Arc::new(compiler.things.program(vec![difference])),
+            sides: Arc::new(compiler.things.program(sides.to_vec())),
             lists: lists.clone(),
             relation,
+            text,
         };
         Ok(drafts.into_iter().map(|clause| clause.into_iter().map(comparison).collect()).collect())
     }
@@ -162,19 +187,20 @@ impl Compiler<'_> {
 
     fn chain(&mut self, first: &Node, others: &[(Relation, Node)], positive: bool) -> Made<Drafts> {
         let scope = Scope { own: None, innermost: FLOCK, hears: None, agents: Vec::new() };
-        let mut left = self.value(first, &scope)?;
+        let (mut left, mut before) = (self.value(first, &scope)?, first);
         let mut all = Vec::new();
         for (relation, node) in others {
             let right = self.value(node, &scope)?;
+            let text = format!("{before} {} {node}", relation.sign());
             let relation = if positive { *relation } else { relation.turned() };
-            all.push(self.compared(node, left.clone(), right.clone(), relation)?);
-            left = right;
+            all.push(self.compared(node, left, right.clone(), relation, &text)?);
+            (left, before) = (right, node);
         }
         self.joined(first, all, positive)
     }
 
     /// Numbers are compared; vectors are equal or not, also with 0.
-    fn compared(&mut self, node: &Node, left: Value, right: Value, relation: Relation) -> Made<Drafts> {
+    fn compared(&mut self, node: &Node, left: Value, right: Value, relation: Relation, text: &str) -> Made<Drafts> {
         let is_zero =
             |this: &Self, id: Id| matches!(&this.things.ops[id], Op::Number(q) if *q == arithmetic::rational(0, 1));
         let pairs = match (left, right) {
@@ -186,8 +212,14 @@ impl Compiler<'_> {
         if pairs.len() > 1 && !matches!(relation, Relation::Equal | Relation::Different) {
             return self.refuse(node.at, Problem::expected("a number", "a vector"));
         }
-        let numbers: Vec<_> =
-            pairs.into_iter().map(|(a, b)| (self.things.add(Op::Difference(a, b)), relation)).collect();
+        let is_alone = pairs.len() == 1;
+        let draft = |(k, (a, b)): (usize, (Id, Id))| Draft {
+            difference: self.things.add(Op::Difference(a, b)),
+            sides: [a, b],
+            relation,
+            text: if is_alone { text.into() } else { format!("{text}, component {},", k + 1).into() },
+        };
+        let numbers: Vec<Draft> = pairs.into_iter().enumerate().map(draft).collect();
         let together = relation == Relation::Equal;
         Ok(if together { numbers.into_iter().map(|one| vec![one]).collect() } else { vec![numbers] })
     }

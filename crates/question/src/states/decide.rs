@@ -6,6 +6,7 @@ use super::instance::Instance;
 use super::search::{self, Tried};
 use super::{How, LawFile, identity, pairs};
 use crate::bindings::{Bindings, Value};
+use crate::decisive::Decisive;
 use crate::error::QuestionError;
 use crate::outcome::Decided;
 use crate::question::{Expression, Question};
@@ -39,6 +40,16 @@ pub(crate) fn decide(
         Ok((found, named))
     });
     together(question, file, expression, found)
+}
+
+/// What makes a property false at one state, which the names give.
+pub(crate) fn decisive(
+    question: &Question,
+    file: &LawFile,
+    expression: &Expression,
+    at: &Bindings,
+) -> Result<Option<Decisive>, QuestionError> {
+    Ok(Instance::new(question, file, expression, at)?.decisive())
 }
 
 /// All clauses.

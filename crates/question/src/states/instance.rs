@@ -2,14 +2,19 @@
 
 use super::{LawFile, MOST_AGENTS};
 use crate::bindings::{Bindings, Value};
+use crate::decisive::Decisive;
 use crate::error::{Problem, QuestionError};
+use crate::evaluate::slack;
 use crate::question::{Expression, Question};
-use arithmetic::{ArithmeticError, Interval, Number, Rational, Sign, Signed, rational};
+use arithmetic::{ArithmeticError, Interval, Number, Rational, RealNumber, Sign, Signed, rational};
 use expressions::{Comparison, Hearing, Kind, Parameter, Relation, Time};
 use motion::sets::Range;
 use num_traits::ToPrimitive;
 use polynomials::Side;
 use std::sync::Arc;
+
+/// Bits of enclosures where values are not rational.
+const PRECISIONS: [u32; 2] = [128, 512];
 
 /// Who hears whom.
 #[derive(Debug, Clone)]
@@ -174,15 +179,46 @@ impl Instance {
             Err(ArithmeticError::Domain(_)) => {}
             Err(_) => return None,
         }
-        for precision in [128, 512] {
-            let enclosed: Vec<Interval> = state.iter().map(|q| Interval::from_rational(q, precision)).collect();
-            if let Ok(value) = value_of(comparison, &self.links, &enclosed)
+        for precision in PRECISIONS {
+            if let Ok(value) = value_of(comparison, &self.links, &enclosed(state, precision))
                 && let Some(sign) = value.sign()
             {
                 return Some(admits(comparison.relation, sign));
             }
         }
         None
+    }
+
+    /// The two sides of a comparison at a state: exact, else enclosed.
+    fn sides(&self, comparison: &Comparison, state: &[Rational]) -> Option<[RealNumber; 2]> {
+        if let Ok(sides) = sides_of(comparison, &self.links, state) {
+            return Some(sides.map(RealNumber::Exact));
+        }
+        let sides = sides_of(comparison, &self.links, &enclosed(state, PRECISIONS[0])).ok()?;
+        Some(sides.map(RealNumber::interval))
+    }
+
+    /// The comparison that makes the property false at the state that is given, with its sides, and the margin of the property there.
+    pub fn decisive(&self) -> Option<Decisive> {
+        let state = self.point()?;
+        let mut least: Option<Decisive> = None;
+        for clause in &self.clauses {
+            let mut largest: Option<Decisive> = None;
+            for comparison in clause {
+                let [left, right] = self.sides(comparison, &state)?;
+                let (_, margin) = slack(&left, comparison.relation, &right, PRECISIONS[0]);
+                if largest.as_ref().is_none_or(|found| found.margin.lo < margin.lo) {
+                    let (left, right) = (left.text(), right.text());
+                    let inequality = comparison.text.to_string();
+                    largest = Some(Decisive { inequality, left, right, margin, time: None });
+                }
+            }
+            let smaller = |found: &Decisive| largest.as_ref().is_some_and(|own| own.margin.lo < found.margin.lo);
+            if least.as_ref().is_none_or(smaller) {
+                least = largest;
+            }
+        }
+        least
     }
 
     /// Whether a clause is true at a state.
@@ -193,6 +229,10 @@ impl Instance {
         }
         found.iter().all(|one| *one == Some(false)).then_some(false)
     }
+}
+
+fn enclosed(state: &[Rational], precision: u32) -> Vec<Interval> {
+    state.iter().map(|q| Interval::from_rational(q, precision)).collect()
 }
 
 /// The state with these numbers in the places that are free, of which there is one at least; the others are points.
@@ -208,6 +248,11 @@ pub(super) fn filled<T: Number>(sides: &[Side], free: &[usize], numbers: &[T]) -
 pub(super) fn value_of<T: Number>(comparison: &Comparison, links: &Links, state: &[T]) -> Result<T, ArithmeticError> {
     let (time, state) = state.split_last().ok_or(ArithmeticError::Domain("a state"))?;
     comparison.value(time, state, links)
+}
+
+fn sides_of<T: Number>(comparison: &Comparison, links: &Links, state: &[T]) -> Result<[T; 2], ArithmeticError> {
+    let (time, state) = state.split_last().ok_or(ArithmeticError::Domain("a state"))?;
+    comparison.sides(time, state, links)
 }
 
 /// The same with what was divided by and what functions were taken of behind it.

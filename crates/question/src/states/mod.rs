@@ -16,7 +16,7 @@ use polynomials::Side;
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
-pub(crate) use decide::decide;
+pub(crate) use decide::{decide, decisive};
 
 /// Most agents.
 const MOST_AGENTS: usize = 64;
