@@ -63,7 +63,7 @@ print(-gradient, -(-1 * gradient))  # -4 4
 
 # tanner2.sec4.flocking: the path 1-2-3 at (1, 0), (0, 0), (1, 0), V = s + 1/s - 2: the forces along x; agents 1 and 3 are in one place
 # kind: hypothesis
-# why: The sentence that opens Section 4 asks for a connected graph only. The authors say themselves after Corollary 2 that agents that are not linked are not aware of each other, and Corollary 3 asks for the complete graph. Its first half, that velocities agree in the limit and linked agents do not collide, is Theorem 1 and right. On the complete graph nobody collides, but the equilibria include saddles (three agents in a row), which are not stable; hence the minimum, isolated among the critical configurations, in the corrected statement.
+# why: The sentence that opens Section 4 asks for a connected graph only. The authors say themselves after Corollary 2 that agents that are not linked are not aware of each other, and Corollary 3 asks for the complete graph. The first half of the opening sentence, that velocities agree in the limit and linked agents do not collide, is Theorem 1 and right. On the complete graph nobody collides, but the equilibria include saddles (three agents in a row), which are not stable; hence the minimum, isolated among the critical configurations, in the corrected statement.
 slope = lambda s: 1 - 1 / s**2
 x = [1, 0, 1]
 force = lambda i, j: -2 * slope((x[i] - x[j])**2) * (x[i] - x[j])
