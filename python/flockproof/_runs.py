@@ -19,7 +19,7 @@ from ._extras import needed
 from ._flock import _refused
 from ._numbers import float_seen, number_text
 from ._progress import Progress, callback
-from ._shown import table, told
+from ._shown import Shown, table, told
 from .law import Law
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ class Event:
 
 
 @dataclass(frozen=True, eq=False)
-class Simulation:
+class Simulation(Shown):
     """A simulated run: floating point, no bound of the error but the tolerance of the steps.
 
     Attributes
@@ -304,7 +304,7 @@ def _exact_text(value: Any, key: str) -> str:
 
 
 @dataclass(frozen=True)
-class Tracks:
+class Tracks(Shown):
     """The analysis of measured trajectories.
 
     Attributes

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import flockproof
-from flockproof import plot
+from flockproof import claims, plot
 
 ASSETS = Path(os.environ.get("FLOCKPROOF_ASSETS", Path(__file__).resolve().parents[2] / "assets"))
 PHASES = {
@@ -193,6 +193,25 @@ def test_results_show_themselves() -> None:
     assert "order" in flockproof.simulate(PHASES)._repr_html_()
     name = next(iter(flockproof.invariants()))
     assert f"<td>{name}</td><td>2</td>" in flockproof.fuzz(invariants=name, cases=2)._repr_html_()
+
+
+def test_results_and_claims_show_themselves_in_latex() -> None:
+    odd = claims.claim("school.odd", "n^2 & {m}_k < 5 % of #1 \\\\ ~.", printed=2, controls={"the cube": 3})(
+        lambda exponent, run: run.exhaustive("a part", "computed", [3], lambda n: claims.Exact(n) ** exponent == 9)
+    )
+    entry = claims.verify(odd)["school.odd"]
+    assert r"n\textasciicircum{}2 \& \{m\}\_k \textless{} 5 \% of \#1" in entry._repr_latex_()
+    assert r"\textbf{school.odd} (own): \emph{holds}" in entry._repr_latex_()
+    assert claims.Exact(1, 2)._repr_latex_() == "$0.5$"
+    flock = flockproof.Flock([0, "9/10"], ["1/8", 0])
+    every = (odd, entry, claims.verify(odd), flockproof.ledger()["veerman.lem2"], flock, flock.settle())
+    for found in (*every, flockproof.simulate(PHASES), flockproof.pattern(4, [-1], "1/2")):
+        html, latex = found._repr_html_(), found._repr_latex_()
+        plain = latex.replace(r"\{", "").replace(r"\}", "")
+        assert plain.count("{") == plain.count("}") and "<" not in latex
+        # The head is a row too, and every row has as many cells.
+        assert latex.count(r"\begin{longtable}") == html.count("<table>")
+        assert latex.count(r" \\" + "\n") == html.count("<tr>")
 
 
 def test_a_reach_shows_its_checks() -> None:
