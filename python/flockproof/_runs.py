@@ -400,7 +400,9 @@ def tracks(
         what trackers write: idtracker.ai (CSV, .npy, .npz, .h5, or the folder trajectories_csv), SLEAP (CSV, .h5),
         DeepLabCut (CSV), a folder of TRex (.npz or CSV), Ctrax (.mat or CSV), a table of trackpy; a dataset of movement
         or its .nc file, and through movement .slp and DeepLabCut's .h5. Pickles are read without running them. Frame
-        rate, unit and body length come from the file, or from one that the tracker writes beside it, where it has them.
+        rate, unit and body length come from the file, or from one that the tracker writes beside it, where it has them;
+        the rate of SLEAP and DeepLabCut else from the header of the video (AVI, MP4 or QuickTime) that the file names
+        or that lies beside it.
     columns
         Other names of those columns: ``{"frame": "t", "particle": "id"}``.
     fps
@@ -486,8 +488,9 @@ def tracks(
         if isinstance(data, (str, os.PathLike)):
             header = text.partition("\n")[0].strip().split(",")
             if fps is None and header[0] == "scorer":
-                fps = _recordings.metadata(Path(data))
-                times_from = "the file" if fps is None else f"frames, and their rate is {_recordings.METADATA}"
+                found = _recordings.rate_of_deeplabcut(Path(data))
+                if found is not None:
+                    fps, times_from = found[0], f"frames, and their rate is {found[1]}"
             if length is None and ({"x1", "y1"} <= set(header) or {"time", "individual"} <= set(header)):
                 length, length_from = _recordings.attributes(Path(data))[1], _recordings.ATTRIBUTES
     else:
