@@ -341,9 +341,9 @@ def _hdf5(path: Path, part: str | None, score: float) -> Recording:
 
 def _one_text(data: Any) -> str:
     """A text of an HDF5 file, or of an array of one; empty where it is something else."""
-    texts = (
-        [] if data is None or not hasattr(data, "shape") else np.atleast_1d(np.asarray(data[()], dtype=object)).ravel()
-    )
+    if data is None or not hasattr(data, "shape"):
+        return ""
+    texts = np.atleast_1d(np.asarray(data[()], dtype=object)).ravel()
     if len(texts) != 1 or not isinstance(texts[0], (bytes, str)):
         return ""
     return texts[0].decode("utf-8", "replace") if isinstance(texts[0], bytes) else texts[0]

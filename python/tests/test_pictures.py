@@ -46,6 +46,30 @@ def test_links_begin_and_end_where_the_switches_are() -> None:
         plot.settlement(flockproof.Flock([0, 5], [0, 0]).settle())
 
 
+def test_a_space_time_diagram_goes_through_the_exact_positions() -> None:
+    flock = flockproof.Flock([0, "9/10", "5/2"], ["1/8", 0, "-1/8"])
+    switch = flock.settle().switches[-1]
+    drawn = plot.spacetime(flock)
+    lines = drawn.get_lines()
+    exact = flock.run(until=switch.t).positions
+    for bird, line in enumerate(lines[:3]):
+        at = list(line.get_xdata()).index(switch.t)
+        assert line.get_ydata()[at] == pytest.approx(float(exact[bird][0]), abs=1e-15)
+    # A line for each pair of each switch.
+    pairs = [pair for one in flock.settle().switches for pair in (*one.gained, *one.lost)]
+    assert len(lines) == 3 + len(pairs)
+    i, j = pairs[-1]
+    assert sorted(lines[-1].get_ydata()) == pytest.approx(sorted(float(exact[k - 1][0]) for k in (i, j)))
+    for match, options in {"coordinate = 1": {"coordinate": 1}, "until = 0": {"until": 0}}.items():
+        with pytest.raises(ValueError, match=match):
+            plot.spacetime(flock, **options)
+    headed = flockproof.Flock([[0, 0], [1, 0]], model="K", speed=1, headings=[0, 1])
+    with pytest.raises(ValueError, match="model D"):
+        plot.spacetime(headed)
+    with pytest.raises(TypeError, match=r"flockproof\.Flock"):
+        plot.spacetime(flock.settle())  # type: ignore[arg-type]
+
+
 def test_a_sweep_over_a_name(tmp_path: Path) -> None:
     question = tmp_path / "paths.toml"
     question.write_text(
