@@ -12,7 +12,7 @@ import numpy.typing as npt
 from ._extras import needed
 from ._numbers import float_seen
 from ._progress import Progress, callback
-from ._shown import table, told
+from ._shown import Shown, table, told
 from .law import Law
 
 Array = npt.NDArray[np.float64]
@@ -22,7 +22,7 @@ _LEAST_WINDOWS = 10
 
 
 @dataclass(frozen=True)
-class Fit:
+class Fit(Shown):
     """Parameters of a law that fit a recording best over short horizons.
 
     Attributes
@@ -66,8 +66,12 @@ class Fit:
         return f"Fit over {self.windows} windows of {self.horizon:g} s: {100 * self.explained:.1f} % explained"
 
     def _compared(self) -> str:
-        shuffled = ", ".join(f"{100 * share:.1f} %" for share in self.control)
-        return f"with identities shuffled: {shuffled or 'not tried'}"
+        if not self.control:
+            return "negative control: not tried"
+        shares = ", ".join(f"{100 * share:.1f} %" for share in self.control)
+        said = "" if max(self.control) < self.explained else "; the law says no more than that"
+        what = "negative control, identities shuffled in every window and the law fitted anew"
+        return f"{what}: {shares} explained{said}"
 
     def _repr_html_(self) -> str:
         rows = [

@@ -28,6 +28,7 @@ from ._numbers import (
     number_text,
 )
 from ._progress import Progress, callback
+from ._shown import Shown
 
 Pair = tuple[int, int]
 
@@ -54,7 +55,7 @@ def _shortened(t: int) -> str:
 
 
 @dataclass(frozen=True)
-class Settlement:
+class Settlement(Shown):
     """What becomes of a flock.
 
     Attributes
@@ -95,7 +96,7 @@ class Settlement:
 
 
 @dataclass(frozen=True)
-class Run:
+class Run(Shown):
     """A flock after some steps.
 
     Attributes
@@ -168,7 +169,7 @@ def _html(switches: Sequence[Switch], flocks: Sequence[Sequence[int]], why: str)
     return f"{table}<p>flocks {birds}<br>{escape(why)}</p>"
 
 
-class Flock:
+class Flock(Shown):
     """A flock of the averaging models of Chazelle, with exact initial conditions.
 
     Parameters

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from . import _native
 from ._extras import needed
 from ._progress import Progress, callback
-from ._shown import table
+from ._shown import Shown, table
 
 if TYPE_CHECKING:
     import pandas
@@ -31,7 +31,7 @@ class Text(str):
 
 
 @dataclass(frozen=True)
-class Claim:
+class Claim(Shown):
     """A claim of the papers, or a result of this project, with the verdict that is recorded for it.
 
     Attributes
@@ -74,7 +74,7 @@ class Claim:
         return _heading(self)
 
 
-class Claims(Sequence[Claim]):
+class Claims(Shown, Sequence[Claim]):
     """Claims by number or id.
 
     Examples
@@ -207,7 +207,7 @@ class Controls:
 
 
 @dataclass(frozen=True)
-class Entry:
+class Entry(Shown):
     """What was found about one claim; the fields are those of the JSON of ``verify --json``."""
 
     id: str
@@ -259,7 +259,7 @@ def _entry(found: dict[str, Any], derivation: str) -> Entry:
     return Entry(evidence=evidence, controls=controls, derivation=derivation, **lists, **rest)
 
 
-class Ledger(Sequence[Entry]):
+class Ledger(Shown, Sequence[Entry]):
     """A ledger that was run: entries by number or id.
 
     Attributes

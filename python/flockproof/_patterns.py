@@ -10,7 +10,7 @@ from typing import Any
 from . import _native
 from ._numbers import Enclosure, Number, exact
 from ._progress import Progress, callback
-from ._shown import table
+from ._shown import Shown, table
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Pattern:
 
 
 @dataclass(frozen=True)
-class Patterns(Sequence[Pattern]):
+class Patterns(Shown, Sequence[Pattern]):
     """The patterns of some particles, by their number of clusters.
 
     Attributes

@@ -23,7 +23,7 @@ from ._graphs import networkx_graph, read_member
 from ._numbers import Enclosure, Known, exact, is_float, read_decimal
 from ._progress import Progress, callback
 from ._runs import toml
-from ._shown import ROWS, table, told
+from ._shown import ROWS, Shown, table, told
 from .law import Law
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ class Member:
 
 
 @dataclass(frozen=True)
-class Answer:
+class Answer(Shown):
     """What is known about a statement.
 
     Attributes
@@ -293,7 +293,7 @@ def _named(name: str | None) -> Iterator[None]:
         raise ValueError(told) from None
 
 
-class Table(Sequence[Mapping[str, Any]]):
+class Table(Shown, Sequence[Mapping[str, Any]]):
     """The values of a question for every member of its family, a dictionary for each.
 
     Names of the family are int, Fraction or str; values are Fraction, :class:`Enclosure`, bool, or None where they
@@ -438,7 +438,7 @@ class Invariant:
 
 
 @dataclass(frozen=True)
-class Campaign:
+class Campaign(Shown):
     """What a campaign found; of a property that did not fail it says that no counterexample is among so many cases,
     and no more.
 

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from . import _videos
 from ._extras import needed
 from ._flock import _refused
 
@@ -81,7 +82,7 @@ def read(data: Any, part: str | None, score: float) -> Recording | None:
     if ending == ".nc":
         return _movement(needed("xarray", "recordings").open_dataset(path), part, score)
     if ending == ".slp":
-        return _movement(_with_movement(path, "SLEAP"), part, score)
+        return _rated(_movement(_with_movement(path, "SLEAP"), part, score), _rate_of_slp(path))
     if ending == ".mat":
         flies: Recording = _refused(path, lambda: _ctrax(path))
         return flies
@@ -105,17 +106,31 @@ def attributes(path: Path) -> tuple[float | None, float | None]:
     return _number(said.get("frames_per_second", 0)), _number(said.get("body_length", 0))
 
 
-def metadata(path: Path) -> float | None:
-    """The frame rate that DeepLabCut writes beside its tables."""
-    for file in sorted(path.parent.glob("*_meta.pickle")):
-        # VIDEO + SCORER + `_meta.pickle` beside VIDEO + SCORER + `.csv`, `_filtered.csv`, `_el.csv` and so on.
-        if path.stem.startswith(file.name.removesuffix("_meta.pickle")):
-            try:
-                found = _unpickled(io.BytesIO(file.read_bytes()))
-                return _number(found["data"]["fps"])
-            except (OSError, ValueError, KeyError, TypeError):
-                continue
-    return None
+def rate_of_deeplabcut(path: Path) -> tuple[float, str] | None:
+    """The frame rate that DeepLabCut writes beside its tables, or that of the video beside them, and where it is."""
+    # VIDEO + SCORER + an ending beside VIDEO + SCORER + `.csv`, `_filtered.csv`, `_el.csv`; the first since 2.2.
+    for ending in ("_meta.pickle", "includingmetadata.pickle"):
+        for file in sorted(path.parent.glob("*" + ending)):
+            if path.stem.startswith(file.name.removesuffix(ending)):
+                try:
+                    found = _number(_unpickled(io.BytesIO(file.read_bytes()))["data"]["fps"])
+                except (OSError, ValueError, KeyError, TypeError):
+                    continue
+                if found is not None:
+                    return found, METADATA
+    return _of_video(path)
+
+
+def _of_video(path: Path, name: str | None = None) -> tuple[float, str] | None:
+    video = _videos.beside(path, name)
+    return None if video is None else (video[0], f"in the header of {video[1]}")
+
+
+def _rated(recording: Recording, found: tuple[float, str] | None) -> Recording:
+    """A recording without a rate, with one that was found elsewhere."""
+    if found is None or recording.fps is not None or recording.times is not None:
+        return recording
+    return replace(recording, fps=found[0], rate_from=found[1])
 
 
 class _Unpickler(pickle.Unpickler):
@@ -310,7 +325,7 @@ def _hdf5(path: Path, part: str | None, score: float) -> Recording:
     def opened() -> Recording | None:
         with h5py.File(path, "r") as file:
             if "tracks" in file and "node_names" in file:
-                return _sleap(file, part, score)
+                return _rated(_sleap(file, part, score), _of_video(path, _one_text(file.get("video_path"))))
             if "trajectories" in file:
                 return _idtracker(
                     {**dict(file.attrs), **{key: file[key][()] for key in file if hasattr(file[key], "shape")}}
@@ -321,7 +336,35 @@ def _hdf5(path: Path, part: str | None, score: float) -> Recording:
     if recording is not None:
         return recording
     recording = _refused(path, lambda: _movement(_with_movement(path, "DeepLabCut"), part, score))
-    return replace(recording, fps=metadata(path), rate_from=METADATA)
+    return _rated(recording, rate_of_deeplabcut(path))
+
+
+def _one_text(data: Any) -> str:
+    """A text of an HDF5 file, or of an array of one; empty where it is something else."""
+    if data is None or not hasattr(data, "shape"):
+        return ""
+    texts = np.atleast_1d(np.asarray(data[()], dtype=object)).ravel()
+    if len(texts) != 1 or not isinstance(texts[0], (bytes, str)):
+        return ""
+    return texts[0].decode("utf-8", "replace") if isinstance(texts[0], bytes) else texts[0]
+
+
+def _rate_of_slp(path: Path) -> tuple[float, str] | None:
+    """The rate that newer files of SLEAP have, or that of their video, where there is one video."""
+    h5py = needed("h5py", "recordings")
+    try:
+        with h5py.File(path, "r") as file:
+            video = json.loads(_one_text(file.get("videos_json")))
+    except (OSError, ValueError):
+        return None
+    backend = video.get("backend") if isinstance(video, dict) else None
+    if not isinstance(backend, dict):
+        return None
+    said = _number(backend.get("fps", 0))
+    if said is not None:
+        return said, "in the file"
+    name = backend.get("filename", video.get("filename"))
+    return _of_video(path, name) if isinstance(name, str) else None
 
 
 def _sleap(file: Any, part: str | None, score: float) -> Recording:

@@ -19,7 +19,7 @@ from ._extras import needed
 from ._flock import _refused
 from ._numbers import float_seen, number_text
 from ._progress import Progress, callback
-from ._shown import table, told
+from ._shown import Shown, table, told
 from .law import Law
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ class Event:
 
 
 @dataclass(frozen=True, eq=False)
-class Simulation:
+class Simulation(Shown):
     """A simulated run: floating point, no bound of the error but the tolerance of the steps.
 
     Attributes
@@ -304,7 +304,7 @@ def _exact_text(value: Any, key: str) -> str:
 
 
 @dataclass(frozen=True)
-class Tracks:
+class Tracks(Shown):
     """The analysis of measured trajectories.
 
     Attributes
@@ -400,7 +400,9 @@ def tracks(
         what trackers write: idtracker.ai (CSV, .npy, .npz, .h5, or the folder trajectories_csv), SLEAP (CSV, .h5),
         DeepLabCut (CSV), a folder of TRex (.npz or CSV), Ctrax (.mat or CSV), a table of trackpy; a dataset of movement
         or its .nc file, and through movement .slp and DeepLabCut's .h5. Pickles are read without running them. Frame
-        rate, unit and body length come from the file, or from one that the tracker writes beside it, where it has them.
+        rate, unit and body length come from the file, or from one that the tracker writes beside it, where it has them;
+        the rate of SLEAP and DeepLabCut else from the header of the video (AVI, MP4 or QuickTime) that the file names
+        or that lies beside it.
     columns
         Other names of those columns: ``{"frame": "t", "particle": "id"}``.
     fps
@@ -486,8 +488,9 @@ def tracks(
         if isinstance(data, (str, os.PathLike)):
             header = text.partition("\n")[0].strip().split(",")
             if fps is None and header[0] == "scorer":
-                fps = _recordings.metadata(Path(data))
-                times_from = "the file" if fps is None else f"frames, and their rate is {_recordings.METADATA}"
+                found = _recordings.rate_of_deeplabcut(Path(data))
+                if found is not None:
+                    fps, times_from = found[0], f"frames, and their rate is {found[1]}"
             if length is None and ({"x1", "y1"} <= set(header) or {"time", "individual"} <= set(header)):
                 length, length_from = _recordings.attributes(Path(data))[1], _recordings.ATTRIBUTES
     else:

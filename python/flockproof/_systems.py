@@ -18,7 +18,7 @@ from ._numbers import Enclosure, Number
 from ._progress import Progress, callback
 from ._questions import _named
 from ._runs import named_files, toml
-from ._shown import table
+from ._shown import Shown, table
 
 System = Mapping[str, Any] | str | os.PathLike[str]
 
@@ -59,7 +59,7 @@ class Check:
 
 
 @dataclass(frozen=True)
-class Reach(Sequence[Check]):
+class Reach(Shown, Sequence[Check]):
     """The checks of a system, in their order.
 
     Attributes

@@ -53,6 +53,7 @@ from ._numbers import (
     size_ends,
     why_not_exact,
 )
+from ._shown import Shown
 
 if TYPE_CHECKING:
     from ._questions import Question
@@ -326,6 +327,9 @@ class Exact:
     def __str__(self) -> str:
         return fraction_text(self.lo) if self.lo == self.hi else str(Enclosure(self.lo, self.hi))
 
+    def _repr_latex_(self) -> str:
+        return self.enclosure()._repr_latex_()
+
     def __repr__(self) -> str:
         return f"Exact({str(self)!r}{'' if self.doubt is None else f', {self.doubt}'})"
 
@@ -521,7 +525,7 @@ Check = Callable[[V, Run], Outcome]
 
 
 @dataclass(frozen=True, eq=False)
-class Claimed(Generic[V]):
+class Claimed(Shown, Generic[V]):
     """A statement of one's own with its check; :func:`claim` makes it."""
 
     id: str

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ._extras import needed
-from ._flock import Run, Settlement
+from ._flock import Flock, Run, Settlement
 from ._numbers import Enclosure
 from ._patterns import Patterns
 from ._platoon import Platoon
@@ -35,6 +35,7 @@ __all__ = [
     "reach",
     "resonances",
     "settlement",
+    "spacetime",
     "spectrum",
     "sweep",
     "tracks",
@@ -367,6 +368,66 @@ def settlement(found: Settlement, axes: Any = None) -> Any:
     return axes
 
 
+#: Later than this every step would have to be made again for each column of pixels.
+_LATEST = 10_000
+
+
+def spacetime(flock: Flock, until: int | None = None, coordinate: int = 0, axes: Any = None) -> Any:
+    """The space-time diagram of a flock of model D: one coordinate of each bird over time, from exact runs.
+
+    Pairs that become linked are joined at that time by a line, and by a dotted one where they part.
+
+    Parameters
+    ----------
+    flock
+        A :class:`flockproof.Flock`.
+    until
+        The last time, at most 10000; left out, a little later than the last switch that ``Flock.settle`` finds.
+    coordinate
+        From 0; in the unit of the flock's positions.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        A flock of model K, whose positions are not exact, a coordinate that it has not, or a time that is too late.
+    """
+    _needed(flock, Flock, "flock", "flockproof.Flock")
+    start = flock.run(until=0).positions
+    if start is None:
+        raise ValueError("a flock of model D is needed; for model K there are paths of a simulation")
+    if not 0 <= coordinate < len(start[0]):
+        raise ValueError(f"coordinate = {coordinate} is not between 0 and {len(start[0]) - 1}")
+    if until is None:
+        last = max((switch.t for switch in flock.settle().switches), default=0)
+        until = last + max(10, last // 10)
+    if not 1 <= until <= _LATEST:
+        raise ValueError(f"until = {until} is not between 1 and {_LATEST}")
+
+    def places(t: int) -> list[float]:
+        found = flock.run(until=t).positions
+        return [] if found is None else [float(row[coordinate]) for row in found]
+
+    axes = _axes(axes)
+    times = sorted({round(t) for t in np.linspace(0, until, 401)})
+    axes.plot(times, [places(t) for t in times], lw=1.2)
+    switches = flock.run(until=until, state=False).switches
+    for switch in switches:
+        at = places(switch.t)
+        for pairs, style in ((switch.gained, "-"), (switch.lost, ":")):
+            for i, j in pairs:
+                axes.plot([switch.t] * 2, [at[i - 1], at[j - 1]], style, color="0.35", lw=1, marker=".", ms=4)
+    name = "xyz"[coordinate] if len(start[0]) <= 3 else f"x_{coordinate + 1}"
+    count = len(switches)
+    axes.set(xlabel="t", ylabel=name, title=f"{flock.birds} birds, {count} switch{'' if count == 1 else 'es'}")
+    return axes
+
+
 def sweep(table: Table, x: str, y: str, axes: Any = None) -> Any:
     """A quantity of a sweep over a name or another one.
 
@@ -408,6 +469,8 @@ def sweep(table: Table, x: str, y: str, axes: Any = None) -> Any:
         axes.errorbar(place, middle, yerr=errors, fmt="o-", ms=3, lw=1)
     else:
         _grouped(axes, place, middle, "members")
+    if all(value == round(value) for value in place):
+        axes.xaxis.get_major_locator().set_params(integer=True)
     axes.set(xlabel=x, ylabel=y)
     return axes
 

@@ -44,6 +44,16 @@ def test_a_gain_is_found_again(school: np.ndarray) -> None:
     assert found.explained > 0.99 and max(found.control) < 0.5 and len(found.control) == 2
     assert found.windows == 13 and found.horizon == pytest.approx(0.4)
     assert "95 %" in repr(found) and "<td>K</td>" in found._repr_html_()
+    # The negative control has its name wherever the result is shown.
+    for shown in (repr(found), found._repr_html_(), found._repr_latex_()):
+        assert "negative control, identities shuffled" in shown and "no more than that" not in shown
+
+
+def test_a_law_that_says_nothing_is_no_better_than_its_negative_control() -> None:
+    walks = np.cumsum(np.random.default_rng(2).normal(0, 1, (400, 4, 2)), axis=0)
+    found = flockproof.fit(ALIGNMENT, walks, fps=20, parameters={"K": "1/10"}, horizon=8, shuffles=3)
+    said = "the law says no more than that" in repr(found)
+    assert said == (max(found.control) >= found.explained)
 
 
 def test_noise_widens_the_interval_and_gaps_leave_windows_out(school: np.ndarray) -> None:

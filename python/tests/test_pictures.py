@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import flockproof
-from flockproof import plot
+from flockproof import claims, plot
 
 ASSETS = Path(os.environ.get("FLOCKPROOF_ASSETS", Path(__file__).resolve().parents[2] / "assets"))
 PHASES = {
@@ -44,6 +44,30 @@ def test_links_begin_and_end_where_the_switches_are() -> None:
     assert sum(int(bar[1]) == end for bar in bars) == len(found.edges)
     with pytest.raises(ValueError, match="ever linked"):
         plot.settlement(flockproof.Flock([0, 5], [0, 0]).settle())
+
+
+def test_a_space_time_diagram_goes_through_the_exact_positions() -> None:
+    flock = flockproof.Flock([0, "9/10", "5/2"], ["1/8", 0, "-1/8"])
+    switch = flock.settle().switches[-1]
+    drawn = plot.spacetime(flock)
+    lines = drawn.get_lines()
+    exact = flock.run(until=switch.t).positions
+    for bird, line in enumerate(lines[:3]):
+        at = list(line.get_xdata()).index(switch.t)
+        assert line.get_ydata()[at] == pytest.approx(float(exact[bird][0]), abs=1e-15)
+    # A line for each pair of each switch.
+    pairs = [pair for one in flock.settle().switches for pair in (*one.gained, *one.lost)]
+    assert len(lines) == 3 + len(pairs)
+    i, j = pairs[-1]
+    assert sorted(lines[-1].get_ydata()) == pytest.approx(sorted(float(exact[k - 1][0]) for k in (i, j)))
+    for match, options in {"coordinate = 1": {"coordinate": 1}, "until = 0": {"until": 0}}.items():
+        with pytest.raises(ValueError, match=match):
+            plot.spacetime(flock, **options)
+    headed = flockproof.Flock([[0, 0], [1, 0]], model="K", speed=1, headings=[0, 1])
+    with pytest.raises(ValueError, match="model D"):
+        plot.spacetime(headed)
+    with pytest.raises(TypeError, match=r"flockproof\.Flock"):
+        plot.spacetime(flock.settle())  # type: ignore[arg-type]
 
 
 def test_a_sweep_over_a_name(tmp_path: Path) -> None:
@@ -193,6 +217,25 @@ def test_results_show_themselves() -> None:
     assert "order" in flockproof.simulate(PHASES)._repr_html_()
     name = next(iter(flockproof.invariants()))
     assert f"<td>{name}</td><td>2</td>" in flockproof.fuzz(invariants=name, cases=2)._repr_html_()
+
+
+def test_results_and_claims_show_themselves_in_latex() -> None:
+    odd = claims.claim("school.odd", "n^2 & {m}_k < 5 % of #1 \\\\ ~.", printed=2, controls={"the cube": 3})(
+        lambda exponent, run: run.exhaustive("a part", "computed", [3], lambda n: claims.Exact(n) ** exponent == 9)
+    )
+    entry = claims.verify(odd)["school.odd"]
+    assert r"n\textasciicircum{}2 \& \{m\}\_k \textless{} 5 \% of \#1" in entry._repr_latex_()
+    assert r"\textbf{school.odd} (own): \emph{holds}" in entry._repr_latex_()
+    assert claims.Exact(1, 2)._repr_latex_() == "$0.5$"
+    flock = flockproof.Flock([0, "9/10"], ["1/8", 0])
+    every = (odd, entry, claims.verify(odd), flockproof.ledger()["veerman.lem2"], flock, flock.settle())
+    for found in (*every, flockproof.simulate(PHASES), flockproof.pattern(4, [-1], "1/2")):
+        html, latex = found._repr_html_(), found._repr_latex_()
+        plain = latex.replace(r"\{", "").replace(r"\}", "")
+        assert plain.count("{") == plain.count("}") and "<" not in latex
+        # The head is a row too, and every row has as many cells.
+        assert latex.count(r"\begin{longtable}") == html.count("<table>")
+        assert latex.count(r" \\" + "\n") == html.count("<tr>")
 
 
 def test_a_reach_shows_its_checks() -> None:

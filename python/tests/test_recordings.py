@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import pickle
+import struct
 import subprocess
 import sys
 from pathlib import Path
@@ -14,6 +16,7 @@ import pytest
 from numpy.lib import format as npy
 
 import flockproof
+from flockproof import _videos
 
 
 def school(frames: int = 200, fish: int = 4) -> np.ndarray:
@@ -394,3 +397,90 @@ def test_columns_of_frames_need_a_rate() -> None:
         flockproof.tracks(table, columns=names, null=0)
     found = flockproof.tracks(table, columns=names, fps=10, null=0, window=5)
     assert found.summary["declaration"]["times_from"] == "frames, and their rate is chosen"
+
+
+def mp4(durations: list[int], scale: int, wide: bool = False) -> bytes:
+    """The header of an MP4 file with a track of sound and one of video, whose frames last so many units."""
+
+    def box(kind: bytes, *inner: bytes) -> bytes:
+        return struct.pack(">I4s", 8 + sum(map(len, inner)), kind) + b"".join(inner)
+
+    def track(handler: bytes, units: int, runs: list[tuple[int, int]]) -> bytes:
+        clock = (
+            struct.pack(">IQQIQI", 1 << 24, 0, 0, units, 0, 0) if wide else struct.pack(">5II", 0, 0, 0, units, 0, 0)
+        )
+        times = struct.pack(">II", 0, len(runs)) + b"".join(struct.pack(">II", *run) for run in runs)
+        media = box(b"mdhd", clock) + box(b"hdlr", struct.pack(">II4s12x", 0, 0, handler))
+        return box(b"trak", box(b"mdia", media, box(b"minf", box(b"stbl", box(b"stts", times)))))
+
+    runs = [(len(list(same)), length) for length, same in itertools.groupby(durations)]
+    movie = box(b"moov", track(b"soun", 44100, [(900, 1024)]), track(b"vide", scale, runs))
+    return box(b"ftyp", b"isom") + struct.pack(">I4sQ", 1, b"mdat", 16 + 100) + bytes(100) + movie
+
+
+def avi(rate: int, scale: int) -> bytes:
+    sound = b"strh" + struct.pack("<I4s4s5I", 56, b"auds", bytes(4), 0, 0, 0, 1, 44100) + bytes(28)
+    video = b"strh" + struct.pack("<I4s4s5I", 56, b"vids", b"MJPG", 0, 0, 0, scale, rate) + bytes(28)
+    return b"RIFF" + bytes(4) + b"AVI LIST" + bytes(80) + sound + video
+
+
+@pytest.mark.parametrize(
+    ("contents", "rate"),
+    [
+        (mp4([512] * 200, 12800), 25),
+        (mp4([512] * 200, 12800, wide=True), 25),
+        (mp4([1001] * 199 + [3000], 30000), 30000 / 1001),
+        # Durations that are rounded: 1000/30.
+        (mp4([33, 33, 34] * 60, 1000), 30),
+        # The rate changes in the middle.
+        (mp4([512] * 100 + [1024] * 100, 12800), None),
+        (avi(25, 1), 25),
+        (avi(30000, 1001), 30000 / 1001),
+        (avi(0, 0), None),
+        (b"", None),
+        (mp4([512] * 200, 12800)[:-30], None),
+        (b"RIFF\0\0\0\0AVI strh", None),
+        (struct.pack(">I4sI", 8, b"ftyp", 3) * 9, None),
+    ],
+)
+def test_rates_of_videos(tmp_path: Path, contents: bytes, rate: float | None) -> None:
+    (tmp_path / "video.mp4").write_bytes(contents)
+    assert _videos.rate(tmp_path / "video.mp4") == (None if rate is None else pytest.approx(rate))
+
+
+def test_a_header_cut_or_altered_anywhere_is_no_error(tmp_path: Path) -> None:
+    random = np.random.default_rng(1)
+    for whole in (mp4([512] * 20, 12800), avi(25, 1)):
+        for _ in range(200):
+            altered = bytearray(whole[: random.integers(len(whole))])
+            for at in random.integers(max(len(altered), 1), size=3):
+                altered[at : at + 1] = random.bytes(1)
+            (tmp_path / "video.mp4").write_bytes(altered)
+            found = _videos.rate(tmp_path / "video.mp4")
+            assert found is None or found > 0
+
+
+def test_sleap_and_deeplabcut_take_the_rate_of_their_video(tmp_path: Path) -> None:
+    h5py = pytest.importorskip("h5py")
+    places, scores = poses()
+    with h5py.File(tmp_path / "run.analysis.h5", "w") as file:
+        file["tracks"], file["point_scores"] = places.transpose(1, 3, 2, 0), scores.transpose(1, 2, 0)
+        file["node_names"] = np.array(NODES, dtype="S")
+        file["track_names"] = np.array([f"track_{k}" for k in range(4)], dtype="S")
+        file["video_path"] = "C:\\videos\\school.mp4"
+    with pytest.raises(ValueError, match="comes with fps"):
+        analysed(tmp_path / "run.analysis.h5")
+    (tmp_path / "school.mp4").write_bytes(mp4([512] * 200, 12800))
+    said = "frames, and their rate is in the header of school.mp4"
+    same(analysed(tmp_path / "run.analysis.h5", score=0.5), times_from=said)
+    same(analysed(tmp_path / "run.analysis.h5", score=0.5, fps=25), times_from="frames, and their rate is chosen")
+    # DeepLabCut: the video whose name begins that of the table, not the one of the labels, and metadata before it.
+    table = tmp_path / "schoolDLC_net_filtered.csv"
+    head = "scorer,net,net,net,net\nindividuals,a,a,b,b\nbodyparts,nose,nose,nose,nose\ncoords,x,y,x,y\n"
+    table.write_text(head + "".join(f"{k},{k + 1},{k % 5},{k + 2},{k % 7}\n" for k in range(60)))
+    (tmp_path / "schoolDLC_net_labeled.mp4").write_bytes(mp4([1] * 200, 99))
+    assert analysed(table)["declaration"]["times_from"] == said
+    (tmp_path / "schoolDLC_netincludingmetadata.pickle").write_bytes(pickle.dumps({"data": {"fps": 50.0}}))
+    found = analysed(table)
+    assert found["declaration"]["times_from"] == "frames, and their rate is in the metadata of DeepLabCut"
+    assert found["step"] == pytest.approx(1 / 50)

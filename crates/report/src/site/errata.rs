@@ -113,9 +113,9 @@ pub(super) fn body(site: &Site, paper: Paper) -> Markup {
         h1 { "Errata: " (paper.title) }
         p.lead { (paper.citation()) }
         p { "What was read is the text of a scan, which may have lost a sign, an index or the extent of a radical: compare each item with the \
-            printed page." @if paper.key == "tanner2" {
-            " Sections and equations are those of the authors' preprint, which cites by author and year, not of the pages of the journal." } }
-        p { "Symbols, equations and places are those of the paper. " b { "By hand" } " says how an item is seen in a minute: mostly by a program of a few \
+            printed page. " (remark(paper.key)) }
+        p { "Symbols, equations and places are those of the paper. " b { "Printed" } " gives a statement with what it takes from its surroundings, not always \
+            word for word. " b { "By hand" } " says how an item is seen in a minute: mostly by a program of a few \
             lines that needs Python and NumPy and nothing else and prints what stands behind " code { "#" } ". " b { "Check" } " names the command that \
             computes the whole entry again, with proofs and enclosures, by the program flockproof " (env!("CARGO_PKG_VERSION")) "; nothing here leans on it." }
         @for kind in &KINDS {
@@ -127,6 +127,23 @@ pub(super) fn body(site: &Site, paper: Paper) -> Markup {
             }
         }
     }
+}
+
+/// What a reader of one paper has to know besides.
+fn remark(paper: &str) -> Markup {
+    let text = match paper {
+        "veerman" => {
+            "The frequency omega is also written w. Section 2 asks for x_{i-1} < x_i, which puts the followers in front of the leader, and Section 7 starts from \
+             x_i = -i, behind it: the equations are the same for both orders."
+        }
+        "tanner2" => {
+            "Sections and equations are those of the authors' preprint, which cites by author and year, not of the pages of the journal. V' is the derivative \
+             with respect to s = |r_ij|^2. The velocities that are called three dimensional before (9) are those of the plane."
+        }
+        "tanner1" => "V' is the derivative with respect to s = |r_ij|^2.",
+        _ => "",
+    };
+    super::notation::set(text)
 }
 
 fn erratum(site: &Site, kind: &Kind, Found { item, entries, .. }: &Found, numbers: &BTreeMap<&str, usize>) -> Markup {

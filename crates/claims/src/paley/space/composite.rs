@@ -205,11 +205,11 @@ pub fn pattern_composite() -> Record<WeightVariant> {
     let right = WeightVariant { exponent: -2, ..printed };
     Record::new(
         "paley.VMN",
-        "With x_k = (K_0/N) sigma_k and g_k = dU/dtheta_k, u_k - w0 = w0 x_k - g_k and (d/dt)(K_0 S + a U) \
-         = sum (-x_k/w0 + a g_k)(w0 x_k - g_k). For a = w0^-2 this is -w0^-2 sum (u_k - w0)^2. For the \
-         printed a = 1 it is sum (-x^2 + (w0 + 1/w0) x g - g^2), which is positive at some states, as near \
-         to the pattern as one likes, unless |w0| = 1 (the discriminant (w0 + 1/w0)^2 - 4 = (w0 - 1/w0)^2). \
-         The factor w0^-2 is missing; the argument theta too.",
+        "With y_k = (K_0/N) sigma_k and g_k = dU/dtheta_k, u_k - w0 = w0 y_k - g_k and (d/dt)(K_0 S + a U) \
+         = sum_k (-y_k/w0 + a g_k)(w0 y_k - g_k). For a = w0^-2 this is -w0^-2 sum_k (u_k - w0)^2. For the \
+         printed a = 1 it is sum_k (-y_k^2 + (w0 + 1/w0) y_k g_k - g_k^2), which is positive at some states unless \
+         |w0| = 1 (the discriminant (w0 + 1/w0)^2 - 4 = (w0 - 1/w0)^2), and except for N = M = 2 also at states as near \
+         to the pattern as one likes. The factor w0^-2 is missing; the argument theta too.",
         printed,
         examine_pattern_composite,
     )

@@ -1,6 +1,6 @@
 # paley.bal.circ: the ring of four with the balanced phases (0, a, a + pi, pi), cos a = 3/5: the sum of the phasors, and the part of u_k - omega_0 that K1 multiplies
 # fails: C_4, phases (0, a, a + pi, pi) with cos a = 3/5, which are balanced: u_k is not omega_0, so that the centres part and the solution leaves the set at once
-# why: A stable closed set is invariant. On C_4 the phases (0, a, a + pi, pi) are balanced, but <i e^{i theta_k}, L_k e^{i theta}> is not 0: with all centres equal they move apart at once. Nor are all balanced equilibria stable: on C_N the pattern theta_k = 2 pi m k/N has unstable directions where cos(2 pi m/N) > 0. What V (paley.eq21) shows to be stable for K_1 > 0 are the formations that maximise W_1; on a circulant graph W_1 <= lambda_max/2 is attained by a Fourier column, so that these are balanced. On complete graphs they are all the balanced ones.
+# why: A stable closed set is invariant. On C_4 the phases (0, a, a + pi, pi) are balanced, but <i e^{i theta_k}, L_k e^{i theta}> is not 0: with all centres equal they move apart at once. Nor are all balanced equilibria stable: on C_N the pattern theta_k = 2 pi m k/N has unstable directions where cos(2 pi m/N) > 0. What is stable for K_1 > 0 are the formations that maximise W_1. On a circulant graph W_1 <= lambda_max/2 is attained by a Fourier column, and only by eigenvectors of lambda_max > 0, which are normal to 1, so balanced. On complete graphs they are all the balanced ones. Stable they are by V as corrected in paley.eq21: V plus a constant is 0 on that set of formations and positive elsewhere, and does not increase. Where its rate vanishes for all time, the centres are at rest, thetadot_k = w0, <e^{i theta_k}, L_k c> turns with the phases while <i e^{i theta_k}, L_k e^{i theta}> is constant; so both are 0, c = c_0 1, and theta is stationary for W_1, which takes finitely many values at its stationary points.
 import numpy as np
 a = np.arccos(3 / 5)
 z = np.exp(1j * np.array([0, a, a + np.pi, np.pi]))
@@ -19,7 +19,7 @@ print(np.allclose(L @ z, 2 * z), np.diff(np.sort(turns)))  # True [1 5 1]
 
 # paley.fig3.gain: C12, neighbours 5/12 of a turn apart, omega_0 = 0.1, K0 = 1.2 as in Figure 3: whether (22), linearised in the rotating frame, is stable but for rotation and translation, for K1 = 0.1, 1, 10
 # fails: Read as a change of the gain during the run: C_12, theta_k = 2 pi 5 k/12 (the caption says splay; the stable splay arrangements of C_12 have neighbours 5/12 or 7/12 of a turn apart): a circular formation that is exponentially stable, up to rotation and translation, for every K_1 > 0
-# why: At theta_k = 2 pi m k/N the Hessian of W_1 is (1/N) cos(2 pi m/N) L: negative definite up to rotation for m = 5 and for m = 6, the (2,N)-pattern. With V of paley.eq21 both formations are exponentially stable for every K_1 > 0: no gain turns Figure 3(c) into the other pattern. Which of the two is reached depends on the initial state, at every gain; started anew from one state, a larger gain can end in the other pattern.
+# why: At theta_k = 2 pi m k/N the Hessian of W_1 is (1/N) cos(2 pi m/N) L: negative definite up to rotation for m = 5 and for m = 6, the (2,N)-pattern. So V as corrected in paley.eq21 has there, up to rotation and translation, a minimum with a positive definite Hessian, and the linearised motion, along which V is constant at rest only, tends to it: both formations are exponentially stable for every K_1 > 0, and no gain turns Figure 3(c) into the other pattern. Which of the two is reached depends on the initial state, at every gain; started anew from one state, a larger gain can end in the other pattern.
 import numpy as np
 N, w, K0 = 12, 0.1, 1.2
 L = 2 * np.eye(N) - np.roll(np.eye(N), 1, axis=0) - np.roll(np.eye(N), -1, axis=0)
@@ -46,8 +46,8 @@ K0 = K1 = 0.1
 print((K1 - K0) / 12)  # 0.0
 
 # paley.figS3.difference: four fish at random places with random headings, 20000 times: mean of the difference, and how often it is positive
-# fails: independent uniform headings of N fish: the difference has the mean 1/2 - 1/N, that is 1/4 for four fish and 3/8 for eight, and is positive in 94 to 95 % and in 99.7 to 99.9 % of the draws
-# why: Let A_n be the mean of 1 - cos theta_kj over the arcs of the network of the nearest n. W_1 = n A_n/2, so that the scaled potentials are (1 - 1/N) A_(N-1) and A_1/2: the difference is positive as soon as A_1 < 2(1 - 1/N) A_(N-1), that is, even where neighbours are up to 1.75 times less synchronised than the school (N = 8). So a difference that is nearly always positive is no evidence for local synchronisation. Scaled by 1/n, positive does mean A_1 < A_(N-1). Whether the fish are locally synchronised is not said here: that needs the tracks.
+# fails: independent uniform headings of N fish at random places: the difference has the mean 1/2 - 1/N, that is 1/4 for four fish and 3/8 for eight, and is positive in 94 to 95 % and in 99.7 to 99.9 % of the draws, whether the nearest or the second nearest neighbour is taken
+# why: Let A_n be the mean of 1 - cos theta_kj over the arcs of the network of the nearest n. W_1 = n A_n/2, so that the scaled potentials are (1 - 1/N) A_(N-1) and A_1/2: the difference is positive as soon as A_1 < 2(1 - 1/N) A_(N-1), that is, even where neighbours are up to 1.75 times less synchronised than the school (N = 8). (Which neighbour is taken where one is in the zone of repulsion depends on the places only, and the mean is the same.) So a difference that is nearly always positive is no evidence for local synchronisation. Scaled by 1/n, positive does mean A_1 < A_(N-1). Whether the fish are locally synchronised is not said here: that needs the tracks.
 import numpy as np
 random, N = np.random.default_rng(1), 4
 place, z = random.random((20000, N, 2)), np.exp(2j * np.pi * random.random((20000, N)))
@@ -57,7 +57,8 @@ single = 2 / (1 + 1) * (1 - (np.conj(z) * nearest).real).sum(axis=1) / (2 * N)
 whole = 1 - np.abs(z.mean(axis=1))**2
 print(f"{(whole - single).mean():.2f} {(whole > single).mean():.2f}")  # 0.25 0.95
 
-# paley.scale: four fish on a square, n = 2, each opposite to both neighbours: eight arcs with 1 - cos = 2
+# paley.scale: four fish on a square, n = 2, each opposite to both neighbours: W_1 = (1/(2N)) sum over eight arcs of 1 - cos = 2; whether 2/(n+1) W_1 exceeds 1, and W_1/n
+# fails: four fish at the corners (0, 0), (1, 0), (1, 1), (0, 1) of a square with headings 0, pi, 0, pi, n = 2: the scaled W_1 is 4/3
 N, n = 4, 2
 W1 = 8 * 2 / (2 * N)
 print(2 / (n + 1) * W1 > 1, W1 / n)  # True 1.0
@@ -89,6 +90,7 @@ u = w + w / N * part
 print(f"{(V(r + h * z, t + h * u) - V(r - h * z, t - h * u)) / (2 * h):.4f} {-(part**2).sum() / N**2:.4f}")  # -2.4500 -1.6400
 
 # paley.VMN: all-to-all, N = M = 2, omega_0 = K0 = 0.1, K1 = 1, K2 = -1/2, r = (0, 0), phases 0 and 2 arctan(1/2): the rate of the printed V
+# why: With y_k = (K_0/N) <e^{i theta_k}, L_k c> and g_k = dU/dtheta_k, whose sum is 0, u_k - w0 = w0 y_k - g_k and (d/dt)(K_0 S + a U) = sum_k (-y_k/w0 + a g_k)(w0 y_k - g_k). For a = w0^-2 this is -w0^-2 sum_k (u_k - w0)^2. For the printed a = 1 it is sum_k (-y_k^2 + (w0 + 1/w0) y_k g_k - g_k^2), a form that takes both signs unless |w0| = 1 (its discriminant is (w0 - 1/w0)^2). Except for N = M = 2 it is positive also at states as near to the pattern as one likes: there L c can be chosen so that y_k = (w0 + 1/w0) g_k/2. The factor w0^-2 is missing; the argument theta too. Theorem 3 stands: the corrected V proves what the printed one was to prove.
 import numpy as np
 w, K0, K = 0.1, 0.1, {1: 1.0, 2: -0.5}
 inner = lambda a, b: (np.conj(a) * b).real
@@ -147,7 +149,7 @@ print(square / 4, 2 * square / 4, (B @ B.T).tolist())  # 1.0 2.0 [[2, -2], [-2, 
 
 # paley.fig6.gain: C_12, omega_0 = K_0 = 0.1: the largest real part of the linearised synchronised circular formation, three eigenvalues of symmetry left out, for K_1 = 0.1 and -0.1: its sign
 # fails: C_12, omega_0 = K_0 = 0.1, K_1 = 0.1: the linearised synchronised circular formation has an eigenvalue with positive real part
-# why: In a drift common to all the relative motion is that without drift. There each mode of L has a cubic whose three roots have a product of the sign of K_1: for K_1 > 0 one is positive, on every connected graph. The article says itself that K_1 < 0 synchronises.
+# why: In a drift common to all the relative motion is that without drift. In the frame that turns with the synchronised formation let a + i b be the deviation of the centres and theta that of the phases, along an eigenvector of L for lambda > 0. With p = K_0 lambda/N and q = K_1 lambda/N: adot = w0 b - p a - q theta/w0, bdot = -w0 a, thetadot = w0 p a + q theta, with the characteristic polynomial z^3 + (p - q) z^2 + w0^2 z - w0^2 q. For K_1 > 0 it is negative at 0, so that it has a positive root, on every connected graph; for K_1 < 0 its roots lie in the left half plane (Hurwitz). The article says itself that K_1 < 0 synchronises.
 import numpy as np
 N, w, K0 = 12, 0.1, 0.1
 L = 2 * np.eye(N) - np.roll(np.eye(N), 1, axis=0) - np.roll(np.eye(N), -1, axis=0)

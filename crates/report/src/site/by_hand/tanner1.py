@@ -1,4 +1,4 @@
-# tanner1.eq7 tanner1.eq6b tanner1.eq9 tanner1.Vt_inv: agents at (0, 0), (1, 1) with velocities (0, 2), (0, 1), V = 1/s + log s, both headings pi/2: the heading rates, (v x a)/|v|^2; the sum of (r_i . v_i) rate_i; and the rate of V_t, by (9)
+# tanner1.eq7 tanner1.eq6b tanner1.eq9 tanner1.Vt_inv: agents at (0, 0), (1, 1) with velocities (0, 2), (0, 1), V = 1/s + log s, both headings pi/2: the heading rates, $(v x a)/|v|^2$; the sum of (r_i . v_i) rate_i; and the rate of V_t, by (9)
 # correct: Where v_i is not 0 and no heading jumps, thetadot_i = - sum_{j~i} (theta_i - theta_j)/|r_ij|^2 - (v_i x grad_{r_i} V_i)/|v_i|^2. So Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|^2, which can be positive. The mechanical energy (1/2) sum_i (V_i + v_i^T v_i) is constant.
 # fails: two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1), V = 1/s + log s with s the squared distance. The headings are equal, so that (7) says 0 for both rates. They are -1/4 and 1/2. The sum before (7) is 1/2, and the rate of V_t is pi/8 > 0: {V_t <= c} is left for the c of this state
 # why: thetadot_i = (v_i x a_i)/|v_i|^2. The alignment force gives the printed sum, but the potential force has a part normal to v_i too and turns the heading as well. The derivation replaces a_i by omega_i x v_i in the angular momentum, in which potential forces cancel, but the part along v_i, which omega_i x v_i leaves out, has a torque of its own; and one scalar equation cannot give N of them. With the true rates the potentials add a sum of either sign to the rate of V_t. What is constant along every motion is the mechanical energy, V_t without the theta_i^2.
@@ -39,7 +39,8 @@ for step in range(1_000_000):
 print(slope(4) > 0, slope(0.5) > 0, f"{min(late):.2f} {max(late):.2f}")  # True False 0.62 2.00
 
 # tanner1.anyV: V = 0, headings 0, on a line: at 0 with speed 2 and at 1 with speed 1: the places after a unit of time
-# why: Every function of |r_ij| is symmetric, V = 0 too. Collision avoidance needs V to be unbounded at 0, and cohesion needs it unbounded at infinity: the mechanical energy is constant, and bounded barriers are passed by fast agents. The potential that the paper proposes, 1/s + log s, has both.
+# fails: V = 0, which is symmetric: two agents that follow each other on a line with equal headings, the rear one faster, collide
+# why: Every function of |r_ij| is symmetric. Collision avoidance needs V to be unbounded at 0, and cohesion needs it unbounded at infinity: the mechanical energy is constant, so that a bounded barrier is passed by a fast agent. With V = 1/(1 + s), s the squared distance, a rear agent at distance 1 that is faster by 2 has the energy 1 of relative motion, and V(0) - V(1) = 1/2. The potential that the paper proposes, 1/s + log s, has both.
 print(0 + 2 * 1, 1 + 1 * 1)  # 2 2
 
 # tanner1.Vmono: the derivative of V = 1/s + log s at s = |r_ij|^2 = 1/2
@@ -59,9 +60,12 @@ print(L @ [1, 0])  # [0. 0.]
 from math import log
 print(1 / 1 + log(1), 1 / 1 + log(1))  # 1.0 1.0
 
-# tanner1.smooth: the heading (2) of velocities next to the negative x axis, below and above
+# tanner1.smooth: the heading (2) of velocities next to the negative x axis, below and above it; and the acceleration of the second agent along x at both, theta_2 - theta_1
+# fails: linked agents at (0, 0) and (1, 0), where the paper's potential exerts no force, the second one with velocity (0, 1): when the velocity of the first one passes (-1, 0) from below the axis, theta_1 jumps from -pi to pi, and the acceleration of the second one from (3 pi/2, 0) to (-pi/2, 0)
 from math import atan2
-print(f"{atan2(-1e-12, -1):.4f} {atan2(1e-12, -1):.4f}")  # -3.1416 3.1416
+below, above, second = atan2(-1e-12, -1), atan2(1e-12, -1), atan2(1, 0)
+print(f"{below:.4f} {above:.4f}")  # -3.1416 3.1416
+print(f"{second - below:.4f} {second - above:.4f}")  # 4.7124 -1.5708
 
 # tanner1.Lw: one edge: D is 2 by 1 and W is 1 by 1, so that D W D has no value
 # kind: scan
@@ -73,5 +77,6 @@ print((D @ W).shape, D.shape)  # (2, 1) (2, 1)
 # tanner1.proof_ratio: the quotients of that motion: yddot/xddot, yddot/xdot, ydot/xdot
 # kind: scan
 # fails: ydot = xdot at all times (k = 1) with xdot = 1, xddot = yddot = -1: yddot/xdot is -1, and ydot/xdot is 1
+# why: d/dt (ydot/xdot) = 0 says yddot xdot = ydot xddot, so yddot/xddot = ydot/xdot = k where xddot != 0; the printed denominator xdot lacks a dot. On the set of equal constant headings the alignment forces vanish and the acceleration is -grad_{r_i} V_i, which gives the last quotient. (Where xdot = 0, headings along y, or xddot = 0, the equation of products says what the quotients are meant to say.)
 x1, x2, y1, y2 = 1, -1, 1, -1
 print(y2 / x2, y2 / x1, y1 / x1)  # 1.0 -1.0 1.0

@@ -22,6 +22,7 @@ print(*(f"{w[np.argmax(a)]:.4f} {max(a):.4f}" for a in ([last(x, n) for x in w] 
 
 # veerman.thm1_eps: the real part of the coefficient of w^2/2 in the bracket, f = g = -1; the printed one is -g^2/f^2 - 1/(2|f|) = -1.5
 # fails: f = g = -1: the coefficient of w^2/2 in the bracket has the real part -5/4, not -3/2
+# why: With q = w^2/(|f| + i w |g|), gamma = 1 - q, so that eps^2 = gamma^2 - 1 = -2q + q^2 = -(2 w^2/|f|) S with S = (1 + i w |g|/|f|)^-1 (1 - q/2) = 1 + s_1 w + s_2 w^2 + O(w^3), s_1 = -i |g|/|f| and s_2 = -g^2/f^2 - 1/(2|f|). The square root of S is 1 + s_1 w/2 + (s_2/2 - s_1^2/8) w^2 + O(w^3). The paper has s_2/2 and drops -s_1^2/8 = g^2/(8 f^2), which makes -g^2/f^2 of -(3/4) g^2/f^2. In eps that is a term i w^3, which the line for mu_(+-) carries as O(w^3) in the imaginary part: the theorem is not changed. For w > 0 the imaginary part of gamma^2 - 1 is positive and its angle near pi, so that the root with angle in (-pi/2, pi/2] is the one with +i.
 import cmath
 w = 1e-3
 gamma = 1 + w**2 / (-1 - 1j * w)
@@ -37,12 +38,13 @@ print(f"{(2 * exp(1j * h) - 2 * exp(-1j * h)) / (2 * h):.3f} {1j * exp(0):.3f}")
 
 # veerman.prop1: |1/gamma|^2 at the frequency w = |f| = 4 (g = -1): below one, so that nothing limits N
 # kind: scan
+# why: At w^2 = |f|, Corollary 1 gives |a_k| = a_0 (1 + |f|/g^2)^{k/2}, which grows with k: the last car, number N + 1, stays within D exactly if N + 1 <= X, with X = 2 ln(D/a_0)/ln(1 + |f|/g^2). The printed N <~ X allows one car more, which the sign may cover. But the frequency is sqrt|f|, not |f|: at w = |f| one has |1/gamma|^2 = (1 + g^2)/((|f| - 1)^2 + g^2), which is below 1 for |f| > 2, so that there is no limit at all.
 f, g, w = -4, -1, 4
 print((f**2 + g**2 * w**2) / ((w**2 - abs(f))**2 + g**2 * w**2))  # 0.2
 
 # veerman.sec7.system: system (1), f = g = -1: where |1/gamma| is largest, and the amplitude of car 128 there
 # fails: f = g = -1: the last of M cars of system (1) responds most at w = 0.8556, with the amplitude (1 + 2/sqrt(3))^(M/2), some 10^21 for M = 128; every frequency in Table 1 is below 0.28, and the largest amplitude is 147
-# why: For system (2) the frequencies of Table 1 are within 2 % and the amplitudes within 4 % of the resonance of N followers. Section 3, to which the text refers for the other system, treats system (1). So (1) and (2) are exchanged.
+# why: The resonances of system (2) with N followers are within 2 % of the frequencies and 4 % of the amplitudes in Table 1. Section 3, to which the text refers for the other system, treats system (1). So (1) and (2) are exchanged, and "the differential equations given in (1)" of the next paragraph are those of (2), which the third paragraph names.
 from math import sqrt
 y = sqrt(3) - 1
 print(f"{sqrt(y):.4f} {((1 + y) / ((y - 1)**2 + y))**64:.0e}")  # 0.8556 2e+21
@@ -61,7 +63,9 @@ print((f**2 + g**2 * y) / ((y - abs(f))**2 + g**2 * y))  # 1.0
 
 # veerman.nth_neighbour: whom a chain of n-th neighbours joins to the leader, number 0, for n = 1 and n = 2
 # kind: convention
-# why: For n >= 2 the statement is true: tracking joins agents whose numbers differ by n, so it stays within the residue classes modulo n, and agents of the other classes than that of the leader stay at rest. n = 1 is system (2) itself, which is clearly not meant.
+# correct: Let n >= 2, and let each of the agents 1 to N+1 behind the leader, number 0, keep track of only the n-th agent in front and the n-th behind it, as far as there are such agents. The communication graph is not connected, and the agents whose number is no multiple of n, agent 1 among them, are not joined to the leader: if they start at rest in their places, they stay there whatever the leader does.
+# fails: n = 1 (with N = 0, for example): the graph is connected, and every follower moves
+# why: Tracking joins agents whose numbers differ by n, so that it stays within the residue classes modulo n, and agents of other classes than the leader's see nothing that moves. So the sentence is true for n >= 2; n = 1 is system (2) itself, which is clearly not meant.
 print(*(list(range(0, 6, n)) for n in (1, 2)))  # [0, 1, 2, 3, 4, 5] [0, 2, 4]
 
 # veerman.specM: one follower of system (1), f = 0, g = -1: the union on the right contains 0, the left side leaves it out

@@ -51,7 +51,9 @@ fn row(text: &str, nodes: &[Node], top: bool) -> Vec<Part> {
             (spaced, at) = (true, at + 1);
             continue;
         }
-        if let Some(sign) = infix(text, node, &parts) {
+        // An x that ends a formula is a letter: x^T L x.
+        let last = nodes[at + 1..].iter().all(|node| node.kind == Kind::Space);
+        if let Some(sign) = infix(text, node, &parts).filter(|sign| !last || *sign != "×") {
             // A sign at the start of a term keeps the room that it has between two.
             let prefix = parts.last().is_none_or(|last| last.infix);
             let form = if prefix { "prefix" } else { "infix" };

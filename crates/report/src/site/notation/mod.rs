@@ -81,3 +81,17 @@ fn run(classes: &[Class], at: usize) -> usize {
 fn is_worth_setting(text: &str, nodes: &[Node]) -> bool {
     nodes.iter().any(|node| node.is_symbolic(text))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::typeset;
+
+    #[test]
+    fn an_x_between_two_operands_is_a_sign_and_else_a_letter() {
+        assert!(typeset("v_i x a_i").contains('×'));
+        for text in ["x^T L x is the sum of squares", "(I - P) x is bounded", "L x"] {
+            let set = typeset(text);
+            assert!(!set.contains('×') && set.contains("<mi>x</mi>"), "{set}");
+        }
+    }
+}
