@@ -93,8 +93,8 @@ fn table(name: &str, head: &[&str], rows: &[Vec<String>]) -> Markup {
     html! {
         div.wide tabindex="0" role="region" aria-label=(name) { table.numbers {
             thead { tr { @for cell in head { th scope="col" { (cell) } } } }
-            tbody { @for row in rows { tr { @for (k, cell) in row.iter().enumerate() {
-                @if k == 0 { th scope="row" { (cell) } } @else { td { (cell) } }
+            tbody { @for row in rows { tr { @for (k, (label, cell)) in head.iter().zip(row).enumerate() {
+                @if k == 0 { th scope="row" data-label=(label) { (cell) } } @else { td data-label=(label) { (cell) } }
             } } } }
         } }
     }

@@ -57,7 +57,7 @@ fn over_time(question: &Question, answer: &Answer, progress: &dyn Progress) -> M
 /// What the names stand for.
 fn numbers(bindings: &Bindings) -> Markup {
     html! {
-        div.wide tabindex="0" role="region" aria-label="Counterexample" { table { tbody {
+        div.wide tabindex="0" role="region" aria-label="Counterexample" { table.named { tbody {
             @for (name, value) in bindings.iter() { tr { th scope="row" { code { (name) } } td { @match value {
                 Value::Matrices(list) => { @for matrix in list.iter() { (entries(matrix)) } }
                 value => { (value.text()) }

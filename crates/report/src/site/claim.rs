@@ -47,7 +47,7 @@ pub(super) fn body(site: &Site, entry: &Entry, links: Links) -> Markup {
             @if !entry.values.is_empty() {
                 section aria-labelledby="values" {
                     h2 #values { "Values" }
-                    div.wide tabindex="0" { table { tbody {
+                    div.wide tabindex="0" { table.named { tbody {
                         @for (name, value) in &entry.values { tr { th scope="row" { (name) } td { code { (value) } } } }
                     } } }
                 }

@@ -67,14 +67,15 @@ fn table(file: &crate::File) -> Markup {
     let text = String::from_utf8_lossy(&file.contents);
     let mut rows = text.lines().map(cells);
     let Some(header) = rows.next() else { return html! {} };
+    let header: Vec<String> = header.iter().map(|cell| cell.replace('_', " ")).collect();
     let rows: Vec<Vec<String>> = rows.collect();
     if rows.len() > ROWS {
         return html! {};
     }
     html! {
         div.wide tabindex="0" role="region" aria-label=(file.name) { table.numbers {
-            thead { tr { @for cell in header { th scope="col" { (cell.replace('_', " ")) } } } }
-            tbody { @for row in rows { tr { @for cell in row { td { (cell) } } } } }
+            thead { tr { @for cell in &header { th scope="col" { (cell) } } } }
+            tbody { @for row in rows { tr { @for (label, cell) in header.iter().zip(row) { td data-label=(label) { (cell) } } } } }
         } }
     }
 }

@@ -52,7 +52,7 @@ fn totals(site: &Site) -> Markup {
                     th scope="row" { a href=(page) { (name(key)) } }
                     @for v in Verdict::ALL {
                         @let n = count(key, v);
-                        td { @if n > 0 { a href={ "#paper=" (key) "&verdict=" (v.word()) } { (n) } } @else { span.none { "·" } } }
+                        td data-label=(spoken(v)) { @if n > 0 { a href={ "#paper=" (key) "&verdict=" (v.word()) } { (n) } } @else { span.none { "·" } } }
                     }
                 }
             } }
