@@ -25,6 +25,8 @@ pub struct Comparison {
     pub relation: Relation,
     /// As it is written, without a `not` around it; of vectors with the component that it is about.
     pub text: Arc<str>,
+    /// Whether it stands before `implies`.
+    pub is_supposed: bool,
 }
 
 impl Comparison {
@@ -105,13 +107,14 @@ fn first<T: Number>(
 /// Some comparison of each clause is true.
 pub type Clauses = Vec<Vec<Comparison>>;
 
-/// A difference, its two sides, how it is compared with zero, and as it is written.
+/// A comparison whose numbers are not yet programs.
 #[derive(Clone)]
 struct Draft {
     difference: Id,
     sides: [Id; 2],
     relation: Relation,
     text: Arc<str>,
+    is_supposed: bool,
 }
 
 type Drafts = Vec<Vec<Draft>>;
@@ -143,12 +146,13 @@ impl LawText {
         compiler.reading.push(("property", ""));
         let drafts = compiler.clauses(property, true)?;
         let lists = Arc::new(compiler.lists.clone());
-        let comparison = |Draft { difference, sides, relation, text }| Comparison {
+        let comparison = |Draft { difference, sides, relation, text, is_supposed }| Comparison {
             program: Arc::new(compiler.things.program(vec![difference])),
             sides: Arc::new(compiler.things.program(sides.to_vec())),
             lists: lists.clone(),
             relation,
             text,
+            is_supposed,
         };
         Ok(drafts.into_iter().map(|clause| clause.into_iter().map(comparison).collect()).collect())
     }
@@ -166,7 +170,11 @@ impl Compiler<'_> {
                 return self.refuse(node.at, Problem::Other(why.to_string()));
             }
         };
-        let all = parts.into_iter().map(|(node, positive)| self.clauses(node, positive)).collect::<Made<Vec<_>>>()?;
+        let mut all =
+            parts.into_iter().map(|(node, positive)| self.clauses(node, positive)).collect::<Made<Vec<_>>>()?;
+        if matches!(node.kind, NodeKind::Implies(..)) {
+            all[0].iter_mut().flatten().for_each(|draft| draft.is_supposed = true);
+        }
         let together = matches!(node.kind, NodeKind::And(_)) == positive;
         self.joined(node, all, together)
     }
@@ -218,6 +226,7 @@ impl Compiler<'_> {
             sides: [a, b],
             relation,
             text: if is_alone { text.into() } else { format!("{text}, component {},", k + 1).into() },
+            is_supposed: false,
         };
         let numbers: Vec<Draft> = pairs.into_iter().enumerate().map(draft).collect();
         let together = relation == Relation::Equal;

@@ -204,7 +204,9 @@ impl Instance {
         let mut least: Option<Decisive> = None;
         for clause in &self.clauses {
             let mut largest: Option<Decisive> = None;
-            for comparison in clause {
+            // It fails by what it says, not by what it supposes.
+            let only_supposed = clause.iter().all(|comparison| comparison.is_supposed);
+            for comparison in clause.iter().filter(|comparison| only_supposed || !comparison.is_supposed) {
                 let [left, right] = self.sides(comparison, &state)?;
                 let (_, margin) = slack(&left, comparison.relation, &right, PRECISIONS[0]);
                 if largest.as_ref().is_none_or(|found| found.margin.lo < margin.lo) {

@@ -50,6 +50,30 @@ fn a_false_rate_is_refuted_at_a_state() {
 }
 
 #[test]
+fn a_counterexample_shows_both_sides_and_the_margin() {
+    let point = "agents = 2\nx = \"[0, 0]\"\nv = \"[0, 0]\"\n\"v[1].1\" = 3\n\"v[1].2\" = -1";
+    let sides = |property: &str| {
+        let found = answer(point, property, "\"x[1].1 > 0\"");
+        assert_eq!(found.verdict, Verdict::False, "{}", found.why);
+        let there = found.decisive.expect("what decides");
+        assert!(found.margin.is_some_and(|own| own == there.margin));
+        (there.inequality, there.left, there.right, there.margin.lo)
+    };
+    let known = |inequality: &str, left: &str, right: &str, margin: f64| {
+        (inequality.to_string(), left.to_string(), right.to_string(), margin)
+    };
+    assert_eq!(sides("v[1].1 <= v[2].1 + 1"), known("v[1].1 <= v[2].1 + 1", "3", "1", -2.0));
+    // The second component is the first that differs from what is claimed.
+    let second = known("momentum = vector(3, 0), component 2,", "-1", "0", -1.0);
+    assert_eq!(sides("momentum = vector(3, 0)"), second);
+    // All of `or` fail, the first one by less; an implication fails by what it says.
+    assert_eq!(sides("v[1].1 < 2 or v[1].1 < 1"), known("v[1].1 < 2", "3", "2", -1.0));
+    assert_eq!(sides("v[1].1 > 1 implies v[1].1 > 7"), known("v[1].1 > 7", "3", "7", -4.0));
+    // Of `and` the part that fails by most.
+    assert_eq!(sides("v[1].1 < 2 and v[1].2 > 4"), known("v[1].2 > 4", "-1", "4", -5.0));
+}
+
+#[test]
 fn inequalities_on_boxes_that_are_not_attained() {
     let boxed = "agents = 2\nx = \"[-1, 1]\"\nv = \"any\"\n\"v[1].1\" = \"[1, 2]\"\n\"v[2].1\" = \"[-1, 0]\"\n\"v[1].2\" = 0\n\"v[2].2\" = 0";
     let found = answer(boxed, "rate(v[1].1) < -1/10", "\"rate(v[1].1) < -1\"");
