@@ -36,7 +36,7 @@ pub(crate) fn abscissa(a: &[Vec<Rational>]) -> Option<f64> {
 
 /// The same for the states of a mode that move.
 pub(crate) fn moving_abscissa(motion: &Motion) -> Option<f64> {
-    let moving: Vec<usize> = (0..motion.a.len()).filter(|&i| !stands(motion, i)).collect();
+    let moving: Vec<usize> = (0..motion.a.len()).filter(|&i| !motion.stands(i)).collect();
     let row = |&i: &usize| moving.iter().map(|&j| motion.a[i][j].clone()).collect();
     abscissa(&moving.iter().map(row).collect::<Vec<_>>())
 }
@@ -51,13 +51,6 @@ pub(crate) fn kept_box(motions: &[Motion], start: &[Range]) -> Option<Vec<Range>
         all[i] = Range { lo: -reach.clone(), hi: reach };
     }
     Some(all)
-}
-
-/// Whether a state never moves.
-fn stands(motion: &Motion, i: usize) -> bool {
-    motion.a[i].iter().all(Zero::is_zero)
-        && motion.drift[i].is_zero()
-        && motion.pushes.iter().all(|push| push.column[i].is_zero())
 }
 
 /// The motion of the states that move; those that do not are inputs within their range.
