@@ -144,8 +144,9 @@ pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<V
         for (_, condition, index) in &asked {
             let worst = &found[*index].0;
             let (lo, hi) = left_side(condition, worst);
+            let is_met = lo.is_some() && lo == hi;
             let between = lo.is_some_and(|lo| lo <= condition.bound) && hi.is_some_and(|hi| hi >= condition.bound);
-            if between && lo != hi && !worst.is_unattained && worst.is_closed(digits) {
+            if between && !is_met && !worst.is_unattained && worst.is_closed(digits) {
                 let finer = worst_of(system, &prepared, at.as_ref(), &rows[*index..=*index], digits + MORE, progress)?;
                 found.splice(*index..=*index, finer);
             }
@@ -499,7 +500,8 @@ fn stable_for_ever(system: &System) -> Result<(), ReachError> {
     for mode in lasting {
         let mode = &system.modes[mode];
         // States that do not move are numbers, not motions.
-        let moves = |(factor, input): (&Rational, &Input)| !factor.is_zero() && input.range != Range::point(Rational::ZERO);
+        let moves =
+            |(factor, input): (&Rational, &Input)| !factor.is_zero() && input.range != Range::point(Rational::ZERO);
         let is_moved = |i: usize| mode.b[i].iter().zip(&system.inputs).any(moves);
         let moving: Vec<usize> = (0..mode.a.len())
             .filter(|&i| is_moved(i) || !mode.a[i].iter().chain([&mode.c[i]]).all(Zero::is_zero))

@@ -9,7 +9,7 @@ use crate::system::Range;
 use algebra::matrix::{inertia, solve_over_field};
 use arithmetic::{Enclosure, Field, Interval, Number, Rational, rational};
 use dense::faer::Mat;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive};
 
 /// Bits of the enclosures that prove.
 const BITS: u32 = 240;
@@ -73,7 +73,7 @@ impl Ellipsoid {
     /// Tries the Lyapunov function of the mean of the modes, and the sum of those of all modes, with ever slower decay.
     pub fn find(motions: &[Motion], start: &[Range]) -> Option<Self> {
         let moving: Vec<usize> =
-            (0..start.len()).filter(|&i| !motions.iter().all(|motion| stands(motion, i))).collect();
+            (0..start.len()).filter(|&i| !motions.iter().all(|motion| motion.stands(i))).collect();
         let motions: Vec<Motion> = motions.iter().map(|motion| without(motion, &moving, start)).collect();
         let start: Vec<Range> = moving.iter().map(|&i| start[i].clone()).collect();
         let n = start.len();

@@ -50,7 +50,10 @@ fn equation(motion: &Motion, start: &[Range], row: &[Rational], still: &[bool]) 
     }
     let product = |column: &[Rational]| row.iter().zip(column).map(|(x, c)| x * c).sum::<Rational>();
     let mut forcing = Range::point(product(&motion.drift));
-    let parts = motion.pushes.iter().map(|push| (product(&push.column), &push.centre - &push.radius, &push.centre + &push.radius));
+    let parts = motion
+        .pushes
+        .iter()
+        .map(|push| (product(&push.column), &push.centre - &push.radius, &push.centre + &push.radius));
     let held = (0..row.len()).filter(|&j| still[j]).map(|j| {
         let factor = &driven[j] + &rate * &row[j];
         (factor, start[j].lo.clone(), start[j].hi.clone())

@@ -217,7 +217,13 @@ impl<'a> Solver<'a> {
         });
         let at = times.reduce(|a, b| Range { lo: a.lo.min(b.lo), hi: a.hi.max(b.hi) });
         let legs = found.best.as_ref().map_or_else(Vec::new, |best| self.legs(best));
-        Worst { lo: found.best.as_ref().map(|best| best.value.clone()), hi: found.above.clone(), at, legs, ..Worst::default() }
+        Worst {
+            lo: found.best.as_ref().map(|best| best.value.clone()),
+            hi: found.above.clone(),
+            at,
+            legs,
+            ..Worst::default()
+        }
     }
 
     fn legs(&self, best: &Best) -> Vec<(usize, Rational)> {

@@ -74,8 +74,7 @@ impl MotionSubject<'_> {
         if holds != Holds::All || !self.wide.is_empty() {
             return None;
         }
-        let start: Vec<PreciseNumber> =
-            own.start.iter().map(|x| PreciseNumber::exact(x.clone(), precision)).collect();
+        let start: Vec<PreciseNumber> = own.start.iter().map(|x| PreciseNumber::exact(x.clone(), precision)).collect();
         Some(own.number(name, &start)?.ok()?.number)
     }
 
