@@ -206,7 +206,8 @@ impl Answer {
             let _ = writeln!(text, "counterexample: {bindings}");
         }
         if let Some(spot) = &self.closed {
-            let _ = writeln!(text, "counterexample: {spot}, exactly");
+            let how = if spot.is_enclosed() { "at one point in it, which is proved" } else { "exactly" };
+            let _ = writeln!(text, "counterexample: {spot}, {how}");
         }
         if let Some(Decisive { inequality, left, right, time, .. }) = &self.decisive {
             let at = time.as_ref().map_or(String::new(), |time| format!(", at t = {time}"));

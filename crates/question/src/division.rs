@@ -16,9 +16,9 @@ use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::{Progress, Rational};
 use motion::sets::Range;
 use num_traits::{Signed, ToPrimitive};
-use polynomials::decide::{Decision, Effort, Open, Place, Proof, is_true_at, is_true_in_closed_form};
+use polynomials::decide::{Decision, Effort, Open, Place, Proof, is_true_at, is_true_in_closed_form, zero};
 use polynomials::sums::{Certificate, Statement};
-use polynomials::{Literal, Side};
+use polynomials::{Compared, Literal, Side};
 
 /// A continuum that is divided until every box is decided.
 pub(crate) struct Division<'a> {
@@ -106,6 +106,13 @@ fn told(open: &Open, first: Option<&Bindings>) -> String {
     first.map_or(text.clone(), |bindings| format!("{text} (a box: {bindings})"))
 }
 
+/// Numbers in closed form, or enclosed, in the place of names that stand for more than one number.
+fn spot(whole: &Bindings, places: &[usize], domain: &[Side], list: &[Place]) -> Spot {
+    let free = places.iter().zip(domain).zip(list).filter(|((_, side), _)| side.as_point().is_none());
+    let texts: Vec<(usize, String)> = free.map(|((place, _), own)| (*place, own.to_string())).collect();
+    Spot::of(whole, &texts)
+}
+
 impl Division<'_> {
     /// Boxes first; what they leave open is decided where it is attained, as far as the property is one of numbers alone.
     pub fn decide(&self, whole: &Bindings) -> Result<Decided, QuestionError> {
@@ -124,8 +131,10 @@ impl Division<'_> {
             // What boxes prove needs no certificate, but has one where there is one.
             Ok(found) if found.truth == Truth::True && self.is_certified() => {
                 let again = self.where_attained(whole, &clauses, found.clone())?;
-                Ok(if matches!(again.truth, Truth::Unknown(_)) { Decided { uncertified: 1, ..found } } else { again })
+                let kept = Decided { uncertified: 1, ..found };
+                Ok(if matches!(again.truth, Truth::Unknown(_)) { self.attained(whole, &clauses, kept) } else { again })
             }
+            Ok(found) if found.truth == Truth::True => Ok(self.attained(whole, &clauses, found)),
             // What is false somewhere is false, whatever has no value elsewhere.
             Err(error @ QuestionError::At { .. }) => {
                 let found = self.where_attained(whole, &clauses, Decided::nothing());
@@ -218,12 +227,7 @@ impl Division<'_> {
         let mut missing = Missing::default();
         let mut left: Option<Open> = None;
         let mut closed: Option<Spot> = None;
-        // Numbers in closed form are told in the place of names that stand for more than one number.
-        let spot = |list: &Vec<Place>| {
-            let free = places.iter().zip(&domain).zip(list).filter(|((_, side), _)| side.as_point().is_none());
-            let texts: Vec<(usize, String)> = free.map(|((place, _), own)| (*place, own.to_string())).collect();
-            Spot::of(whole, &texts)
-        };
+        let spot = |list: &Vec<Place>| spot(whole, &places, &domain, list);
         (found.open, found.truth) = (0, Truth::True);
         for clause in &clauses.list {
             match self.decided(clause, &domain, effort)? {
@@ -296,6 +300,7 @@ impl Division<'_> {
         if found.attained.is_none() && clauses.list.iter().all(|clause| clause.len() == 1) && closed.is_some() {
             (found.attained, found.margin.hi) = (closed, 0.0);
         }
+        let mut found = self.attained(whole, clauses, found);
         // True everywhere: no inequality that has to be true misses.
         let least = |margin: Margin| Margin { lo: margin.lo.max(0.0).min(margin.hi.max(0.0)), ..margin };
         found.margin = least(found.margin);
@@ -305,6 +310,29 @@ impl Division<'_> {
             found.inequalities.iter_mut().for_each(|own| *own = least(*own));
         }
         Ok(found)
+    }
+
+    /// With a point at which the margin of a property that holds is 0, where one is proved: that of a literal which is the only one of its clause.
+    fn attained(&self, whole: &Bindings, clauses: &Clauses, found: Decided) -> Decided {
+        let may_be_zero = found.margin.lo <= 0.0 && found.margin.hi > 0.0 || whole.has_line();
+        let single = clauses.list.iter().all(|clause| clause.len() == 1);
+        if found.attained.is_some() || !may_be_zero || !single {
+            return found;
+        }
+        let (places, domain): (Vec<usize>, Vec<Side>) = whole.sides().into_iter().unzip();
+        let own = |literal: &&Literal<_>| {
+            literal.compared == Compared::NotNegative
+                && !clauses.conditions.iter().any(|own| own.function == literal.function)
+        };
+        let zero = clauses.list.iter().flatten().filter(own).find_map(|literal| zero(literal, &domain));
+        match zero {
+            Some(list) => {
+                let attained = Some(spot(whole, &places, &domain, &list));
+                let lo = found.margin.lo.min(0.0);
+                Decided { attained, margin: Margin { lo, hi: 0.0 }, ..found }
+            }
+            None => found,
+        }
     }
 
     /// What was found, or nothing where a value is missing, which is kept; the first one is told.

@@ -22,7 +22,7 @@ pub struct Unsettled {
     pub boxes: Vec<Bindings>,
 }
 
-/// A member with a number in closed form among its values, `x = 1/2*pi`, which the language has as an expression only.
+/// A member with a number in closed form among its values, `x = 1/2*pi`, which the language has as an expression only, or with one that is enclosed: `x in [..]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Spot(Vec<(String, String)>);
 
@@ -36,6 +36,11 @@ impl Spot {
         Spot(bindings.iter().enumerate().map(text).collect())
     }
 
+    /// Whether a number is enclosed, and not in closed form.
+    pub fn is_enclosed(&self) -> bool {
+        self.iter().any(|(_, text)| text.starts_with('['))
+    }
+
     /// Names with the texts of their values.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
         self.0.iter().map(|(name, text)| (name.as_str(), text.as_str()))
@@ -44,7 +49,8 @@ impl Spot {
 
 impl fmt::Display for Spot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let pairs: Vec<String> = self.iter().map(|(name, text)| format!("{name} = {text}")).collect();
+        let is = |text: &str| if text.starts_with('[') { "in" } else { "=" };
+        let pairs: Vec<String> = self.iter().map(|(name, text)| format!("{name} {} {text}", is(text))).collect();
         f.write_str(&pairs.join(", "))
     }
 }

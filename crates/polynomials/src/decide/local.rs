@@ -505,7 +505,7 @@ fn near(x: &[f64], sides: &[Side], reach: f64) -> Option<Vec<Rational>> {
 }
 
 /// Whether every symmetric matrix with entries in these intervals is positive definite: all pivots are.
-fn is_positive_definite(mut matrix: Vec<Vec<Extended>>) -> bool {
+pub(super) fn is_positive_definite(mut matrix: Vec<Vec<Extended>>) -> bool {
     use arithmetic::Field;
     let n = matrix.len();
     for k in 0..n {

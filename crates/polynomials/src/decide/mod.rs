@@ -1,11 +1,13 @@
 //! The decision of "at every point of a domain one of these functions has its sign": points first, then boxes with derivatives, then polynomials.
 
+mod attained;
 mod bernstein;
 mod elimination;
 mod exact;
 mod extended;
 mod goals;
 mod local;
+mod parted;
 mod places;
 mod points;
 mod prover;
@@ -173,6 +175,22 @@ pub fn is_true_in_closed_form<F: Function>(clause: &[Literal<F>], places: &[Plac
     matches!(places::truth(clause, places), local::Signs::Holds { .. })
 }
 
+/// A point of the domain at which the function of a literal is 0, which is proved: a number in closed form for each variable, or an enclosure of it.
+pub fn zero<F: Function>(literal: &Literal<F>, domain: &[Side]) -> Option<Vec<Place>> {
+    attained::zero(literal, domain)
+}
+
+/// A point at which a literal that has to be strict is 0, and all others are false.
+fn fails_at_zero<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Option<Vec<Place>> {
+    let strict = |literal: &&Literal<F>| !literal.compared.admits(arithmetic::Sign::Zero);
+    clause.iter().enumerate().filter(|(_, literal)| strict(literal)).find_map(|(k, literal)| {
+        let places = attained::zero(literal, domain)?;
+        let mut others = clause.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, own)| own);
+        let is_false = |own: &Literal<F>| places::truth(std::slice::from_ref(own), &places) == local::Signs::Fails;
+        others.all(is_false).then_some(places)
+    })
+}
+
 /// Where no literal in one variable is true.
 fn on_rest<F: Function>(
     clause: &[Literal<F>],
@@ -229,6 +247,9 @@ fn on_box<F: Function>(
         proof.places = places.iter().map(|place| place.on_line(&point, free)).collect();
         return Ok(with_zeros(Decision::Holds(proof), found.zeros));
     }
+    if let Some(places) = fails_at_zero(clause, domain) {
+        return Ok(Decision::FailsAt(places));
+    }
     // An equation is never shown by boxes.
     let effort = match clause.iter().all(|literal| literal.compared == crate::function::Compared::Zero) {
         true => Effort { boxes: FIRST_BOXES.min(effort.boxes), ..effort },
@@ -250,7 +271,7 @@ fn on_box<F: Function>(
     };
     Ok(match rest {
         Decision::Undecided(all) => {
-            let several = || places::all_but_equal(clause, all.boxes.first()?);
+            let several = || places::all_but_equal(clause, all.boxes.first()?, domain);
             let told = match places::only_free(domain) {
                 Some(_) => places::coincidence(clause, domain),
                 None => several(),

@@ -1,10 +1,13 @@
 //! Numbers in closed form at which a function is zero: floats and a search for simple forms propose, exact numbers decide.
 
+use super::Extended;
+use super::attained::least;
 use super::exact::{self, Exact};
 use super::local::{Signs, polish};
 use crate::function::{Function, Literal, Side};
 use arithmetic::{
-    ArithmeticError, Dual, Field, Number, PreciseNumber, Rational, Series, Sign, Signed, rational, simplest_between,
+    ArithmeticError, Dual, Field, Number, PreciseNumber, Rational, Series, Sign, Signed, decimal, rational,
+    simplest_between,
 };
 use num_bigint::BigInt;
 use num_traits::{ToPrimitive, Zero};
@@ -20,9 +23,11 @@ enum Outer {
     Logarithm(i64),
     /// One over the logarithm.
     OverLogarithm,
+    /// A number of which it is proved that it lies between `a` and `b`, and is what it is said to be.
+    Between,
 }
 
-/// A function of `a + b sqrt(d)`.
+/// A function of `a + b sqrt(d)`, or a number that is enclosed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Place {
     outer: Outer,
@@ -45,8 +50,20 @@ impl Place {
         Place { outer, a, b: rational(0, 1), d: rational(0, 1) }
     }
 
-    /// The number, in the scalar of `like`.
+    /// A number between two others.
+    pub(super) fn between(lo: Rational, hi: Rational) -> Self {
+        Place { outer: Outer::Between, a: lo, b: hi, d: rational(0, 1) }
+    }
+
+    fn is_enclosed(&self) -> bool {
+        self.outer == Outer::Between
+    }
+
+    /// The number, in the scalar of `like`; none of a number that is only enclosed.
     pub(super) fn value<T: Number>(&self, like: &T) -> Result<T, ArithmeticError> {
+        if self.is_enclosed() {
+            return Err(ArithmeticError::Domain("a number in closed form"));
+        }
         let of = |q: &Rational| like.rational(q);
         let inside = if self.b.is_zero() { of(&self.a) } else { of(&self.a) + of(&self.b) * of(&self.d).sqrt()? };
         match self.outer {
@@ -55,6 +72,14 @@ impl Place {
             Outer::Exponential => inside.exp(),
             Outer::Logarithm(k) => Ok(inside.ln()? * like.ratio(1, k)),
             Outer::OverLogarithm => inside.ln()?.recip(),
+            Outer::Between => Err(ArithmeticError::Domain("a number in closed form")),
+        }
+    }
+
+    fn enclosure(&self) -> Option<Extended> {
+        match self.outer {
+            Outer::Between => Some(Extended::hull(Some(&self.a), Some(&self.b))),
+            _ => self.value(&Extended::between(1.0, 1.0)).ok(),
         }
     }
 
@@ -98,7 +123,7 @@ impl Place {
         point.iter().enumerate().map(own).collect()
     }
 
-    fn of(q: Rational) -> Self {
+    pub(super) fn of(q: Rational) -> Self {
         Place::rational(Outer::Itself, q)
     }
 }
@@ -108,8 +133,23 @@ pub(super) fn exactly(places: &[Place], one: &Exact) -> Option<Vec<Exact>> {
     places.iter().map(|place| place.value(one).ok()).collect()
 }
 
-/// The sign of a function at a point, exactly.
+/// Whether a function is 0 at a point, exactly.
+pub(super) fn vanishes<F: Function>(function: &F, places: &[Place]) -> bool {
+    sign(function, places) == Some(Sign::Zero)
+}
+
+/// Whether a function has a value near a point, by an enclosure.
+pub(super) fn has_value<F: Function>(function: &F, places: &[Place]) -> bool {
+    let boxed: Option<Vec<Extended>> = places.iter().map(Place::enclosure).collect();
+    boxed.is_some_and(|boxed| function.value(&boxed).is_ok_and(|value| value.defined && !value.is_empty()))
+}
+
+/// The sign of a function at a point, exactly; by an enclosure where the point is enclosed.
 fn sign<F: Function>(function: &F, places: &[Place]) -> Option<Sign> {
+    if places.iter().any(Place::is_enclosed) {
+        let boxed: Vec<Extended> = places.iter().map(Place::enclosure).collect::<Option<_>>()?;
+        return function.value(&boxed).ok().filter(|value| value.defined)?.sign();
+    }
     exact::computed(|one| function.value(&exactly(places, one)?).ok()?.sign(), |_| true)
 }
 
@@ -162,6 +202,10 @@ impl fmt::Display for Place {
                 _ => format!("{}*{what}{over}", q.numer()),
             }
         };
+        if self.is_enclosed() {
+            let end = |q: &Rational, up: bool| decimal(q, 12, up);
+            return write!(f, "[{}, {}]", end(&self.a, false), end(&self.b, true));
+        }
         let root = || times(&self.b, &format!("sqrt({})", self.d));
         let inside = match (self.b.is_zero(), self.a.is_zero()) {
             (true, _) => self.a.to_string(),
@@ -175,6 +219,7 @@ impl fmt::Display for Place {
             Outer::Logarithm(1) => write!(f, "log({inside})"),
             Outer::Logarithm(k) => write!(f, "log({inside})/{k}"),
             Outer::OverLogarithm => write!(f, "1/log({inside})"),
+            Outer::Between => Ok(()),
         }
     }
 }
@@ -348,21 +393,29 @@ pub(super) fn coincidence<F: Function>(clause: &[Literal<F>], domain: &[Side]) -
     })
 }
 
-/// In words, where the two sides of a clause in several numbers all but agree in an open box.
-pub(super) fn all_but_equal<F: Function>(clause: &[Literal<F>], sides: &[Side]) -> Option<String> {
+/// In words, where the two sides of a clause in several numbers all but agree: near an open box.
+pub(super) fn all_but_equal<F: Function>(clause: &[Literal<F>], sides: &[Side], domain: &[Side]) -> Option<String> {
     const SMALL: f64 = 1e-12;
-    let ends: Vec<(f64, f64)> = sides.iter().map(Side::floats).collect();
+    let ends: Vec<(f64, f64)> = domain.iter().map(Side::floats).collect();
     let near_zero = |literal: &Literal<F>| {
         let mut x: Vec<f64> = sides.iter().map(|side| side.middle().to_f64().unwrap_or(0.0)).collect();
         polish(&literal.function, &mut x, &ends);
         let value = literal.function.value(&x).ok()?;
-        (value.abs() <= SMALL).then_some(x)
+        (value.abs() <= SMALL).then(|| (least(&literal.function, &x, domain), x))
     };
-    let numbers: Vec<String> = clause.iter().find_map(near_zero)?.iter().map(ToString::to_string).collect();
-    Some(format!(
-        "near ({}) the two sides differ by less than 10^-12, and whether they are equal there no identity tells, or no rule decides what follows",
-        numbers.join(", ")
-    ))
+    let (least, x) = clause.iter().find_map(near_zero)?;
+    let numbers: Vec<String> = x.iter().map(ToString::to_string).collect();
+    let near = format!("near ({})", numbers.join(", "));
+    Some(match least {
+        Some(value) => format!(
+            "{near} there is one point, proved by Newton's method in intervals, at which their difference is least; it is at most 10^-{} there, and no identity tells \
+             whether it is 0",
+            (-value.lo.abs().max(value.hi.abs()).log10()).floor().clamp(0.0, 300.0)
+        ),
+        None => format!(
+            "{near} the two sides differ by less than 10^-12, and whether they are equal there no identity tells, or no rule decides what follows"
+        ),
+    })
 }
 
 /// To how many bits a function is zero near a float: after steps of Newton's method, towards a zero of the slope if that is asked for.

@@ -1,8 +1,9 @@
 //! One number: signs between the exact roots of polynomials.
 
+use super::places::Place;
 use crate::function::Side;
 use crate::multivariate::Multivariate;
-use crate::univariate::Polynomial;
+use crate::univariate::{Polynomial, RealRoot};
 use arithmetic::{Cancelled, Progress, Rational, rational};
 use num_traits::Signed;
 
@@ -15,6 +16,35 @@ fn integers(p: &Multivariate<Rational>, variable: usize) -> Option<(Polynomial, 
 
 fn value(coefficients: &[Rational], x: &Rational) -> Rational {
     coefficients.iter().rev().fold(rational(0, 1), |sum, c| sum * x + c)
+}
+
+/// A root of a polynomial in the only variable that stands for many numbers, within its range: a number, or one that is enclosed.
+pub(super) fn one_in(p: &Multivariate<Rational>, variable: usize, side: &Side) -> Option<Place> {
+    const BITS: u32 = 60;
+    let (own, _) = integers(p, variable).filter(|(own, _)| !own.is_zero())?;
+    let reach = bound(&own);
+    let lo = side.lo.clone().unwrap_or_else(|| -reach.clone());
+    let hi = side.hi.clone().unwrap_or(reach);
+    let place = |factor: &Polynomial, root: &mut RealRoot| {
+        factor.refine(root, BITS);
+        match root.exact() {
+            Some(q) => side.contains(q).then(|| Place::of(q.clone())),
+            None => {
+                let inside = side.contains(root.lo()) && side.contains(root.hi());
+                inside.then(|| Place::between(root.lo().clone(), root.hi().clone()))
+            }
+        }
+    };
+    own.square_free_factors().into_iter().filter(|(factor, _)| factor.degree() > 0).find_map(|(factor, _)| {
+        factor.roots_in(&(&lo - rational(1, 1)), &hi).iter_mut().find_map(|root| place(&factor, root))
+    })
+}
+
+/// Beyond it nothing changes: Cauchy's bound.
+fn bound(p: &Polynomial) -> Rational {
+    let sizes = p.coefficients().iter().map(Signed::abs);
+    let lead = p.coefficients().last().map_or_else(|| 1.into(), Signed::abs);
+    sizes.map(|c| Rational::new(c, lead.clone())).fold(rational(2, 1), |most, c| most.max(c + rational(2, 1)))
 }
 
 /// Whether `target >= 0` (or `> 0`) wherever all constraints are at least 0; `None` where a polynomial has other variables, or where only roots
@@ -33,12 +63,6 @@ pub(super) fn holds(
     if own.is_zero() {
         return Ok(Some(!strict));
     }
-    // Beyond all roots nothing changes: Cauchy's bound.
-    let bound = |p: &Polynomial| {
-        let sizes = p.coefficients().iter().map(Signed::abs);
-        let lead = p.coefficients().last().map_or_else(|| 1.into(), Signed::abs);
-        sizes.map(|c| Rational::new(c, lead.clone())).fold(rational(2, 1), |most, c| most.max(c + rational(2, 1)))
-    };
     let reach = others
         .iter()
         .map(|(p, _)| p)

@@ -2,6 +2,8 @@
 
 extern crate flockproof_polynomials as polynomials;
 
+mod attained;
+mod campaign;
 mod decide;
 mod expression;
 mod functions;
