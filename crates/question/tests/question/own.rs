@@ -19,6 +19,25 @@ fn a_law_of_ones_own_is_enclosed() {
     }
 }
 
+/// A start that is exact decides what is attained there; of the motion after it there is no closed form.
+#[test]
+fn the_start_is_exact() {
+    let law = PAIR.replace("v = \"mean(j, v[j] - v)/2\"", "v = \"sin(x) - v\"").replace("v = [-1, 1]", "v = [\"13/10\", 1]");
+    for (property, verdict) in [
+        ("always[0, 0](v[1] <= 13/10 and v[1] >= 13/10)", Verdict::Holds),
+        ("always[0, 0](v[1] < 13/10)", Verdict::False),
+        ("always[0, 1](v[1] < 13/10)", Verdict::False),
+        ("always[0, 1](v[1] <= 13/10)", Verdict::Holds),
+        ("always[0, 1](v[1] + v[2]^2 <= 23/10)", Verdict::Holds),
+        ("always[0, 1](v[1] + v[2]^2 <= 23/10 - 1/10^18)", Verdict::False),
+        ("eventually[0, 1](v[1] >= 13/10)", Verdict::Holds),
+        ("eventually[0, 1](v[1] > 13/10)", Verdict::False),
+    ] {
+        let answer = answered(&law, "n = 1", property, "1 < 0");
+        assert_eq!(answer.verdict, verdict, "{property}: {}", answer.why);
+    }
+}
+
 #[test]
 fn numbers_of_its_start_may_be_intervals() {
     let place = "\"state.v[2]\" = \"[1, 3/2]\"";

@@ -167,10 +167,14 @@ impl<T: Scalar + Measurable + Number> Moment for At<'_, '_, T> {
         measured(found.ok_or_else(not_here)?, index, BITS)
     }
 
-    fn own(&self, name: &str, _: u32) -> Result<Measured, Failure> {
+    fn own(&self, name: &str, precision: u32) -> Result<Measured, Failure> {
         let ExactMotion::Own(own) = self.motion else {
             return Err(Failure::open("this motion is not enclosed", None));
         };
+        // At time 0 an end that is attained there decides, which enclosures do not.
+        if let Some(exact) = self.subject.own_at_start(name, self.holds, precision) {
+            return Ok(Measured::Number(exact));
+        }
         let unmeasured = |error| Failure::open(format!("`{name}` cannot be measured on the enclosure: {error}"), None);
         let found = own.number(name, &self.state).ok_or_else(|| Failure::open("there is no such number", None))?;
         Ok(Measured::Number(found.map_err(unmeasured)?.number()))

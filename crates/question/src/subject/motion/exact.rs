@@ -5,7 +5,7 @@ use super::numbers::Start;
 use crate::number::Number;
 use crate::subject::measured::measured;
 use crate::timeline::Measured;
-use arithmetic::{Complex, Interval, Rational, rational};
+use arithmetic::{Complex, Interval, PreciseNumber, Rational, rational};
 use expressions::Variable;
 use models::double_integrator::{Coordinates, Pair, Potential, linked_within, potential_gradients};
 use models::oscillator::{Neighbours, Orientation, Spacing, Steering};
@@ -66,6 +66,16 @@ impl MotionSubject<'_> {
                 Measured::Truth(_) => None,
             },
         })
+    }
+
+    /// A number of a law of one's own at a single start, from the rational numbers of the start.
+    pub(super) fn own_at_start(&self, name: &str, holds: Holds, precision: u32) -> Option<Number> {
+        let ExactMotion::Own(own) = &self.motion else { return None };
+        if holds != Holds::All || !self.wide.is_empty() {
+            return None;
+        }
+        let start: Vec<PreciseNumber> = own.start.iter().map(|x| PreciseNumber::exact(x.clone(), precision)).collect();
+        Some(own.number(name, &start)?.ok()?.number)
     }
 
     /// What of the start is rational.
