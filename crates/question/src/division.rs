@@ -1,6 +1,7 @@
 //! A continuum: decided where the property is attained, as far as it is one of numbers alone, and on boxes.
 
 mod boxes;
+mod downhill;
 
 use crate::bindings::{Bindings, Value};
 use crate::case::Case;

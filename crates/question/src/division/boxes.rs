@@ -176,6 +176,12 @@ impl Division<'_> {
                 }
                 Some(Truth::Unknown(doubt)) => doubt,
             };
+            if search.number == 1
+                && self.question.subjects().contains(&Subject::Motion)
+                && self.fails_downhill(&cell.bindings, &mut search.found, &mut search.missing)?
+            {
+                return Ok(true);
+            }
             cell.learn(margin);
             let number = search.number;
             search.heap.push(Undecided { cell, margin: margin.lo, number, doubt, bounds: margin, inequalities });

@@ -30,3 +30,36 @@ fn phases_may_be_wide() {
     let answer = answered(phases, family, "always[0, 4](order > 1/2)", "always[0, 4](order < 7/10)");
     assert_eq!(answer.verdict, Verdict::Holds, "{}", answer.why);
 }
+
+/// The reactions of Laub and Loomis, from a box of seven numbers: the largest value of the fourth up to t = 20 is 4.519, from a corner.
+fn enzymes(radius: &str) -> (String, String) {
+    let state = ["a", "b", "c", "d", "e", "f", "g"];
+    let start = ["6/5", "21/20", "3/2", "12/5", "1", "1/10", "9/20"];
+    let rates = [
+        "7/5*c - 9/10*a",
+        "5/2*e - 3/2*b",
+        "3/5*g - 4/5*b*c",
+        "2 - 13/10*c*d",
+        "7/10*a - d*e",
+        "3/10*a - 31/10*f",
+        "9/5*f - 3/2*b*g",
+    ];
+    let joined = |each: &dyn Fn(usize) -> String, by: &str| (0..7).map(each).collect::<Vec<String>>().join(by);
+    let names = joined(&|k| format!("{} = \"number\"", state[k]), ", ");
+    let laws = joined(&|k| format!("{} = \"{}\"", state[k], rates[k]), "\n");
+    let places = joined(&|k| format!("{} = [\"{}\"]", state[k], start[k]), "\n");
+    let scenario = format!(
+        "model = \"own\"\n[law]\ntime = \"continuous\"\ndimension = 1\nstate = {{ {names} }}\n[law.rates]\n{laws}\n[state]\n{places}\n[run]\nuntil = 20\n"
+    );
+    let side = |k: usize| format!("\"state.{}[1]\" = \"[{} - {radius}, {} + {radius}]\"", state[k], start[k], start[k]);
+    (scenario, joined(&side, "\n"))
+}
+
+/// Boxes alone would come to a corner last.
+#[test]
+fn the_worst_corner_comes_before_boxes() {
+    let (scenario, family) = enzymes("1/10");
+    let answer = answered(&scenario, &family, "always[0, 20](d[1] < 4518/1000)", "1 < 0");
+    assert_eq!(answer.verdict, Verdict::False, "{}", answer.why);
+    assert_eq!(answer.cases, 1);
+}
