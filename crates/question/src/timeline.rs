@@ -129,6 +129,11 @@ pub(crate) trait Timeline {
         false
     }
 
+    /// Why there are none, as the end of a sentence.
+    fn without_instants(&self) -> &'static str {
+        "the motion has no closed form with rational exponents and frequencies"
+    }
+
     /// Two halves of a piece; `None` where it need not or cannot be divided.
     fn halves(&self, piece: &Piece) -> Option<[Piece; 2]>;
 

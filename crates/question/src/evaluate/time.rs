@@ -393,13 +393,15 @@ impl Operator<'_, '_, '_> {
 
     /// A doubt about short pieces with what is not decided there.
     pub fn explained(&self, doubt: Doubt) -> Doubt {
+        if self.has_times() || self.timeline.is_discrete() {
+            return doubt;
+        }
         let why = match self.timeline.has_instants() {
-            _ if self.has_times() || self.timeline.is_discrete() => return doubt,
             true => {
-                "no instant at which the motion is known exactly decides it, and that two sides only touch and never pass is not proved"
+                "no instant at which the motion is known exactly decides it, and that two sides only touch and never pass is not proved".to_string()
             }
             false => {
-                "whether two sides only touch there is not decided, since the motion has no closed form with rational exponents and frequencies"
+                format!("whether two sides only touch there is not decided, since {}", self.timeline.without_instants())
             }
         };
         Doubt { why: format!("{}; {why}", doubt.why), ..doubt }

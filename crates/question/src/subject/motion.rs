@@ -515,6 +515,16 @@ impl Timeline for MotionSubject<'_> {
         self.closed().is_some()
     }
 
+    fn without_instants(&self) -> &'static str {
+        match &self.motion {
+            _ if !self.wide.is_empty() => "it is about all starts of a box, which have no closed form together",
+            ExactMotion::Velocities { radius: Some(_), .. } | ExactMotion::Particles { radius: Some(_), .. } => {
+                "links switch at a distance, and a motion that they switch has no closed form"
+            }
+            _ => "the motion has no closed form with rational exponents and frequencies",
+        }
+    }
+
     fn instants<'t>(&'t self, piece: &Piece, precision: u32) -> Vec<(Piece, Box<dyn Moment + 't>)> {
         let Some((to, closed)) = piece.to.as_ref().zip(self.closed()) else { return Vec::new() };
         let states = closed.states(&piece.from, to, precision).into_iter();
