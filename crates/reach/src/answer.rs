@@ -132,9 +132,10 @@ pub fn text(system: &System, decided: &[Decided], digits: u32) -> String {
             if let Some(at) = &part.at {
                 text += &format!(" at t = {}", shown(Some(&at.lo), Some(&at.hi), digits));
             }
+            text += if part.is_unattained { ", which no motion attains" } else { "" };
             text += &apart(part).map_or("\n".to_string(), |apart| format!("; the ends are {apart} apart\n"));
             if let Some(witness) = &part.witness {
-                text += &format!("  {}\n", motion(system, witness, digits));
+                text += &motion(system, witness, digits).map_or(String::new(), |motion| format!("  {motion}\n"));
             }
             if found.verdict == Verdict::Undecided || part.lo.is_none() || part.hi.is_none() {
                 text += &format!("  {}\n", part.why);
@@ -163,8 +164,8 @@ fn listed<T>(all: &[T], one: impl Fn(&T) -> String) -> String {
     shown.join(", ")
 }
 
-/// The witness in one line.
-fn motion(system: &System, witness: &Witness, digits: u32) -> String {
+/// The witness in one line; none where there is one motion only, of which nothing can be chosen.
+fn motion(system: &System, witness: &Witness, digits: u32) -> Option<String> {
     let digits = digits.min(9);
     let number = |x: &Rational| decimal(x, digits, false);
     let mut parts = Vec::new();
@@ -178,5 +179,5 @@ fn motion(system: &System, witness: &Witness, digits: u32) -> String {
     }
     let free = system.states.iter().zip(&system.start).zip(&witness.start).filter(|((_, range), _)| !range.is_point());
     parts.extend(free.map(|((name, _), x)| format!("{name}(0) = {}", number(x))));
-    format!("near it at t = {}: {}", number(&witness.at), parts.join("; "))
+    (!parts.is_empty()).then(|| format!("near it at t = {}: {}", number(&witness.at), parts.join("; ")))
 }

@@ -8,7 +8,8 @@ use crate::modal::ModalError;
 use crate::orders::Times;
 use crate::platoon::{self, Platoon, Swung};
 use crate::prepared::Prepared;
-use crate::system::{Check, Condition, Range, Side, Switching, System};
+use crate::relaxed::relaxed;
+use crate::system::{Check, Condition, Input, Range, Side, Switching, System};
 use crate::walk::{Depth, Leg, longest_of, worst};
 use crate::witness::{Witness, attaining};
 use crate::worst::Worst;
@@ -58,6 +59,8 @@ pub struct Part {
     pub hi: Option<Rational>,
     /// It is attained between these times, where that is known.
     pub at: Option<Range>,
+    /// Whether no motion attains the end on the side of the bound: values only come near to it.
+    pub is_unattained: bool,
     /// A motion whose value is as near to the worst as was found.
     pub witness: Option<Witness>,
     /// How the value was bounded, or why there is no verdict.
@@ -141,8 +144,9 @@ pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<V
         for (_, condition, index) in &asked {
             let worst = &found[*index].0;
             let (lo, hi) = left_side(condition, worst);
+            let is_met = lo.is_some() && lo == hi;
             let between = lo.is_some_and(|lo| lo <= condition.bound) && hi.is_some_and(|hi| hi >= condition.bound);
-            if between && worst.is_closed(digits) {
+            if between && !is_met && !worst.is_unattained && worst.is_closed(digits) {
                 let finer = worst_of(system, &prepared, at.as_ref(), &rows[*index..=*index], digits + MORE, progress)?;
                 found.splice(*index..=*index, finer);
             }
@@ -210,7 +214,7 @@ fn by_modes(
                 None => witness,
             });
             let time = last.cloned().map(Range::point);
-            let worst = Worst { lo: Some(lo.clone()), hi: Some(hi.clone()), at: time, legs: Vec::new() };
+            let worst = Worst { lo: Some(lo.clone()), hi: Some(hi.clone()), at: time, ..Worst::default() };
             parts[check].push(part(condition, &worst, SUMMED, witness, digits));
         }
     }
@@ -244,6 +248,7 @@ const EXACT: &str = "enclosed over all inputs, starts and orders of modes";
 const COMPARED: &str = "bounded for any switching by the mean of the modes with disturbances whose bounds are proved; the other end is attained";
 const KEPT: &str = "bounded for any switching by an ellipsoid that no mode leads out of; the other end is attained";
 const NO_BOUND: &str = "no bound was found: the disturbances that switching makes are not proved to stay bounded";
+const UNATTAINED: &str = "bounded by the equation that the value itself obeys; no motion attains the bound";
 const MANY: &str = "the search over durations ended before both ends met";
 
 /// The greatest value of each row, and how it was found.
@@ -322,6 +327,12 @@ pub(crate) fn worst_of(
             }
         });
     }
+    for (row, (worst, how)) in rows.iter().zip(&mut found) {
+        if let Some(known) = relaxed(&prepared.motions, &prepared.start, row) {
+            *worst = std::mem::take(worst).with(&known, at);
+            *how = if worst.is_unattained { UNATTAINED } else { *how };
+        }
+    }
     Ok(found)
 }
 
@@ -376,7 +387,7 @@ fn guessed(
     hi: Option<Rational>,
     progress: &dyn Progress,
 ) -> Result<Worst, ReachError> {
-    let nothing = Worst { lo: None, hi: hi.clone(), at: None, legs: Vec::new() };
+    let nothing = Worst { hi: hi.clone(), ..Worst::default() };
     if !matches!(system.switching, Switching::Arbitrary) {
         let early = if at.is_none() { attained_early(system, prepared, row, progress)? } else { None };
         return Ok(early.map_or(nothing, |worst| Worst { hi, ..worst }));
@@ -397,9 +408,9 @@ fn guessed(
     let most = |(x, side): (&Rational, &Range)| (x * &side.lo).max(x * &side.hi);
     let begun: Rational = row.iter().zip(&prepared.start).map(most).sum();
     if at.is_none() && value.as_ref().is_none_or(|value| *value < begun) {
-        return Ok(Worst { lo: Some(begun), hi, at: Some(Range::point(Rational::ZERO)), legs: Vec::new() });
+        return Ok(Worst { lo: Some(begun), hi, at: Some(Range::point(Rational::ZERO)), ..Worst::default() });
     }
-    Ok(Worst { lo: value, hi, at: Some(Range::point(until)), legs })
+    Ok(Worst { lo: value, hi, at: Some(Range::point(until)), legs, ..Worst::default() })
 }
 
 fn witness(system: &System, prepared: &Prepared, row: &[Rational], worst: &Worst, digits: u32) -> Witness {
@@ -407,6 +418,10 @@ fn witness(system: &System, prepared: &Prepared, row: &[Rational], worst: &Worst
     let value = witness.value_of(system, &row[..system.states.len()], bits(digits));
     if let Some((lo, hi)) = value.ends() {
         witness.value = Range { lo, hi };
+    }
+    // The start is exact.
+    if witness.at.is_zero() || worst.stays {
+        witness.value = Range::point(row.iter().zip(&witness.start).map(|(x, start)| x * start).sum());
     }
     witness
 }
@@ -437,6 +452,7 @@ fn part(condition: &Condition, worst: &Worst, how: &str, witness: Option<Witness
     let violated = |witness: &Witness| !kept(&witness.value.lo) && !kept(&witness.value.hi);
     let verdict = match (safe, attained, &witness) {
         (Some(safe), _, _) if kept(safe) => Verdict::Holds,
+        (Some(safe), _, _) if worst.is_unattained && *safe == condition.bound => Verdict::Holds,
         (_, Some(attained), Some(witness)) if !kept(attained) && violated(witness) => Verdict::False,
         _ => Verdict::Undecided,
     };
@@ -446,7 +462,8 @@ fn part(condition: &Condition, worst: &Worst, how: &str, witness: Option<Witness
         }
         _ => how.to_string(),
     };
-    Part { condition: condition.clone(), verdict, lo, hi, at: worst.at.clone(), witness, why }
+    let (at, is_unattained) = (worst.at.clone(), worst.is_unattained);
+    Part { condition: condition.clone(), verdict, lo, hi, at, is_unattained, witness, why }
 }
 
 /// Whether the flows can be tabulated.
@@ -483,8 +500,11 @@ fn stable_for_ever(system: &System) -> Result<(), ReachError> {
     for mode in lasting {
         let mode = &system.modes[mode];
         // States that do not move are numbers, not motions.
+        let moves =
+            |(factor, input): (&Rational, &Input)| !factor.is_zero() && input.range != Range::point(Rational::ZERO);
+        let is_moved = |i: usize| mode.b[i].iter().zip(&system.inputs).any(moves);
         let moving: Vec<usize> = (0..mode.a.len())
-            .filter(|&i| !mode.a[i].iter().chain(&mode.b[i]).chain([&mode.c[i]]).all(Zero::is_zero))
+            .filter(|&i| is_moved(i) || !mode.a[i].iter().chain([&mode.c[i]]).all(Zero::is_zero))
             .collect();
         let a: Vec<Vec<Rational>> =
             moving.iter().map(|&i| moving.iter().map(|&j| mode.a[i][j].clone()).collect()).collect();

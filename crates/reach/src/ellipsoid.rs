@@ -9,7 +9,7 @@ use crate::system::Range;
 use algebra::matrix::{inertia, solve_over_field};
 use arithmetic::{Enclosure, Field, Interval, Number, Rational, rational};
 use dense::faer::Mat;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive};
 
 /// Bits of the enclosures that prove.
 const BITS: u32 = 240;
@@ -36,7 +36,7 @@ pub(crate) fn abscissa(a: &[Vec<Rational>]) -> Option<f64> {
 
 /// The same for the states of a mode that move.
 pub(crate) fn moving_abscissa(motion: &Motion) -> Option<f64> {
-    let moving: Vec<usize> = (0..motion.a.len()).filter(|&i| !stands(motion, i)).collect();
+    let moving: Vec<usize> = (0..motion.a.len()).filter(|&i| !motion.stands(i)).collect();
     let row = |&i: &usize| moving.iter().map(|&j| motion.a[i][j].clone()).collect();
     abscissa(&moving.iter().map(row).collect::<Vec<_>>())
 }
@@ -51,13 +51,6 @@ pub(crate) fn kept_box(motions: &[Motion], start: &[Range]) -> Option<Vec<Range>
         all[i] = Range { lo: -reach.clone(), hi: reach };
     }
     Some(all)
-}
-
-/// Whether a state never moves.
-fn stands(motion: &Motion, i: usize) -> bool {
-    motion.a[i].iter().all(Zero::is_zero)
-        && motion.drift[i].is_zero()
-        && motion.pushes.iter().all(|push| push.column[i].is_zero())
 }
 
 /// The motion of the states that move; those that do not are inputs within their range.
@@ -80,7 +73,7 @@ impl Ellipsoid {
     /// Tries the Lyapunov function of the mean of the modes, and the sum of those of all modes, with ever slower decay.
     pub fn find(motions: &[Motion], start: &[Range]) -> Option<Self> {
         let moving: Vec<usize> =
-            (0..start.len()).filter(|&i| !motions.iter().all(|motion| stands(motion, i))).collect();
+            (0..start.len()).filter(|&i| !motions.iter().all(|motion| motion.stands(i))).collect();
         let motions: Vec<Motion> = motions.iter().map(|motion| without(motion, &moving, start)).collect();
         let start: Vec<Range> = moving.iter().map(|&i| start[i].clone()).collect();
         let n = start.len();

@@ -46,6 +46,7 @@ mod orders;
 mod platoon;
 mod prepared;
 mod read;
+mod relaxed;
 mod scalar;
 mod search;
 mod signs;

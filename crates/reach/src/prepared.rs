@@ -29,6 +29,15 @@ pub(crate) struct Prepared {
     pub start: Vec<Range>,
 }
 
+impl Motion {
+    /// Whether a state never moves.
+    pub fn stands(&self, i: usize) -> bool {
+        self.a[i].iter().all(Zero::is_zero)
+            && self.drift[i].is_zero()
+            && self.pushes.iter().all(|push| push.column[i].is_zero())
+    }
+}
+
 impl Prepared {
     pub fn new(system: &System) -> Self {
         let constants: Vec<usize> = (0..system.inputs.len()).filter(|&j| system.inputs[j].constant).collect();
@@ -54,16 +63,21 @@ impl Prepared {
 fn motion(system: &System, mode: usize, constants: &[usize]) -> Motion {
     let (mode, extra) = (&system.modes[mode], constants.len());
     let column = |j: usize| mode.b.iter().map(move |row| row[j].clone()).chain((0..extra).map(|_| Rational::ZERO));
+    // What is always 0 moves nothing, and a number is no input.
+    let is_zero = |j: usize| system.inputs[j].range == Range::point(Rational::ZERO);
     let mut a: Vec<Vec<Rational>> = Vec::new();
     for (row, inputs) in mode.a.iter().zip(&mode.b) {
-        a.push(row.iter().cloned().chain(constants.iter().map(|&j| inputs[j].clone())).collect());
+        let factor = |&j: &usize| if is_zero(j) { Rational::ZERO } else { inputs[j].clone() };
+        a.push(row.iter().cloned().chain(constants.iter().map(factor)).collect());
     }
     a.extend((0..extra).map(|_| vec![Rational::ZERO; system.states.len() + extra]));
-    let drift = mode.c.iter().cloned().chain((0..extra).map(|_| Rational::ZERO)).collect();
+    let mut drift: Vec<Rational> = mode.c.iter().cloned().chain((0..extra).map(|_| Rational::ZERO)).collect();
     let mut pushes = Vec::new();
     for (j, input) in system.inputs.iter().enumerate().filter(|(_, input)| !input.constant) {
         let column: Vec<Rational> = column(j).collect();
-        if column.iter().any(|x| !x.is_zero()) {
+        if input.range.is_point() {
+            drift.iter_mut().zip(&column).for_each(|(sum, x)| *sum += x * &input.range.lo);
+        } else if column.iter().any(|x| !x.is_zero()) {
             pushes.push(Push { input: j, centre: input.range.centre(), radius: input.range.radius(), column });
         }
     }

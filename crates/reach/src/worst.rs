@@ -4,16 +4,18 @@ use crate::family::Family;
 use crate::flow::Flows;
 use crate::orders::{Orders, Times, orders};
 use crate::prepared::Prepared;
+use crate::relaxed::Relaxed;
 use crate::scalar::Scalar;
 use crate::search::{Best, Found, Goal, Open, Search, allowance};
 use crate::system::{Range, Switching};
 use crate::walk::Depth;
 use arithmetic::{Cancelled, Enclosure, FloatInterval, Interval, Progress, Rational, rational};
+use num_traits::Zero;
 use rayon::prelude::*;
 use std::cell::RefCell;
 
 /// The greatest value of a row over all inputs, starts and orders of modes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Worst {
     /// It lies between the two; attained values reach the lower one, where there is any.
     pub lo: Option<Rational>,
@@ -23,9 +25,31 @@ pub(crate) struct Worst {
     pub at: Option<Range>,
     /// The legs, backwards, of the order of modes that attains the lower end, and their durations.
     pub legs: Vec<(usize, Rational)>,
+    /// Whether no motion attains the upper end.
+    pub is_unattained: bool,
+    /// Whether the value never changes along a motion.
+    pub stays: bool,
 }
 
 impl Worst {
+    /// What is found of a row that obeys an equation of its own. A value that never rises is attained at time 0, one that stays at all times.
+    pub fn with(self, known: &Relaxed, at: Option<&Rational>) -> Self {
+        let is_first = known.most == known.begun;
+        let at_start = at.is_none_or(Zero::is_zero);
+        if is_first && (at_start || known.stays && self.lo.is_some()) {
+            let value = Some(known.begun.clone());
+            let legs = if at_start { Vec::new() } else { self.legs };
+            let at = Some(Range::point(at.cloned().unwrap_or_default()));
+            return Worst { lo: value.clone(), hi: value, at, legs, is_unattained: false, stays: known.stays };
+        }
+        if self.hi.as_ref().is_some_and(|hi| *hi < known.most) {
+            return self;
+        }
+        // Whoever asks for all times is not told when what is never attained is.
+        let shown = if at.is_none() && !is_first { None } else { self.at };
+        Worst { hi: Some(known.most.clone()), at: shown, is_unattained: !is_first, ..self }
+    }
+
     /// Whether both ends agree to so many digits.
     pub fn is_closed(&self, digits: u32) -> bool {
         let (Some(lo), Some(hi)) = (&self.lo, &self.hi) else { return false };
@@ -185,10 +209,21 @@ impl<'a> Solver<'a> {
     }
 
     fn worst(&self, found: &Found) -> Worst {
-        let times = found.open.iter().map(|open| self.orders.families[open.family].time(&open.variables));
+        // Durations may be free to sum up to more than the time that is looked at.
+        let times = found.open.iter().map(|open| {
+            let family = &self.orders.families[open.family];
+            let Range { lo, hi } = family.time(&open.variables);
+            Range { lo, hi: family.most.iter().cloned().chain([hi]).min().unwrap_or_default() }
+        });
         let at = times.reduce(|a, b| Range { lo: a.lo.min(b.lo), hi: a.hi.max(b.hi) });
         let legs = found.best.as_ref().map_or_else(Vec::new, |best| self.legs(best));
-        Worst { lo: found.best.as_ref().map(|best| best.value.clone()), hi: found.above.clone(), at, legs }
+        Worst {
+            lo: found.best.as_ref().map(|best| best.value.clone()),
+            hi: found.above.clone(),
+            at,
+            legs,
+            ..Worst::default()
+        }
     }
 
     fn legs(&self, best: &Best) -> Vec<(usize, Rational)> {

@@ -148,3 +148,85 @@ fn flat_greatest_values_are_enclosed_to_all_digits() {
         assert!(lo <= Rational::ZERO && hi >= Rational::ZERO && hi - lo <= small, "{digits}");
     }
 }
+
+fn verdicts(text: &str) -> Vec<Verdict> {
+    decided(text, 10).iter().map(|found| found.verdict).collect()
+}
+
+/// Numbers that nothing moves are those of the start, also where they are no finite binary fractions.
+#[test]
+fn constants_are_the_same_in_every_check() {
+    let checks = ["x + y <= 1/3", "y < 1/3", "y - x >= 1/3", "y > 1/3", "2*y <= 2/3"];
+    let still =
+        one_mode("[\"x\", \"y\"]", "{}", "{ x = 0, y = \"1/3\" }", "[[0, 0], [0, 0]]", "[[], []]", "8", &checks);
+    let expected = [Verdict::Holds, Verdict::False, Verdict::Holds, Verdict::False, Verdict::Holds];
+    assert_eq!(verdicts(&still), expected);
+    assert_eq!(verdicts(&(still.clone() + "at = 8\n")), expected);
+    assert_eq!(worst(&still, 10), (rational(1, 3), rational(1, 3)));
+    let system = read(&still);
+    let text = reach::answer::text(&system, &decide(&system, 10, &Unwatched).expect("answers"), 10);
+    assert!(!text.contains("near it"), "{text}");
+}
+
+/// `x' = -x + u` from 0 comes near to 1 and -1 and never there; with more input it passes.
+#[test]
+fn a_supremum_that_is_not_attained_is_no_violation() {
+    let checks = ["x < 1", "x <= 1", "x > -1", "x < 999999/1000000", "3*x < 3", "3*x < 2999999/1000000"];
+    let of = |input: &str, until: &str| {
+        one_mode("[\"x\"]", &format!("{{ u = {input} }}"), "{ x = 0 }", "[[-1]]", "[[1]]", until, &checks)
+    };
+    let (holds, fails) = (Verdict::Holds, Verdict::False);
+    assert_eq!(verdicts(&of("[-1, 1]", "\"inf\"")), [holds, holds, holds, fails, holds, fails]);
+    assert_eq!(verdicts(&of("[-1, 1]", "5")), [holds; 6]);
+    let more = "[\"-1000001/1000000\", \"1000001/1000000\"]";
+    assert_eq!(verdicts(&of(more, "\"inf\"")), [fails; 6]);
+    // A start at the bound attains it.
+    let from =
+        one_mode("[\"x\"]", "{ u = [-1, 1] }", "{ x = [0, 1] }", "[[-1]]", "[[1]]", "\"inf\"", &["x < 1", "x <= 1"]);
+    assert_eq!(verdicts(&from), [fails, holds]);
+    let system = read(&of("[-1, 1]", "\"inf\""));
+    let text = reach::answer::text(&system, &decide(&system, 10, &Unwatched).expect("answers"), 10);
+    assert!(text.contains(", 1], which no motion attains"), "{text}");
+}
+
+/// What holds of one equation holds of any switching between several: the larger limit counts, `1/2` and `1`.
+#[test]
+fn the_larger_limit_bounds_any_switching() {
+    let text = system(
+        &["x"],
+        "x = 0",
+        &[("a", "[[-1]]", "[[1]]"), ("b", "[[-2]]", "[[1]]")],
+        "[switching]\nkind = \"arbitrary\"\n[run]\nuntil = \"inf\"\n[[check]]\nholds = \"x < 1\"\n[[check]]\nholds = \"x <= 9/10\"\n",
+    );
+    assert_eq!(verdicts(&text), [Verdict::Holds, Verdict::False]);
+}
+
+/// An input that is always 0 is none: the answer is that without it.
+#[test]
+fn an_input_without_width_changes_no_question() {
+    for input in ["[0, 0]", "0", "{ box = [0, 0], constant = true }"] {
+        let inputs = format!("{{ u = {input} }}");
+        let text = one_mode("[\"x\"]", &inputs, "{ x = [1, 2] }", "[[0]]", "[[1]]", "\"inf\"", &["x <= 2", "x < 2"]);
+        assert_eq!(verdicts(&text), [Verdict::Holds, Verdict::False], "{input}");
+    }
+    // One that is always 1/3 leads there, and never attains it.
+    let text =
+        one_mode("[\"x\"]", "{ u = \"1/3\" }", "{ x = 0 }", "[[-1]]", "[[1]]", "\"inf\"", &["x < 1/3", "x < 33/100"]);
+    assert_eq!(verdicts(&text), [Verdict::Holds, Verdict::False]);
+    let moved = one_mode("[\"x\"]", "{ u = 1 }", "{ x = 0 }", "[[0]]", "[[1]]", "\"inf\"", &["x <= 2"]);
+    assert!(decide(&read(&moved), 5, &Unwatched).is_err());
+}
+
+/// Durations that are free sum up to no more than the time that is looked at.
+#[test]
+fn no_time_is_told_after_the_last() {
+    let text = system(
+        &["x"],
+        "x = 0",
+        &[("a", "[[-1]]", "[[1]]"), ("b", "[[\"-1/8\"]]", "[[1]]")],
+        "[switching]\nkind = \"dwell\"\nat_least = { a = 1, b = 1 }\nat_most = { a = 3 }\n[run]\nuntil = 9\n[[check]]\nholds = \"x <= 9\"\n",
+    );
+    let found = decided(&text, 10);
+    let at = found[0].parts[0].at.clone().expect("a time");
+    assert!(at.hi <= rational(9, 1) && at.lo <= at.hi, "{at:?}");
+}
