@@ -121,10 +121,6 @@ fn open(error: RunError) -> Failure {
     Failure::open(error.to_string(), None)
 }
 
-fn too_far() -> String {
-    format!("the flock is followed step by step up to t = {MOST_STEPS}, and does not come to rest before")
-}
-
 impl<'c> StepsSubject<'c> {
     pub fn new(flock: OwnFlock, progress: &'c dyn Progress) -> Self {
         StepsSubject { flock, followed: RefCell::new(None), progress }
@@ -152,6 +148,17 @@ impl<'c> StepsSubject<'c> {
         }
     }
 
+    /// Why nothing is known after the last step.
+    fn too_far(&self) -> String {
+        let followed = self.followed.borrow();
+        let last = followed.as_ref().and_then(|followed| followed.states.last());
+        let why = match last.is_none_or(State::is_exact) {
+            true => "and does not come to rest before",
+            false => "and whether it comes to rest before is told of exact states only, which these are not",
+        };
+        format!("the flock is followed step by step up to t = {MOST_STEPS}, {why}")
+    }
+
     /// The time of rest, where there is one up to a time.
     fn rest(&self, until: usize) -> Result<Option<usize>, Failure> {
         self.state(until, 0)?;
@@ -176,7 +183,7 @@ impl Steps for StepsSubject<'_> {
             return Ok(Covered { pieces, rest: None });
         }
         let is_cut = to.is_none_or(|to| *to >= integer(MOST_STEPS + 1));
-        Ok(Covered { pieces, rest: is_cut.then(|| Doubt { why: too_far(), bits: None }) })
+        Ok(Covered { pieces, rest: is_cut.then(|| Doubt { why: self.too_far(), bits: None }) })
     }
 
     fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure> {
@@ -195,7 +202,7 @@ impl At<'_, '_> {
         // All times from one beyond the last step on are one stretch: it is known only where nothing changes any more.
         let time = self.time.to_usize().filter(|time| *time <= MOST_STEPS);
         if time.is_none() && self.flock.rest(MOST_STEPS)?.is_none() {
-            return Err(Failure::open(too_far(), None));
+            return Err(Failure::open(self.flock.too_far(), None));
         }
         self.flock.state(time.unwrap_or(MOST_STEPS), precision)
     }
