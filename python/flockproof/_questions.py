@@ -79,6 +79,12 @@ class Answer(Shown):
         The controls that the program made, where the question has none.
     counterexamples, tight : tuple of Member
         What was asked for: counterexamples, and members at which an inequality of the property is an equation.
+    attained : dict or None
+        A point of a continuum at which the smallest margin is 0, as texts: ``'1/2'``, ``'log(2)'``, or ends of an
+        enclosure, ``'[1.2599, 1.26]'``.
+    open : dict or None
+        What stayed open of a continuum: its ``share`` of the volume, a decimal as a text, or None where there is no volume,
+        and ``boxes`` of it.
     """
 
     id: str
@@ -97,6 +103,8 @@ class Answer(Shown):
     counterexamples: tuple[Member, ...] = ()
     tight: tuple[Member, ...] = ()
     text: str = field(compare=False, default="")
+    attained: Mapping[str, str] | None = field(hash=False, default=None)
+    open: Mapping[str, Any] | None = field(hash=False, default=None)
 
     def __repr__(self) -> str:
         return self.text.rstrip("\n")
@@ -177,6 +185,8 @@ def check(
         _members(found.get("counterexamples")),
         _members(found.get("tight")),
         words,
+        found["attained"],
+        found["open"],
     )
 
 

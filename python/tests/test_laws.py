@@ -86,6 +86,32 @@ def test_sweeps_and_attacks():
     assert attacked.failures[0].question is not None
 
 
+def test_attained_inequalities_of_all_states_and_of_boxes_of_starts(tmp_path):
+    # The rate is 0 where all velocities are equal.
+    law = cucker_smale(True)
+    falls = "rate(sum(i, norm2(v[i]))) <= 0"
+    for agents in ("2", "3"):
+        assert law.check(question(falls, agents=agents)).verdict == "holds"
+    grows = law.check(question(falls.replace("<= 0", ">= 0"), agents="2"))
+    assert grows.verdict == "false" and grows.counterexample
+    (tmp_path / "averaging.toml").write_text(
+        'model = "own"\n[law]\nname = "averaging"\ndimension = 1\nstate = { x = "number" }\n[law.rates]\n'
+        'x = "sum(j, x[j] - x)"\n[law.observables]\nspread = "sum(i, (x[i] - mean(k, x[k]))^2)"\n'
+        '[graph]\nkind = "complete"\n[state]\nx = [0, 1, 3]\n[run]\nuntil = 2\n'
+    )
+
+    def starts(property):
+        path = tmp_path / "starts.toml"
+        path.write_text(
+            '[question]\nid = "mine.starts"\nscenario = "averaging.toml"\n[for]\n"state.x[1]" = "[-1/2, 1/2]"\n'
+            f'[holds]\nproperty = "always[0, 2]({property})"\ncontrols = ["0 = 1"]\n'
+        )
+        return flockproof.check(path).verdict
+
+    assert starts("spread <= initial(spread)") == "holds"
+    assert starts("spread <= initial(spread) - 1/1000000") == "false"
+
+
 def test_latex_of_a_law():
     assert r"\dot v_i" in cucker_smale(False)._repr_latex_()
 

@@ -310,3 +310,20 @@ def test_a_sweep_with_names_of_its_own() -> None:
     assert [row["twice"] for row in table][:2] == [4, 2]
     with pytest.raises(TypeError, match="functions are for check"):
         flockproof.sweep(question, define={"mine": len})  # type: ignore[dict-item]
+
+
+def sharp(names, property):
+    return flockproof.check(
+        {"question": {"id": "mine.sharp"}, "for": names, "holds": {"property": property, "controls": ["1 < 0"]}}
+    )
+
+
+def test_points_of_equality_and_open_parts():
+    found = sharp({"x": "[-2, 2]"}, "exp(x) >= 1 + x")
+    assert (found.verdict, found.attained, found.open) == ("holds", {"x": "0"}, None)
+    assert sharp({"x": "[-2, 2]"}, "exp(x) >= 1000001/1000000 + x").verdict == "false"
+    found = sharp({"x": "any", "y": "any"}, "x^2 + y^2 >= 2*x*y")
+    assert found.verdict == "holds" and found.attained is not None
+    found = sharp({"x": "[1, 2]", "y": "[1, 2]"}, "x*log(x/y) >= x - y")
+    assert found.verdict == "undecided" and set(found.open["boxes"][0]) == {"x", "y"}
+    assert 0 <= float(found.open["share"]) <= 1
