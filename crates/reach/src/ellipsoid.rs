@@ -72,8 +72,7 @@ fn without(motion: &Motion, moving: &[usize], start: &[Range]) -> Motion {
 impl Ellipsoid {
     /// Tries the Lyapunov function of the mean of the modes, and the sum of those of all modes, with ever slower decay.
     pub fn find(motions: &[Motion], start: &[Range]) -> Option<Self> {
-        let moving: Vec<usize> =
-            (0..start.len()).filter(|&i| !motions.iter().all(|motion| motion.stands(i))).collect();
+        let moving: Vec<usize> = (0..start.len()).filter(|&i| !motions.iter().all(|motion| motion.stands(i))).collect();
         let motions: Vec<Motion> = motions.iter().map(|motion| without(motion, &moving, start)).collect();
         let start: Vec<Range> = moving.iter().map(|&i| start[i].clone()).collect();
         let n = start.len();

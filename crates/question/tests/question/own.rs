@@ -22,7 +22,8 @@ fn a_law_of_ones_own_is_enclosed() {
 /// A start that is exact decides what is attained there; of the motion after it there is no closed form.
 #[test]
 fn the_start_is_exact() {
-    let law = PAIR.replace("v = \"mean(j, v[j] - v)/2\"", "v = \"sin(x) - v\"").replace("v = [-1, 1]", "v = [\"13/10\", 1]");
+    let law =
+        PAIR.replace("v = \"mean(j, v[j] - v)/2\"", "v = \"sin(x) - v\"").replace("v = [-1, 1]", "v = [\"13/10\", 1]");
     for (property, verdict) in [
         ("always[0, 0](v[1] <= 13/10 and v[1] >= 13/10)", Verdict::Holds),
         ("always[0, 0](v[1] < 13/10)", Verdict::False),
