@@ -39,7 +39,9 @@ impl Division<'_> {
         }
         let mut step = END;
         let middle = vec![0; boxes.len()];
-        let Some(mut here) = self.lowest(whole, &boxes, vec![middle], found, missing)? else { return Ok(false) };
+        let Some(mut here) = self.lowest(whole, &boxes, vec![middle], found, missing)? else {
+            return Ok(found.counterexample.is_some());
+        };
         for left in (0..ROUNDS).rev() {
             if found.counterexample.is_some() {
                 return Ok(true);
