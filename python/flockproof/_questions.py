@@ -83,8 +83,8 @@ class Answer(Shown):
         A point of a continuum at which the smallest margin is 0, as texts: ``'1/2'``, ``'log(2)'``, or ends of an
         enclosure, ``'[1.2599, 1.26]'``.
     open : dict or None
-        What stayed open of a continuum: its ``share`` of the volume, a decimal as a text, or None where there is no volume,
-        and ``boxes`` of it.
+        What stayed open of a continuum: its ``share`` of the volume, a float as a text such as ``~1.556e-2``, or None
+        where there is no volume, and ``boxes`` of it.
     """
 
     id: str

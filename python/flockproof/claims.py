@@ -419,7 +419,11 @@ class Run:
         return self._issue(Outcome("holds", "", (_Evidence("argued", part, place, tuple(clauses), "all"),)))
 
     def question(
-        self, part: str, question: Question, clauses: Sequence[int] = (), scope: Literal["all", "instances"] = "instances"
+        self,
+        part: str,
+        question: Question,
+        clauses: Sequence[int] = (),
+        scope: Literal["all", "instances"] = "instances",
     ) -> Outcome:
         """Decides a question as :func:`flockproof.check` does, of a law of one's own for instance; its grades.
 
