@@ -1,6 +1,6 @@
 //! Where a function is 0: in closed form, at a root of a polynomial in one number, or at a point that Krawczyk's operator proves to be in a small box.
 
-use super::local::{is_positive_definite, polish};
+use super::local::{is_positive_definite, polish, seeded};
 use super::parted::system;
 use super::places::{Place, has_value, points_near, vanishes};
 use super::{Extended, roots};
@@ -102,9 +102,7 @@ impl<F: Function> Search<'_, F> {
     /// The derivatives of the parts in some variables, one row for each part.
     fn jacobian(&self, x: &[f64], moving: &[usize]) -> Option<DMatrix<f64>> {
         let column = |k: &usize| {
-            let at: Vec<Dual<f64>> =
-                x.iter().enumerate().map(|(j, x)| Dual::new(*x, f64::from(u8::from(j == *k)))).collect();
-            let parts = system(&self.literal.function, &at, x)?;
+            let parts = system(&self.literal.function, &seeded(x, *k), x)?;
             Some(DVector::from_iterator(parts.len(), parts.iter().map(|part| part.derivative)))
         };
         let columns: Vec<DVector<f64>> = moving.iter().map(column).collect::<Option<_>>()?;
@@ -174,9 +172,7 @@ impl<F: Function> Search<'_, F> {
 
     /// The derivatives of the parts in one variable on a box, where they are smooth there.
     fn slopes(&self, boxed: &[Extended], k: usize, guide: &[f64]) -> Option<Vec<Extended>> {
-        let at: Vec<Dual<Extended>> =
-            boxed.iter().enumerate().map(|(j, x)| Dual::new(*x, x.integer(i64::from(j == k)))).collect();
-        let parts = system(&self.literal.function, &at, guide)?;
+        let parts = system(&self.literal.function, &seeded(boxed, k), guide)?;
         let smooth = |part: &Dual<Extended>| part.value.defined && !part.value.is_empty() && is_known(&part.derivative);
         parts.iter().all(smooth).then(|| parts.iter().map(|part| part.derivative).collect())
     }
@@ -261,19 +257,12 @@ pub(super) fn least<F: Function>(function: &F, x: &[f64], domain: &[Side]) -> Op
 }
 
 fn slope<F: Function>(function: &F, at: &[Extended], k: usize) -> Option<Extended> {
-    let at: Vec<Dual<Extended>> =
-        at.iter().enumerate().map(|(j, x)| Dual::new(*x, x.integer(i64::from(j == k)))).collect();
-    function.value(&at).ok().map(|value| value.derivative).filter(is_known)
+    function.value(&seeded(at, k)).ok().map(|value| value.derivative).filter(is_known)
 }
 
 /// A second derivative on a box.
 fn curvature<F: Function>(function: &F, boxed: &[Extended], i: usize, j: usize) -> Option<Extended> {
-    let moves = |(k, x): (usize, &Extended)| {
-        let one = |yes: bool| x.integer(i64::from(yes));
-        Dual::new(Dual::new(*x, one(k == i)), Dual::constant(one(k == j)))
-    };
-    let at: Vec<Dual<Dual<Extended>>> = boxed.iter().enumerate().map(moves).collect();
-    let value = function.value(&at).ok().filter(|value| value.value.value.defined)?;
+    let value = function.value(&seeded(&seeded(boxed, i), j)).ok().filter(|value| value.value.value.defined)?;
     Some(value.derivative.derivative).filter(is_known)
 }
 

@@ -288,15 +288,7 @@ impl<F: Function> Sided<'_, F> {
         let mut second = vec![vec![Extended::between(0.0, 0.0); n]; n];
         for i in 0..n {
             for j in 0..=i {
-                let at: Vec<Dual<Dual<Extended>>> = boxed
-                    .iter()
-                    .enumerate()
-                    .map(|(k, x)| {
-                        let one = |yes: bool| x.integer(i64::from(yes));
-                        Dual::new(Dual::new(*x, one(k == free[i])), Dual::constant(one(k == free[j])))
-                    })
-                    .collect();
-                let value = self.value(&at).ok()?;
+                let value = self.value(&seeded(&seeded(&boxed, free[i]), free[j])).ok()?;
                 let entry = value.derivative.derivative;
                 if !(entry.defined && value.value.value.defined && entry.lo.is_finite() && entry.hi.is_finite()) {
                     return None;
@@ -486,7 +478,8 @@ fn hull(side: &Side) -> Extended {
     Extended::hull(side.lo.as_ref(), side.hi.as_ref())
 }
 
-fn seeded<T: Ring>(at: &[T], k: usize) -> Vec<Dual<T>> {
+/// A point that moves with one of its numbers; twice, with two of them, for second derivatives.
+pub(super) fn seeded<T: Ring>(at: &[T], k: usize) -> Vec<Dual<T>> {
     at.iter().enumerate().map(|(j, x)| Dual::new(x.clone(), x.integer(i64::from(j == k)))).collect()
 }
 
@@ -553,14 +546,7 @@ fn newton<F: Function>(function: &F, turned: f64, x: &mut [f64], ends: &[(f64, f
             return;
         }
         let second = |i: usize, j: usize| {
-            let point: Vec<Dual<Dual<f64>>> = x
-                .iter()
-                .enumerate()
-                .map(|(k, x)| {
-                    let one = |yes: bool| f64::from(u8::from(yes));
-                    Dual::new(Dual::new(*x, one(k == active[i].0)), Dual::constant(one(k == active[j].0)))
-                })
-                .collect();
+            let point = seeded(&seeded(x, active[i].0), active[j].0);
             function.value(&point).map_or(f64::NAN, |value| turned * value.derivative.derivative)
         };
         let matrix = DMatrix::from_fn(n, n, |i, j| second(i.max(j), i.min(j)));

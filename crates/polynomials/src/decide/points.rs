@@ -2,7 +2,7 @@
 
 use super::local::{self, Signs};
 use crate::function::{Compared, Function, Literal, Side};
-use arithmetic::{Cancelled, Dual, Progress, Rational, random, rational, simplest_between};
+use arithmetic::{Cancelled, Progress, Rational, random, rational, simplest_between};
 use num_traits::ToPrimitive;
 use rand_chacha::rand_core::Rng;
 
@@ -183,11 +183,7 @@ impl<F: Function> Search<'_, F> {
             Compared::NotZero => literal.function.value(x).ok()?.signum(),
             _ => 1.0,
         };
-        let along = |k: usize| {
-            let point: Vec<Dual<f64>> =
-                x.iter().enumerate().map(|(j, x)| Dual::new(*x, f64::from(u8::from(j == k)))).collect();
-            literal.function.value(&point).ok().map(|value| turned * value.derivative)
-        };
+        let along = |k: usize| literal.function.value(&local::seeded(x, k)).ok().map(|value| turned * value.derivative);
         (0..x.len()).map(along).collect()
     }
 

@@ -188,9 +188,8 @@ fn judged(statement: &Statement, count: &mut Count) {
     }
 }
 
-/// Slow: `cargo test -p flockproof-polynomials --test polynomials campaign -- --ignored --nocapture`.
+/// The counts: `cargo test -p flockproof-polynomials --test polynomials campaign -- --nocapture`.
 #[test]
-#[ignore = "three hundred statements"]
 fn three_hundred_hostile_statements_get_no_wrong_answer() {
     let [mut truths, mut misses, mut polynomials, mut dips] = <[Count; 4]>::default();
     for (number, (truth, miss)) in near_misses().iter().enumerate() {
