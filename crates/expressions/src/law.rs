@@ -198,7 +198,7 @@ impl Law {
         self.noise.as_ref().map(|program| Evaluator::new(program, &self.lists, &0.0))
     }
 
-    fn put<T>(&self, agent: usize, output: usize, value: T, to: &mut [T]) {
+    pub(crate) fn put<T>(&self, agent: usize, output: usize, value: T, to: &mut [T]) {
         let (variable, component) = self.targets[output];
         let variable = &self.variables[variable];
         to[variable.start + agent * variable.width + component] = value;

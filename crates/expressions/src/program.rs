@@ -90,10 +90,10 @@ pub(crate) struct Loop {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Variable {
     /// The variable that is bound outside of it.
-    parent: Slot,
+    pub parent: Slot,
     /// It runs over those whom this agent hears; over all where nobody is named.
     pub hears: Option<Of>,
-    name: String,
+    pub name: String,
 }
 
 /// Things under construction.
@@ -101,10 +101,12 @@ pub(crate) struct Variable {
 pub(crate) struct Things {
     pub ops: Vec<Op>,
     known: HashMap<Op, Id>,
-    slot_of: Vec<Slot>,
+    /// The innermost agent variable that a thing depends on, and all of them.
+    pub slot_of: Vec<Slot>,
+    pub free: Vec<BTreeSet<Slot>>,
     /// How many loops stand below a thing, one inside another's argument: loops of one rank never need each other.
     rank: Vec<usize>,
-    slots: Vec<Variable>,
+    pub slots: Vec<Variable>,
     pub loops: Vec<Loop>,
 }
 
@@ -138,7 +140,82 @@ pub struct Program {
     pub(crate) each: Vec<Step>,
     /// The results.
     pub(crate) outputs: Vec<Id>,
+    /// All that these need.
+    pub(crate) wanted: BTreeSet<Id>,
+    /// The agent variables that a thing depends on.
+    pub(crate) free: Vec<BTreeSet<Slot>>,
     pub(crate) slots: Vec<Variable>,
+}
+
+impl Op {
+    /// What it is computed from; what a loop gathers is not among it.
+    pub fn needs(&self) -> Vec<Id> {
+        let mut needs = Vec::new();
+        self.with(|id| {
+            needs.push(id);
+            id
+        });
+        needs
+    }
+
+    /// The same of other things.
+    pub fn with(&self, mut other: impl FnMut(Id) -> Id) -> Op {
+        let mut of = |id: &Id| other(*id);
+        match self {
+            Op::Negated(a) => Op::Negated(of(a)),
+            Op::Power(a, k) => Op::Power(of(a), *k),
+            Op::Function(function, a) => Op::Function(*function, of(a)),
+            Op::Absolute(a) => Op::Absolute(of(a)),
+            Op::Not(a) => Op::Not(of(a)),
+            Op::Sum(a, b) => Op::Sum(of(a), of(b)),
+            Op::Difference(a, b) => Op::Difference(of(a), of(b)),
+            Op::Product(a, b) => Op::Product(of(a), of(b)),
+            Op::Quotient(a, b) => Op::Quotient(of(a), of(b)),
+            Op::Angle(a, b) => Op::Angle(of(a), of(b)),
+            Op::Larger(a, b) => Op::Larger(of(a), of(b)),
+            Op::Smaller(a, b) => Op::Smaller(of(a), of(b)),
+            Op::Compared(relation, a, b) => Op::Compared(*relation, of(a), of(b)),
+            Op::Both(a, b) => Op::Both(of(a), of(b)),
+            Op::Choice(a, b, c) => Op::Choice(of(a), of(b), of(c)),
+            Op::Number(_)
+            | Op::Pi
+            | Op::Time
+            | Op::Agents
+            | Op::Parameter(..)
+            | Op::State { .. }
+            | Op::Gathered(..) => self.clone(),
+        }
+    }
+
+    /// The same with other agent variables.
+    pub fn of(&self, mut other: impl FnMut(Slot) -> Slot) -> Op {
+        let mut of = |of: &Of| of.of(&mut other);
+        match self {
+            Op::Parameter(list, agent) => Op::Parameter(*list, of(agent)),
+            Op::State { start, stride, component, of: agent } => {
+                Op::State { start: *start, stride: *stride, component: *component, of: of(agent) }
+            }
+            _ => self.clone(),
+        }
+    }
+
+    /// The agent variable that stands in it.
+    pub fn slot(&self) -> Option<Slot> {
+        match self {
+            Op::Parameter(_, Of::Slot(slot)) | Op::State { of: Of::Slot(slot), .. } => Some(*slot),
+            _ => None,
+        }
+    }
+}
+
+impl Of {
+    /// The same with another agent variable.
+    pub fn of(&self, other: impl FnOnce(Slot) -> Slot) -> Of {
+        match self {
+            Of::Slot(slot) => Of::Slot(other(*slot)),
+            Of::Agent(agent) => Of::Agent(*agent),
+        }
+    }
 }
 
 impl Things {
@@ -146,6 +223,11 @@ impl Things {
     pub fn new() -> Self {
         let variable = |name: &str| Variable { parent: FLOCK, hears: None, name: name.to_string() };
         Things { slots: vec![variable(""), variable("i")], ..Things::default() }
+    }
+
+    /// Nothing yet, with the agent variables of a program.
+    pub fn with_slots_of(program: &Program) -> Self {
+        Things { slots: program.slots.clone(), ..Things::default() }
     }
 
     /// The variable of a loop of that name inside another variable's scope, over those whom an agent hears.
@@ -174,29 +256,6 @@ impl Things {
 
     fn deeper(&self, a: Slot, b: Slot) -> Slot {
         if self.depth(b) > self.depth(a) { b } else { a }
-    }
-
-    fn needs(&self, op: &Op) -> Vec<Id> {
-        match op {
-            Op::Number(_)
-            | Op::Pi
-            | Op::Time
-            | Op::Agents
-            | Op::Parameter(..)
-            | Op::State { .. }
-            | Op::Gathered(..) => Vec::new(),
-            Op::Negated(a) | Op::Power(a, _) | Op::Function(_, a) | Op::Absolute(a) | Op::Not(a) => vec![*a],
-            Op::Sum(a, b)
-            | Op::Difference(a, b)
-            | Op::Product(a, b)
-            | Op::Quotient(a, b)
-            | Op::Angle(a, b)
-            | Op::Larger(a, b)
-            | Op::Smaller(a, b)
-            | Op::Compared(_, a, b)
-            | Op::Both(a, b) => vec![*a, *b],
-            Op::Choice(a, b, c) => vec![*a, *b, *c],
-        }
     }
 
     fn constant(&self, id: Id) -> Option<&Rational> {
@@ -241,11 +300,10 @@ impl Things {
         if let Some(id) = self.simplified(&op).or_else(|| self.known.get(&op).copied()) {
             return id;
         }
-        let needs = self.needs(&op);
+        let needs = op.needs();
         let own = match &op {
-            Op::Parameter(_, Of::Slot(slot)) | Op::State { of: Of::Slot(slot), .. } => *slot,
             Op::Gathered(number, _) => self.loops[*number].parent,
-            _ => FLOCK,
+            _ => op.slot().unwrap_or(FLOCK),
         };
         let slot = needs.iter().fold(own, |slot, id| self.deeper(slot, self.slot_of[*id]));
         let own = match &op {
@@ -254,11 +312,26 @@ impl Things {
         };
         let rank = needs.iter().fold(own, |rank, id| rank.max(self.rank[*id]));
         let id = self.ops.len();
+        self.free.push(self.free_of(&op, &needs));
         self.known.insert(op.clone(), id);
         self.ops.push(op);
         self.slot_of.push(slot);
         self.rank.push(rank);
         id
+    }
+
+    fn free_of(&self, op: &Op, needs: &[Id]) -> BTreeSet<Slot> {
+        let union = |needs: &[Id]| -> BTreeSet<Slot> { needs.iter().flat_map(|id| &self.free[*id]).copied().collect() };
+        let Op::Gathered(number, place) = op else {
+            return union(needs).into_iter().chain(op.slot()).collect();
+        };
+        let this = &self.loops[*number];
+        let needs: Vec<Id> = this.condition.into_iter().chain([this.bodies[*place].1]).collect();
+        let hears = match self.slots[this.slot].hears {
+            Some(Of::Slot(slot)) => Some(slot),
+            _ => None,
+        };
+        union(&needs).into_iter().chain(hears).filter(|slot| *slot != this.slot).collect()
     }
 
     pub fn number(&mut self, q: Rational) -> Id {
@@ -307,7 +380,7 @@ impl Things {
             if !here.insert(id) {
                 continue;
             }
-            open.extend(self.needs(&self.ops[id]));
+            open.extend(self.ops[id].needs());
             if let Op::Gathered(number, place) = self.ops[id] {
                 let round = rounds.entry(number).or_insert_with(|| {
                     let (round, needed) = self.round(number, wanted);
@@ -349,7 +422,7 @@ impl Things {
             if !wanted.insert(id) {
                 continue;
             }
-            open.extend(self.needs(&self.ops[id]));
+            open.extend(self.ops[id].needs());
             if let Op::Gathered(number, place) = self.ops[id] {
                 open.extend(self.loops[number].condition);
                 open.push(self.loops[number].bodies[place].1);
@@ -364,7 +437,8 @@ impl Things {
         let (each, _, outside) = self.plan(OWN, &outputs, (&none, &wanted));
         let outside: Vec<Id> = outside.into_iter().collect();
         let (once, ..) = self.plan(FLOCK, &outside, (&none, &wanted));
-        Program { ops: self.ops.clone(), loops: self.loops.clone(), once, each, outputs, slots: self.slots.clone() }
+        let (ops, loops, free, slots) = (self.ops.clone(), self.loops.clone(), self.free.clone(), self.slots.clone());
+        Program { ops, loops, once, each, outputs, wanted, free, slots }
     }
 }
 

@@ -159,6 +159,11 @@ impl Code {
         let flock = builder.leave();
         Code { columns: builder.columns, flock, agents, outputs, levels: builder.levels }
     }
+
+    /// Whether an agent's numbers need loops over others.
+    pub fn looks_at_others(&self) -> bool {
+        self.agents.before.iter().chain(&self.agents.after).any(|step| matches!(step, Step::Loop(_)))
+    }
 }
 
 impl Builder<'_> {

@@ -2,7 +2,10 @@
 
 use super::laws::{Lists, second_order};
 use arithmetic::random::{generator, uniform};
-use expressions::{Blocks, Everyone, Hearing, Law, Node, NodeKind, Relation, parse_property};
+use arithmetic::rational;
+use expressions::{
+    Blocks, Everyone, Hearing, Kind, Law, LawText, Node, NodeKind, Parameter, Relation, parse_property,
+};
 use rand_chacha::ChaCha8Rng;
 
 /// What a walk has found.
@@ -209,7 +212,7 @@ impl Draw {
 fn in_blocks(law: &Law, state: &[f64], hearing: &dyn Hearing) -> Vec<f64> {
     let mut rates = vec![0.0; state.len()];
     let again = rates.clone();
-    let mut blocks = Blocks::rates(law);
+    let mut blocks = Blocks::rates(law, hearing.heard(0).is_none());
     blocks.write_rates(law, (0.0, state), hearing, &mut rates).unwrap();
     // Nothing is left in the working space.
     let mut second = again;
@@ -251,6 +254,63 @@ fn blocks_of_large_flocks_as_one_number_after_the_other() {
     assert!(compared > 10_000, "{compared}");
 }
 
+/// Laws of angles: what is taken apart and computed ahead is what the law says, whoever hears whom.
+#[test]
+fn sines_of_differences_are_taken_apart() {
+    let rates = [
+        "sum(j, sin(theta[j] - theta))",
+        "mean(j, cos(2*(theta - theta[j]) + 1/3))",
+        "sum(j, sin(theta[j] - theta - lag[j])*weight[j] - cos(-(theta + theta[j])))",
+        "sum(j, weight*weight[j]*sin(theta[j] - theta)*cos(theta) - 2*sin(theta[j])*sin(3*theta))",
+        "sum(j, sin(theta[j] - theta)^2)",
+        "sum(j, sin(theta[j] - theta)/(2 + cos(theta[j])))",
+        "sum(j, sin(theta[j] - theta + sum(k, weight[k]*sin(theta[k] - theta[j]))))",
+        "sum(j where cos(theta[j]) > 0, sin(theta[j] - theta))",
+        "max(j, sin(theta[j] - theta)) + sin(mean(k, theta[k]) - theta)",
+        "sum(j, sum(k, sin(theta[j] - theta[k] + theta)))",
+        "sum(j, (theta[j] - theta)*sin(theta[j] - theta))",
+        "sum(j, sin(theta[1] - theta[j]) + t*cos(theta[j] - theta))",
+        "sum(k, sin(theta[k] - theta)) + sum(j, mean(k, sin(theta[k] - theta[j])/exp(theta[j])))",
+    ];
+    let measured = [
+        ("coherence", "(agents + sum(i, sum(j, cos(theta[j] - theta[i]))))/2"),
+        ("turning", "sum(i, weight[i]*mean(j, sin(theta[i] - theta[j] - lag[i])))"),
+        ("largest", "max(i, abs(sum(j, sin(theta[j])/(2 + cos(theta[j])) - sin(theta[i]))))"),
+    ];
+    let mut random = generator("expressions", "angles", 0);
+    for agents in [1, 2, 3, 70, 300_usize] {
+        let mut listed = || (0..agents).map(|_| rational((100.0 * uniform(&mut random)) as i64, 100)).collect();
+        let parameters = ["lag", "weight"].map(|name| (name.to_string(), Parameter::Each(listed())));
+        for rate in rates {
+            let text = LawText {
+                dimension: 1,
+                state: vec![("theta".to_string(), Kind::Angle)],
+                parameters: parameters.to_vec(),
+                rates: vec![("theta".to_string(), rate.to_string())],
+                observables: measured.map(|(name, text)| (name.to_string(), text.to_string())).to_vec(),
+                ..LawText::default()
+            };
+            let law = text.compile(agents).unwrap_or_else(|error| panic!("{rate}: {error}"));
+            let state: Vec<f64> = (0..agents).map(|_| 8.0 * uniform(&mut random) - 4.0).collect();
+            let lists: [Box<dyn Hearing>; 2] = [Box::new(Everyone(agents)), Box::new(around(agents, agents.min(3) - 1))];
+            for hearing in lists.iter().skip(usize::from(agents == 300 && rate.contains("(k,"))) {
+                let Ok(wanted) = law.rates(&0.0, &state, hearing.as_ref()) else { continue };
+                for (found, wanted) in in_blocks(&law, &state, hearing.as_ref()).iter().zip(&wanted) {
+                    let size = (agents * agents) as f64;
+                    assert!((found - wanted).abs() < 1e-13 * size, "{rate}, {agents} agents: {found} for {wanted}");
+                }
+                let mut blocks = Blocks::observables(&law, hearing.heard(0).is_none());
+                let wanted = law.observe(&0.0, &state, hearing.as_ref());
+                let Ok(found) = blocks.observe(0.0, &state, hearing.as_ref()) else { continue };
+                for (found, wanted) in found.iter().zip(&wanted) {
+                    let (size, wanted) = ((agents * agents) as f64, wanted.clone().unwrap());
+                    assert!((found - wanted).abs() < 1e-13 * size, "{agents} agents: {found} for {wanted}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn threads_change_no_byte() {
     let law =
@@ -271,7 +331,7 @@ fn what_is_not_taken_needs_no_value_in_blocks_either() {
     let state: Vec<f64> = [0, 1, 0, 2, 1, 1, 3, 1, 0, 0, 0, 0, 0, 0, 0, 0].map(f64::from).to_vec();
     assert_eq!(in_blocks(&law, &state, &Everyone(4)), law.rates(&0.0, &state, &Everyone(4)).unwrap());
     let law = second_order(&[], "sum(j, (x[j] - x)/(x[j].1 - x.1))", &[]).compile(4).unwrap();
-    let (mut rates, mut blocks) = (vec![0.0; 16], Blocks::rates(&law));
+    let (mut rates, mut blocks) = (vec![0.0; 16], Blocks::rates(&law, true));
     let fault = blocks.write_rates(&law, (0.0, &state), &Everyone(4), &mut rates).unwrap_err();
     assert_eq!(fault, law.rates(&0.0, &state, &Everyone(4)).unwrap_err());
 }

@@ -28,7 +28,8 @@ pub(super) struct Moving {
 
 impl Moving {
     pub fn new(own: Described) -> Self {
-        let (rates, observed) = (Blocks::rates(&own.law), Blocks::observables(&own.law));
+        let complete = own.network.is_all_to_all();
+        let (rates, observed) = (Blocks::rates(&own.law, complete), Blocks::observables(&own.law, complete));
         Moving {
             rates: RefCell::new(rates),
             observed: RefCell::new(observed),

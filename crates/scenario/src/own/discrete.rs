@@ -49,14 +49,14 @@ pub(super) trait Stepped: Number {
     ) -> Result<(), Fault>;
 
     /// Sets the numbers that were drawn for a step; what is not in floats draws nothing.
-    fn set_drawn(_: &mut Self::Machine, _: &Law, _: &[Vec<f64>]) {}
+    fn set_drawn(_: &mut Self::Machine, _: &[Vec<f64>]) {}
 }
 
 impl Stepped for f64 {
     type Machine = Blocks;
 
-    fn machine(&self, law: &Law) -> Blocks {
-        Blocks::rates(law)
+    fn machine(&self, law: &Law, complete: bool) -> Blocks {
+        Blocks::rates(law, complete)
     }
 
     fn rounded(&self) -> f64 {
@@ -73,8 +73,8 @@ impl Stepped for f64 {
         machine.write_rates(law, (*time, state), hearing, next)
     }
 
-    fn set_drawn(machine: &mut Blocks, law: &Law, drawn: &[Vec<f64>]) {
-        machine.set_drawn(law, drawn);
+    fn set_drawn(machine: &mut Blocks, drawn: &[Vec<f64>]) {
+        machine.set_drawn(drawn);
     }
 }
 
@@ -169,9 +169,9 @@ impl<T: Stepped> Stepping<T> {
     pub fn new(own: Described, state: Vec<T>, zero: &T) -> Result<Self, RunError> {
         let mut stepping = Stepping {
             radius: own.radius.map(|radius| zero.rational(&radius)),
-            machine: zero.machine(&own.law),
+            machine: zero.machine(&own.law, own.network.is_all_to_all()),
             random: own.random,
-            observed: RefCell::new(Blocks::observables(&own.law)),
+            observed: RefCell::new(Blocks::observables(&own.law, own.network.is_all_to_all())),
             next: vec![zero.clone(); state.len()],
             law: own.law,
             network: own.network,
@@ -195,7 +195,7 @@ impl<T: Stepped> Stepping<T> {
             return Err(RunError::Own { time: now, fault: fault.to_string() });
         }
         let drawn = draw(&self.law, &mut self.random);
-        T::set_drawn(&mut self.machine, &self.law, &drawn);
+        T::set_drawn(&mut self.machine, &drawn);
         let moment = (&scalar, &self.state[..]);
         let written = T::write(&mut self.machine, &self.law, moment, &Heard(&self.network), &mut self.next);
         written.map_err(|fault| RunError::Own { time: now, fault: in_words(&self.law, &fault) })?;

@@ -1,0 +1,232 @@
+//! Sines and cosines of sums, taken apart: `sin(a + b) = sin a cos b + cos a sin b`, so that there are functions of agents and none of pairs. Where everybody
+//! hears everybody, a sum of products of what is the agent's own with what is the other's is then one of sums over the flock.
+//!
+//! Only products of sines, cosines and parameters are summed up for the flock: an agent's own term is taken from that sum again, which is no loss where terms are of
+//! one size. Differences as `x[j] - x` stay what they are.
+
+use crate::function::Function;
+use crate::program::{FLOCK, Gather, Id, Of, Op, Program, Slot, Things};
+
+/// How deep an expression is looked into.
+const DEPTH: usize = 32;
+
+/// Most products of a sum that is taken apart.
+const MOST: usize = 8;
+
+/// A program that computes the same; `complete` says that everybody hears all others.
+pub(super) fn separated(program: &Program, complete: bool) -> Program {
+    let mut separating = Separating { things: Things::with_slots_of(program), complete };
+    let mut found: Vec<Id> = Vec::with_capacity(program.ops.len());
+    // What a thing needs has a smaller number.
+    for op in &program.ops {
+        let id = match op {
+            Op::Gathered(number, place) => {
+                let this = &program.loops[*number];
+                let (gather, body) = this.bodies[*place];
+                separating.gathered(this.slot, this.condition.map(|id| found[id]), (gather, found[body]))
+            }
+            _ => separating.made(op.with(|id| found[id])),
+        };
+        found.push(id);
+    }
+    separating.things.program(program.outputs.iter().map(|&id| found[id]).collect())
+}
+
+struct Separating {
+    things: Things,
+    complete: bool,
+}
+
+/// What belongs to one side each: what does not depend on an agent variable, and what depends on nothing else.
+type Sides = (Option<Id>, Option<Id>);
+
+impl Separating {
+    fn made(&mut self, op: Op) -> Id {
+        let Op::Function(function @ (Function::Sine | Function::Cosine), angle) = op else { return self.things.add(op) };
+        let slot = self.things.slot_of[angle];
+        let sides = if slot == FLOCK { None } else { self.added(angle, slot, DEPTH) };
+        let Some((Some(a), Some(b))) = sides.filter(|_| self.things.free[angle].len() > 1) else {
+            return self.things.add(op);
+        };
+        let mut of = |function: Function, id: Id| self.things.add(Op::Function(function, id));
+        let (sines, cosines) = (
+            [of(Function::Sine, a), of(Function::Sine, b)],
+            [of(Function::Cosine, a), of(Function::Cosine, b)],
+        );
+        let mut product = |x: Id, y: Id| self.things.add(Op::Product(x, y));
+        let op = if function == Function::Sine {
+            Op::Sum(product(sines[0], cosines[1]), product(cosines[0], sines[1]))
+        } else {
+            Op::Difference(product(cosines[0], cosines[1]), product(sines[0], sines[1]))
+        };
+        self.things.add(op)
+    }
+
+    fn is_without(&self, id: Id, slot: Slot) -> bool {
+        !self.things.free[id].contains(&slot)
+    }
+
+    fn is_of(&self, id: Id, slot: Slot) -> bool {
+        self.things.free[id].len() == 1 && self.things.free[id].contains(&slot)
+    }
+
+    /// A number as a sum of what does not depend on an agent variable and what depends on it alone.
+    fn added(&mut self, id: Id, slot: Slot, depth: usize) -> Option<Sides> {
+        if self.is_without(id, slot) {
+            return Some((Some(id), None));
+        }
+        if self.is_of(id, slot) {
+            return Some((None, Some(id)));
+        }
+        let depth = depth.checked_sub(1)?;
+        match self.things.ops[id].clone() {
+            Op::Negated(a) => {
+                let (own, other) = self.added(a, slot, depth)?;
+                Some((own.map(|id| self.negated(id)), other.map(|id| self.negated(id))))
+            }
+            Op::Sum(a, b) => {
+                let (a, b) = (self.added(a, slot, depth)?, self.added(b, slot, depth)?);
+                Some((self.joined(a.0, b.0), self.joined(a.1, b.1)))
+            }
+            Op::Difference(a, b) => {
+                let (a, b) = (self.added(a, slot, depth)?, self.added(b, slot, depth)?);
+                Some((self.less(a.0, b.0), self.less(a.1, b.1)))
+            }
+            Op::Product(a, b) => {
+                let (factor, rest) = if self.things.free[a].is_empty() { (a, b) } else { (b, a) };
+                if !self.things.free[factor].is_empty() {
+                    return None;
+                }
+                let (own, other) = self.added(rest, slot, depth)?;
+                let mut times = |id: Id| self.things.add(Op::Product(factor, id));
+                Some((own.map(&mut times), other.map(&mut times)))
+            }
+            _ => None,
+        }
+    }
+
+    fn negated(&mut self, id: Id) -> Id {
+        self.things.add(Op::Negated(id))
+    }
+
+    fn joined(&mut self, a: Option<Id>, b: Option<Id>) -> Option<Id> {
+        match (a, b) {
+            (Some(a), Some(b)) => Some(self.things.add(Op::Sum(a, b))),
+            (one, other) => one.or(other),
+        }
+    }
+
+    fn less(&mut self, a: Option<Id>, b: Option<Id>) -> Option<Id> {
+        match (a, b) {
+            (Some(a), Some(b)) => Some(self.things.add(Op::Difference(a, b))),
+            (one, other) => one.or(other.map(|b| self.negated(b))),
+        }
+    }
+
+    fn gathered(&mut self, slot: Slot, condition: Option<Id>, (gather, body): (Gather, Id)) -> Id {
+        let variable = self.things.slots[slot].clone();
+        let of_all = match variable.hears {
+            Some(Of::Slot(hears)) => self.complete && hears == variable.parent,
+            Some(Of::Agent(_)) => false,
+            None => variable.parent != FLOCK,
+        };
+        let is_sum = condition.is_none() && matches!(gather, Gather::Sum | Gather::Mean);
+        let products = if of_all && is_sum { self.products(body, slot, DEPTH) } else { None };
+        let apart = products.and_then(|products| self.over_the_flock(slot, gather, &products));
+        apart.unwrap_or_else(|| self.things.gather(slot, condition, gather, body))
+    }
+
+    /// A number as a sum of products of what does not depend on an agent variable and of sines, cosines and parameters of that agent.
+    fn products(&mut self, id: Id, slot: Slot, depth: usize) -> Option<Vec<(Id, Id)>> {
+        let depth = depth.checked_sub(1)?;
+        let products = match self.things.ops[id].clone() {
+            Op::Negated(a) => {
+                let list = self.products(a, slot, depth)?;
+                list.into_iter().map(|(own, other)| (self.negated(own), other)).collect()
+            }
+            Op::Sum(a, b) => [self.products(a, slot, depth)?, self.products(b, slot, depth)?].concat(),
+            Op::Difference(a, b) => {
+                let (mut list, taken) = (self.products(a, slot, depth)?, self.products(b, slot, depth)?);
+                list.extend(taken.into_iter().map(|(own, other)| (self.negated(own), other)));
+                list
+            }
+            Op::Product(a, b) => match (self.is_without(a, slot), self.is_without(b, slot)) {
+                (true, false) if self.is_summable(b, slot, depth) => vec![(a, b)],
+                (false, true) if self.is_summable(a, slot, depth) => vec![(b, a)],
+                (true, false) => self.multiplied(a, (b, slot), depth)?,
+                (false, true) => self.multiplied(b, (a, slot), depth)?,
+                (false, false) if self.is_summable(a, slot, depth) => self.weighted(a, (b, slot), depth)?,
+                (false, false) if self.is_summable(b, slot, depth) => self.weighted(b, (a, slot), depth)?,
+                _ => return None,
+            },
+            _ => return None,
+        };
+        (products.len() <= MOST).then_some(products)
+    }
+
+    fn multiplied(&mut self, factor: Id, (id, slot): (Id, Slot), depth: usize) -> Option<Vec<(Id, Id)>> {
+        let products = self.products(id, slot, depth)?;
+        let times = |(own, other)| (self.things.add(Op::Product(factor, own)), other);
+        Some(products.into_iter().map(times).collect())
+    }
+
+    fn weighted(&mut self, factor: Id, (id, slot): (Id, Slot), depth: usize) -> Option<Vec<(Id, Id)>> {
+        let products = self.products(id, slot, depth)?;
+        let times = |(own, other)| (own, self.things.add(Op::Product(factor, other)));
+        Some(products.into_iter().map(times).collect())
+    }
+
+    /// Sines, cosines and parameters of an agent, and products of them.
+    fn is_summable(&self, id: Id, slot: Slot, depth: usize) -> bool {
+        let Some(depth) = depth.checked_sub(1) else { return false };
+        match &self.things.ops[id] {
+            Op::Number(_) => true,
+            Op::Parameter(_, Of::Slot(own)) => *own == slot,
+            Op::Function(Function::Sine | Function::Cosine, _) => self.is_of(id, slot) && self.is_plain(id, depth),
+            Op::Negated(a) => self.is_summable(*a, slot, depth),
+            Op::Product(a, b) => self.is_summable(*a, slot, depth) && self.is_summable(*b, slot, depth),
+            _ => false,
+        }
+    }
+
+    /// Without loops.
+    fn is_plain(&self, id: Id, depth: usize) -> bool {
+        let Some(depth) = depth.checked_sub(1) else { return false };
+        let op = &self.things.ops[id];
+        !matches!(op, Op::Gathered(..)) && op.needs().into_iter().all(|id| self.is_plain(id, depth))
+    }
+
+    /// The same of another agent; what is not plain is not asked for.
+    fn renamed(&mut self, id: Id, from: Slot, to: Slot) -> Id {
+        let op = self.things.ops[id].clone();
+        let op = op.with(|id| self.renamed(id, from, to)).of(|slot| if slot == from { to } else { slot });
+        self.things.add(op)
+    }
+
+    fn over_the_flock(&mut self, slot: Slot, gather: Gather, products: &[(Id, Id)]) -> Option<Id> {
+        let variable = self.things.slots[slot].clone();
+        let all = self.things.slot(FLOCK, None, &variable.name);
+        let one = self.things.integer(1);
+        let mut total = None;
+        for &(own, other) in products {
+            let term = self.renamed(other, slot, all);
+            let mut sum = self.things.gather(all, None, Gather::Sum, term);
+            if variable.hears.is_some() {
+                // Nobody hears itself.
+                let itself = self.renamed(other, slot, variable.parent);
+                sum = self.things.add(Op::Difference(sum, itself));
+            }
+            let term = self.things.add(Op::Product(own, sum));
+            total = self.joined(total, Some(term));
+        }
+        let total = total?;
+        if gather == Gather::Sum {
+            return Some(total);
+        }
+        let mut count = self.things.gather(all, None, Gather::Count, one);
+        if variable.hears.is_some() {
+            count = self.things.add(Op::Difference(count, one));
+        }
+        Some(self.things.add(Op::Quotient(total, count)))
+    }
+}
