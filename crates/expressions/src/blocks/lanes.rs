@@ -282,7 +282,7 @@ fn function_of(function: Function, out: &mut [f64], a: View) -> Source {
     match (function, a) {
         (Function::Root, _) => one(out, a, f64::sqrt),
         (Function::Exponential, _) => one(out, a, f64::exp),
-        (Function::Logarithm, _) => one(out, a, logarithm),
+        (Function::Logarithm | Function::LogarithmOfBase, _) => one(out, a, logarithm),
         (Function::Sine, View::Same(_)) => one(out, a, f64::sin),
         (Function::Cosine, View::Same(_)) => one(out, a, f64::cos),
         (Function::Sine, View::Each(angles)) => {

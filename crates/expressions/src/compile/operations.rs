@@ -86,7 +86,7 @@ impl Compiler<'_> {
             (times.unsigned_abs() <= 128).then_some((roots, times))
         };
         let Some((roots, times)) = constant.as_ref().and_then(as_roots) else {
-            let logarithm = things.add(Op::Function(Function::Logarithm, base));
+            let logarithm = things.add(Op::Function(Function::LogarithmOfBase, base));
             let product = things.add(Op::Product(exponent, logarithm));
             return things.add(Op::Function(Function::Exponential, product));
         };

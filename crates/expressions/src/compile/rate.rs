@@ -155,7 +155,7 @@ impl<'a> Compiler<'a> {
                 self.over(inner, twice)
             }
             Function::Exponential => self.times(id, inner),
-            Function::Logarithm => self.over(inner, argument),
+            Function::Logarithm | Function::LogarithmOfBase => self.over(inner, argument),
             Function::Sine => {
                 let cosine = self.things.add(Op::Function(Function::Cosine, argument));
                 self.times(cosine, inner)

@@ -168,6 +168,12 @@ fn rational_laws_are_exact_and_others_say_what_is_missing() {
     let fault = law.rates(&rational(0, 1), &state, &Everyone(3)).unwrap_err();
     assert_eq!((fault.agent, law.name_of(&fault)), (Some(0), "v"));
     assert!(fault.to_string().contains("exact runs"));
+    let power = LawText { time: Time::Continuous, rates: pairs(&[("x", "x^(1/3)")]), ..text };
+    let fault = power.compile(3).unwrap().rates(&0.0, &[8.0, -8.0, 1.0], &Everyone(3)).unwrap_err();
+    assert_eq!(
+        fault.to_string(),
+        "of agent 2: this needs a number above 0 where a power has an exponent that is not a whole number"
+    );
 }
 
 fn cucker_smale_of(agents: usize) -> Law {

@@ -24,7 +24,7 @@ pub(super) trait Stepped: Number {
     type Machine;
 
     /// What computes for scalars like this one.
-    fn machine(&self, law: &Law) -> Self::Machine;
+    fn machine(&self, law: &Law, complete: bool) -> Self::Machine;
 
     /// The nearest float, roughly.
     fn rounded(&self) -> f64;
@@ -81,7 +81,7 @@ impl Stepped for f64 {
 impl Stepped for Rational {
     type Machine = Evaluator<Rational>;
 
-    fn machine(&self, law: &Law) -> Evaluator<Rational> {
+    fn machine(&self, law: &Law, _: bool) -> Evaluator<Rational> {
         law.evaluator(self)
     }
 
@@ -107,7 +107,7 @@ impl Stepped for Rational {
 impl Stepped for PreciseNumber {
     type Machine = Evaluator<PreciseNumber>;
 
-    fn machine(&self, law: &Law) -> Evaluator<PreciseNumber> {
+    fn machine(&self, law: &Law, _: bool) -> Evaluator<PreciseNumber> {
         law.evaluator(self)
     }
 
