@@ -85,6 +85,7 @@ def main():
     arguments.add_argument("--flockproof", default="target/release/flockproof")
     arguments.add_argument("--rounds", type=int, default=1)
     arguments.add_argument("--only", default="")
+    arguments.add_argument("--keep", default="", help="a folder in which the files stay")
     asked = arguments.parse_args()
     print("| run | built-in [s] | file [s] | ratio | difference |\n|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as folder:
@@ -94,13 +95,15 @@ def main():
             file = (LAWS / f"{law}.toml").read_text()
             head = re.search(r"\n\[law\].*?(?=\n\[(graph|state|run)\])", file, re.S).group(0)
             head = re.sub(r"\[law\.observables\].*?(?=\n\[|\Z)", "", head, flags=re.S)
+            # A place for each car; the built-in platoon and the fish have their network in the law.
+            head = re.sub(r"place = \[.*?\]", f"place = {[-k for k in range(300)]}", head)
             shipped = re.search(r"\n\[graph\].*?(?=\n\[(state|run)\])", file, re.S)
             chart = f"[graph]\n{graph}\n" if graph else shipped.group(0) + "\n" if shipped else ""
             run = f"[run]\nuntil = {until}\nrows = 2\nobservables = []\ntolerance = 1e-9\n{extra}\n"
+            if asked.keep:
+                folder = asked.keep
             paths = [f"{folder}/own.toml", f"{folder}/built.toml"]
             pathlib.Path(paths[0]).write_text(f'model = "own"\n{head}\n{chart}{listed(own)}{run}')
-            # A place for each car; the built-in platoon and the fish have their network in the law.
-            head = re.sub(r"place = \[.*?\]", f"place = {[-k for k in range(300)]}", head)
             others = f"[graph]\n{graph}\n" if graph and model != "platoon" else ""
             pathlib.Path(paths[1]).write_text(f'model = "{model}"\n[law]\n{text}\n{others}{listed(built)}{run}')
             times = [[], []]

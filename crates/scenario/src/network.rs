@@ -8,6 +8,7 @@ use arithmetic::{Complex, Field, Rational, nearest_name, shown};
 use models::oscillator::{Everyone, Interaction, Neighbours};
 use num_traits::{One, Signed};
 use std::borrow::Cow;
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A pair of agents from 0.
@@ -390,11 +391,30 @@ impl Network {
     /// Puts other links into the place of those that there are; what has changed.
     pub fn exchange(&mut self, mut pairs: Vec<Pair>) -> Vec<Change> {
         pairs.sort_unstable();
-        let absent = |list: &[Pair], pair: &Pair| list.binary_search(pair).is_err();
-        let lost = self.pairs.iter().filter(|pair| absent(&pairs, pair)).map(|&pair| Change { gained: false, pair });
-        let gained = pairs.iter().filter(|pair| absent(&self.pairs, pair)).map(|&pair| Change { gained: true, pair });
-        let mut changes: Vec<Change> = lost.chain(gained).collect();
-        changes.sort_by_key(|change| change.pair);
+        // Both are sorted, and most stands in both.
+        let (mut old, mut new) = (self.pairs.iter().peekable(), pairs.iter().peekable());
+        let mut changes = Vec::new();
+        loop {
+            let (pair, gained) = match (old.peek(), new.peek()) {
+                (None, None) => break,
+                (Some(&&pair), None) => (pair, false),
+                (None, Some(&&pair)) => (pair, true),
+                (Some(a), Some(b)) => match a.cmp(b) {
+                    Ordering::Equal => {
+                        (old.next(), new.next());
+                        continue;
+                    }
+                    Ordering::Less => (**a, false),
+                    Ordering::Greater => (**b, true),
+                },
+            };
+            if gained {
+                new.next()
+            } else {
+                old.next()
+            };
+            changes.push(Change { gained, pair });
+        }
         if !changes.is_empty() {
             self.set_pairs(pairs);
         }

@@ -326,6 +326,8 @@ impl Registers {
 /// Adds up lanes part by part: each part of them belongs to a lane of the level around.
 pub(super) struct Sums<'a> {
     pub lanes: Lanes<'a>,
+    /// Which lanes count.
+    pub condition: Option<View<'a>>,
     pub parts: &'a [(usize, usize, usize)],
     pub results: &'a mut [f64],
 }
@@ -335,9 +337,10 @@ impl WithSimd for Sums<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Sums { lanes, parts, results } = self;
+        let Sums { lanes, condition, parts, results } = self;
         for &(lane, begin, end) in parts {
             results[lane] += match lanes {
+                lanes if condition.is_some() => chosen_sum(lanes, condition, (begin, end)),
                 Lanes::Own(View::Same(x)) => sum_of(end - begin, |_| x),
                 Lanes::Own(View::Each(list)) => sum_each([&list[begin..end]], |[x]| x),
                 Lanes::Scaled(View::Each(c), View::Each(a), View::Same(b)) => {
@@ -349,6 +352,19 @@ impl WithSimd for Sums<'_> {
                 _ => sum_of(end - begin, |k| lanes.at(begin + k)),
             };
         }
+    }
+}
+
+/// The sum of the lanes that count.
+#[inline(always)]
+fn chosen_sum(lanes: Lanes, condition: Option<View>, (begin, end): (usize, usize)) -> f64 {
+    let chosen = |counts: f64, x: f64| if counts == 0.0 { 0.0 } else { x };
+    match (condition, lanes) {
+        (Some(View::Each(counts)), Lanes::Own(View::Each(list))) => {
+            sum_each([&counts[begin..end], &list[begin..end]], |[counts, x]| chosen(counts, x))
+        }
+        (Some(counts), lanes) => sum_of(end - begin, |k| chosen(counts.at(begin + k), lanes.at(begin + k))),
+        (None, lanes) => sum_of(end - begin, |k| lanes.at(begin + k)),
     }
 }
 
@@ -380,11 +396,6 @@ fn sum_of(count: usize, f: impl Fn(usize) -> f64) -> f64 {
 #[inline(always)]
 fn together([a, b, c, d, e, f, g, h]: [f64; 8]) -> f64 {
     ((a + e) + (b + f)) + ((c + g) + (d + h))
-}
-
-/// The sum of some lanes.
-pub(super) fn sum(lanes: &[f64]) -> f64 {
-    sum_each([lanes], |[x]| x)
 }
 
 #[cfg(test)]

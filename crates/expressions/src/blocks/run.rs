@@ -1,7 +1,7 @@
 //! Levels run over blocks of lanes: the flock, agents, those whom they hear, those whom these hear, ..
 
 use super::code::{Code, Heard, Inner, Level, Load, Step};
-use super::lanes::{BLOCK, Registers, Straight, Sums, View, sum};
+use super::lanes::{BLOCK, Registers, Straight, Sums, View};
 use crate::evaluate::Hearing;
 use crate::program::Gather;
 
@@ -309,8 +309,8 @@ impl Space {
         for &(gather, body, to) in &inner.results {
             let lanes = frame.registers.lanes(body, frame.lanes, moment.columns);
             let results = outer.registers.own(to, outer_lanes);
-            if condition.is_none() && matches!(gather, Gather::Sum | Gather::Mean | Gather::Count) {
-                moment.arch.dispatch(Sums { lanes, parts: &frame.parts, results });
+            if matches!(gather, Gather::Sum | Gather::Mean | Gather::Count) {
+                moment.arch.dispatch(Sums { lanes, condition, parts: &frame.parts, results });
                 continue;
             }
             for &(lane, begin, end) in &frame.parts {
@@ -340,17 +340,12 @@ impl Space {
     }
 }
 
+/// The largest or the smallest so far.
 fn join(gather: Gather, result: &mut f64, lanes: &[f64]) {
-    match gather {
-        Gather::Sum | Gather::Mean | Gather::Count => *result += sum(lanes),
-        Gather::Largest | Gather::Smallest => {
-            let largest = gather == Gather::Largest;
-            for &x in lanes {
-                let better = if largest { x > *result } else { x < *result };
-                if better || x.is_nan() {
-                    *result = x;
-                }
-            }
+    for &x in lanes {
+        let better = if gather == Gather::Largest { x > *result } else { x < *result };
+        if better || x.is_nan() {
+            *result = x;
         }
     }
 }

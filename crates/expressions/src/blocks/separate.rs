@@ -1,5 +1,6 @@
 //! Sines and cosines of sums, taken apart: `sin(a + b) = sin a cos b + cos a sin b`, so that there are functions of agents and none of pairs. Where everybody
 //! hears everybody, a sum of products of what is the agent's own with what is the other's is then one of sums over the flock.
+//! Sums over one agent's neighbours under several conditions are made one loop.
 //!
 //! Only products of sines, cosines and parameters are summed up for the flock: an agent's own term is taken from that sum again, which is no loss where terms are of
 //! one size. Differences as `x[j] - x` stay what they are.
@@ -23,7 +24,14 @@ pub(super) fn separated(program: &Program, complete: bool) -> Program {
             Op::Gathered(number, place) => {
                 let this = &program.loops[*number];
                 let (gather, body) = this.bodies[*place];
-                separating.gathered(this.slot, this.condition.map(|id| found[id]), (gather, found[body]))
+                let condition = this.condition.map(|id| found[id]);
+                let several = program.loops.iter().filter(|l| l.slot == this.slot && l.condition.is_some()).count() > 1;
+                match (condition, gather) {
+                    (Some(condition), Gather::Sum | Gather::Count) if several => {
+                        separating.chosen(this.slot, condition, found[body])
+                    }
+                    _ => separating.gathered(this.slot, condition, (gather, found[body])),
+                }
             }
             _ => separating.made(op.with(|id| found[id])),
         };
@@ -42,17 +50,17 @@ type Sides = (Option<Id>, Option<Id>);
 
 impl Separating {
     fn made(&mut self, op: Op) -> Id {
-        let Op::Function(function @ (Function::Sine | Function::Cosine), angle) = op else { return self.things.add(op) };
+        let Op::Function(function @ (Function::Sine | Function::Cosine), angle) = op else {
+            return self.things.add(op);
+        };
         let slot = self.things.slot_of[angle];
         let sides = if slot == FLOCK { None } else { self.added(angle, slot, DEPTH) };
         let Some((Some(a), Some(b))) = sides.filter(|_| self.things.free[angle].len() > 1) else {
             return self.things.add(op);
         };
         let mut of = |function: Function, id: Id| self.things.add(Op::Function(function, id));
-        let (sines, cosines) = (
-            [of(Function::Sine, a), of(Function::Sine, b)],
-            [of(Function::Cosine, a), of(Function::Cosine, b)],
-        );
+        let (sines, cosines) =
+            ([of(Function::Sine, a), of(Function::Sine, b)], [of(Function::Cosine, a), of(Function::Cosine, b)]);
         let mut product = |x: Id, y: Id| self.things.add(Op::Product(x, y));
         let op = if function == Function::Sine {
             Op::Sum(product(sines[0], cosines[1]), product(cosines[0], sines[1]))
@@ -121,6 +129,14 @@ impl Separating {
             (Some(a), Some(b)) => Some(self.things.add(Op::Difference(a, b))),
             (one, other) => one.or(other.map(|b| self.negated(b))),
         }
+    }
+
+    /// A sum over those who fulfil a condition as one over all, with 0 for the others: sums over one agent's neighbours under several conditions are then
+    /// one loop.
+    fn chosen(&mut self, slot: Slot, condition: Id, body: Id) -> Id {
+        let zero = self.things.integer(0);
+        let body = self.things.add(Op::Choice(condition, body, zero));
+        self.things.gather(slot, None, Gather::Sum, body)
     }
 
     fn gathered(&mut self, slot: Slot, condition: Option<Id>, (gather, body): (Gather, Id)) -> Id {

@@ -3,9 +3,7 @@
 use super::laws::{Lists, second_order};
 use arithmetic::random::{generator, uniform};
 use arithmetic::rational;
-use expressions::{
-    Blocks, Everyone, Hearing, Kind, Law, LawText, Node, NodeKind, Parameter, Relation, parse_property,
-};
+use expressions::{Blocks, Everyone, Hearing, Kind, Law, LawText, Node, NodeKind, Parameter, Relation, parse_property};
 use rand_chacha::ChaCha8Rng;
 
 /// What a walk has found.
@@ -292,7 +290,8 @@ fn sines_of_differences_are_taken_apart() {
             };
             let law = text.compile(agents).unwrap_or_else(|error| panic!("{rate}: {error}"));
             let state: Vec<f64> = (0..agents).map(|_| 8.0 * uniform(&mut random) - 4.0).collect();
-            let lists: [Box<dyn Hearing>; 2] = [Box::new(Everyone(agents)), Box::new(around(agents, agents.min(3) - 1))];
+            let lists: [Box<dyn Hearing>; 2] =
+                [Box::new(Everyone(agents)), Box::new(around(agents, agents.min(3) - 1))];
             for hearing in lists.iter().skip(usize::from(agents == 300 && rate.contains("(k,"))) {
                 let Ok(wanted) = law.rates(&0.0, &state, hearing.as_ref()) else { continue };
                 for (found, wanted) in in_blocks(&law, &state, hearing.as_ref()).iter().zip(&wanted) {
