@@ -187,7 +187,7 @@ class Flock(Shown):
     control
         Model D: a matrix that multiplies the stacked velocities in every step (equation 1.2).
     speed, headings, kappa
-        Model K: the speed, the headings in radians, and what is added to each heading in every step (equation 1.1).
+        Model K: the speed, the headings and what is added to each of them in every step, in radians (equation 1.1).
 
     Raises
     ------

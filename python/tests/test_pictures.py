@@ -28,8 +28,52 @@ def _no_window() -> None:
     pytest.importorskip("matplotlib").use("Agg")
 
 
-def test_only_pictures_are_public() -> None:
-    assert dir(plot) == sorted(plot.__all__)
+def test_eigenvalues_carry_their_multiplicities() -> None:
+    drawn = plot.spectrum(flockproof.spectrum("ring:12"))
+    # 0 and 4 are simple; five others are double.
+    assert [text.get_text() for text in drawn.texts] == ["2"] * 5
+    assert list(drawn.get_yticks()) == [0]
+    turning = plot.spectrum(flockproof.spectrum([[0, 1, 0], [0, 0, 1], [1, 0, 0]], kind="out-degree"))
+    assert len(turning.get_yticks()) > 1 and not turning.texts
+
+
+def test_products_become_ergodic() -> None:
+    found = flockproof.ergodicity([[["1/2", "1/2"], ["1/3", "2/3"]]] * 4 + [[["1/2", "1/2"]] * 2])
+    first, second = plot.ergodicity(found).get_lines()
+    assert list(first.get_xdata()) == [1, 2, 3, 4, 5]
+    assert list(first.get_ydata())[:4] == pytest.approx([6.0**-k for k in range(1, 5)])
+    # Equal rows: the coefficient is 0, which has no logarithm.
+    assert math.isnan(first.get_ydata()[4]) and second.get_ydata()[0] == pytest.approx(2**0.5 / 6)
+    with pytest.raises(TypeError, match=r"flockproof\.ergodicity"):
+        plot.ergodicity(found.product)  # type: ignore[arg-type]
+
+
+def test_a_fit_shows_its_intervals() -> None:
+    found = flockproof.Fit({"k": 1.0, "b": 3.0}, {"k": (0.5, 1.5), "b": (2.0, 5.0)}, 0.9, (0.1, 0.2), 20, 0.5, "words")
+    drawn = plot.fit(found)
+    assert drawn.get_title() == "90.0 % explained, shuffled at most 20.0 %"
+    spans = [bars.get_segments()[0][:, 0].tolist() for one in drawn.containers for bars in one.lines[2]]
+    assert spans == [[0.5, 1.5], [2.0, 5.0]]
+    assert [label.get_text() for label in drawn.get_yticklabels()] == ["k", "b"]
+
+
+def test_axes_of_somebody_else_keep_their_ticks(tmp_path: Path) -> None:
+    question = tmp_path / "paths.toml"
+    question.write_text(
+        '[question]\nid = "paths"\n[for]\nn = "3..5"\ngraph = "path(n)"\n[values]\nslow = "lambda(2)"\n'
+    )
+    axes = pytest.importorskip("matplotlib.pyplot").subplots()[1]
+    axes.set_xscale("log")
+    assert plot.sweep(flockproof.sweep(question), "n", "slow", axes) is axes and axes.get_xscale() == "log"
+
+
+def test_birds_are_named_outside_of_their_circle() -> None:
+    drawn = plot.network(flockproof.Flock([k * 9 / 10 for k in range(12)], [0] * 12).settle())
+    drawn.figure.canvas.draw()
+    assert len(drawn.texts) == 12
+    for text in drawn.texts:
+        x, y = text.get_position()
+        assert x * text.xy[0] + y * text.xy[1] > 10
 
 
 def test_links_begin_and_end_where_the_switches_are() -> None:
