@@ -403,9 +403,7 @@ def network(found: Run | Settlement, axes: Axes | None = None) -> Axes:
         axes.plot(*zip(*(place[bird] for bird in flock), strict=True), "o", ms=8)
     for bird, (x, y) in place.items():
         # Outside of the circle, where no line is.
-        axes.annotate(
-            str(bird), (x, y), textcoords="offset points", xytext=(13 * x, 11 * y), ha="center", va="center"
-        )
+        axes.annotate(str(bird), (x, y), textcoords="offset points", xytext=(13 * x, 11 * y), ha="center", va="center")
     axes.set(aspect="equal")
     axes.axis("off")
     return axes
