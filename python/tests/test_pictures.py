@@ -282,6 +282,23 @@ def test_results_and_claims_show_themselves_in_latex() -> None:
         assert latex.count(r" \\" + "\n") == html.count("<tr>")
 
 
+def test_parts_of_results_show_themselves() -> None:
+    platoon = flockproof.Platoon(3, -1, -2, ahead="0.6")
+    response = platoon.response(1, car=1)
+    eigenvalue = flockproof.spectrum("complete:5")[1]
+    assert eigenvalue._repr_latex_() == r"$5,\quad 4\ \text{times}$"
+    assert flockproof.spectrum("complete:5")[0]._repr_latex_() == "$0$"
+    pattern = flockproof.pattern(4, [-1], "1/2")[0]
+    for found, words in (
+        (platoon, "platoon of 3 followers"),
+        (response, "phase (radians)"),
+        (pattern, "<td>1</td><td>stable</td>"),
+    ):
+        html, latex = found._repr_html_(), found._repr_latex_()
+        assert words in html and html.count("<table>") == html.count("</table>") == 1
+        assert latex.count(r" \\" + "\n") == html.count("<tr>")
+
+
 def test_a_reach_shows_its_checks() -> None:
     found = flockproof.reach(
         {
@@ -292,6 +309,7 @@ def test_a_reach_shows_its_checks() -> None:
         }
     )
     assert "<td>x &lt;= 9/10</td><td>holds</td>" in found._repr_html_()
+    assert "x &lt;= 9/10: holds" in found[0]._repr_html_() and r"\begin{longtable}" in found[0]._repr_latex_()
 
 
 def test_a_platoon_that_is_not_stable_is_told() -> None:
