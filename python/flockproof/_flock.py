@@ -175,7 +175,8 @@ class Flock(Shown):
     Parameters
     ----------
     positions
-        x(0): one row for each bird, or a number for each bird of a flock on the line.
+        x(0): one row for each bird, or a number for each bird of a flock on the line; the unit is the distance within
+        which birds are linked, that of time one step.
     velocities
         v(1), of the same shape (model D).
     model

@@ -437,7 +437,7 @@ def tracks(
     blind
         Blind spot behind each fish in degrees.
     still
-        A fish that is no faster has no heading.
+        A fish that is no faster (in the unit of x and y per second) has no heading.
     plain_nearest
         For n = 1 always the nearest neighbour, also in the zone of repulsion.
     nearest
