@@ -1,5 +1,11 @@
 """Settings of Sphinx: notes in Markdown, the Python package by its docstrings, nothing from elsewhere."""
 
+import flockproof.plot
+import matplotlib.axes
+
+# Known there to type checkers only; with it every type of a signature is one that has a place.
+flockproof.plot.Axes = matplotlib.axes.Axes
+
 project = "flockproof"
 author = "The flockproof developers"
 html_title = "flockproof"

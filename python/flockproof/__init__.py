@@ -30,6 +30,7 @@ from ._queries import (
 )
 from ._questions import Answer, Campaign, Failure, Invariant, Member, Table, check, fuzz, graphs, invariants, sweep
 from ._runs import Event, Simulation, Tracks, simulate, tracks
+from ._signatures import readable as _readable
 from ._systems import Check, Reach, reach
 from .law import Law
 
@@ -95,3 +96,5 @@ __all__ = [
     "tracks",
     "verify",
 ]
+
+_readable(globals(), [name for name in __all__ if name != "__version__"])

@@ -175,7 +175,8 @@ class Flock(Shown):
     Parameters
     ----------
     positions
-        x(0): one row for each bird, or a number for each bird of a flock on the line.
+        x(0): one row for each bird, or a number for each bird of a flock on the line; the unit is the distance within
+        which birds are linked, that of time one step.
     velocities
         v(1), of the same shape (model D).
     model
@@ -187,7 +188,7 @@ class Flock(Shown):
     control
         Model D: a matrix that multiplies the stacked velocities in every step (equation 1.2).
     speed, headings, kappa
-        Model K: the speed, the headings in radians, and what is added to each heading in every step (equation 1.1).
+        Model K: the speed, the headings and what is added to each of them in every step, in radians (equation 1.1).
 
     Raises
     ------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -14,7 +14,7 @@ from ._shown import Shown, table
 
 
 @dataclass(frozen=True)
-class Pattern:
+class Pattern(Shown):
     """Particles in clusters of equal size, evenly spaced on one circle.
 
     Attributes
@@ -32,6 +32,9 @@ class Pattern:
     verdict: str
     abscissa: Enclosure | None
     zeros: int
+
+    def _repr_html_(self) -> str:
+        return _patterns_table([self])
 
 
 @dataclass(frozen=True)
@@ -59,8 +62,12 @@ class Patterns(Shown, Sequence[Pattern]):
         return self.patterns[index]
 
     def _repr_html_(self) -> str:
-        rows = [(str(p.clusters), p.verdict, "" if p.abscissa is None else str(p.abscissa), str(p.zeros)) for p in self]
-        return table(("clusters", "verdict", "largest real part (1/s)", "eigenvalues 0"), rows)
+        return _patterns_table(self)
+
+
+def _patterns_table(some: Iterable[Pattern]) -> str:
+    rows = [(str(p.clusters), p.verdict, "" if p.abscissa is None else str(p.abscissa), str(p.zeros)) for p in some]
+    return table(("clusters", "verdict", "largest real part (1/s)", "eigenvalues 0"), rows)
 
 
 def pattern(

@@ -14,6 +14,7 @@ from . import _native
 from ._extras import needed
 from ._numbers import Enclosure, Number, floats_among
 from ._queries import Eigenvalue, Peak, _listed, _peak
+from ._shown import Shown, table, told
 
 #: What is given of a platoon beside its gains.
 _SIDES = ("ahead", "behind", "f_ahead", "f_behind", "g_ahead", "g_behind")
@@ -22,7 +23,7 @@ Numbers = Number | Iterable[Number] | None
 
 
 @dataclass(frozen=True)
-class Response:
+class Response(Shown):
     """The response of a car at one frequency.
 
     Attributes
@@ -41,12 +42,17 @@ class Response:
     amplitude: Enclosure
     phase: Enclosure | None
 
+    def _repr_html_(self) -> str:
+        phase = "not known: the amplitude may be zero" if self.phase is None else str(self.phase)
+        rows = [("amplitude", str(self.amplitude)), ("phase (radians)", phase)]
+        return table((f"car {self.car} at {self.frequency} rad/s", "enclosed"), rows)
+
     def __complex__(self) -> complex:
         turn = 0.0 if self.phase is None else float(self.phase)
         return float(self.amplitude) * complex(np.cos(turn), np.sin(turn))
 
 
-class Platoon:
+class Platoon(Shown):
     """Cars on a line behind a leader, each steered by its distance and velocity to the cars ahead and behind.
 
     Parameters
@@ -107,6 +113,10 @@ class Platoon:
 
         parts = [str(self.followers), *(f"{name}={shown(numbers)}" for name, numbers in self._parameters)]
         return f"Platoon({', '.join(parts)})"
+
+    def _repr_html_(self) -> str:
+        rows = [(name, ", ".join(map(str, numbers))) for name, numbers in self._parameters]
+        return told(f"platoon of {self.followers} followers") + table(("gain or weight", "of each car"), rows)
 
     def peak(self, car: int | None = None, digits: int = 15) -> Peak:
         """Enclose the largest response of a car over all frequencies, with proof that no frequency is worse.

@@ -334,6 +334,15 @@ class Eigenvalue:
         imaginary = f" + i {self.imaginary}" if self.imaginary is not None else ""
         return f"Eigenvalue({value}{imaginary}, multiplicity={self.multiplicity})"
 
+    def _repr_latex_(self) -> str:
+        times = rf",\quad {self.multiplicity}\ \text{{times}}" if self.multiplicity > 1 else ""
+        return f"${_part(self)}{times}$"
+
+
+def _part(found: Eigenvalue) -> str:
+    value = latex(found.exact) if found.exact is not None else _inner(found.value)
+    return value if found.imaginary is None else rf"{value} + i\,{_inner(found.imaginary)}"
+
 
 class Spectrum(list[Eigenvalue]):
     """The eigenvalues by increasing real part, as a list.
@@ -370,11 +379,7 @@ class Spectrum(list[Eigenvalue]):
         if len(self) > ROWS:
             return None
 
-        def one(part: Eigenvalue) -> str:
-            value = latex(part.exact) if part.exact is not None else _inner(part.value)
-            return value if part.imaginary is None else rf"{value} + i\,{_inner(part.imaginary)}"
-
-        rows = r" \\ ".join(f"{part.multiplicity} & {one(part)}" for part in self)
+        rows = r" \\ ".join(f"{part.multiplicity} & {_part(part)}" for part in self)
         return rf"$\begin{{array}}{{rl}} \text{{multiplicity}} & \lambda \\ \hline {rows} \end{{array}}$"
 
     def __array__(self, dtype: npt.DTypeLike | None = None, copy: bool | None = None) -> npt.NDArray[Any]:

@@ -82,7 +82,8 @@ def read(data: Any, part: str | None, score: float) -> Recording | None:
     if ending == ".nc":
         return _movement(needed("xarray", "recordings").open_dataset(path), part, score)
     if ending == ".slp":
-        return _rated(_movement(_with_movement(path, "SLEAP"), part, score), _rate_of_slp(path))
+        project: Recording = _refused(path, lambda: _slp(path, part, score))
+        return project
     if ending == ".mat":
         flies: Recording = _refused(path, lambda: _ctrax(path))
         return flies
@@ -221,6 +222,8 @@ def _folder(folder: Path) -> Recording:
         fps, body_length = attributes(table)
         places = values[:, 1:].reshape(len(values), -1, 2)
         times = None if fps else values[:, 0]
+        if fps:
+            places = _refused(table, lambda: _at_frames(places, np.rint(values[:, 0] * fps)))
         return Recording(places, "idtracker.ai", times=times, fps=fps, body_length=body_length, unit="pixels")
     return _trex(sorted([*folder.glob("*.npz"), *folder.glob("*.csv")]), folder)
 
@@ -319,11 +322,18 @@ def _trex(files: Sequence[Path], folder: Path) -> Recording:
     return Recording(positions, "TRex", names=names, fps=rate, unit=unit)
 
 
-def _hdf5(path: Path, part: str | None, score: float) -> Recording:
+def _opened(path: Path) -> Any:
+    """A file of HDF5, to be closed."""
     h5py = needed("h5py", "recordings")
+    # Without a file this is an OSError that names it.
+    if path.stat() and not h5py.is_hdf5(path):
+        raise ValueError("it is no file of HDF5")
+    return h5py.File(path, "r")
 
-    def opened() -> Recording | None:
-        with h5py.File(path, "r") as file:
+
+def _hdf5(path: Path, part: str | None, score: float) -> Recording:
+    def found() -> Recording | None:
+        with _opened(path) as file:
             if "tracks" in file and "node_names" in file:
                 return _rated(_sleap(file, part, score), _of_video(path, _one_text(file.get("video_path"))))
             if "trajectories" in file:
@@ -332,11 +342,55 @@ def _hdf5(path: Path, part: str | None, score: float) -> Recording:
                 )
         return None
 
-    recording: Recording | None = _refused(path, opened)
+    recording: Recording | None = _refused(path, found)
     if recording is not None:
         return recording
-    recording = _refused(path, lambda: _movement(_with_movement(path, "DeepLabCut"), part, score))
+    recording = _refused(path, lambda: _deeplabcut(path, part, score))
     return _rated(recording, rate_of_deeplabcut(path))
+
+
+def _deeplabcut(path: Path, part: str | None, score: float) -> Recording:
+    """Through movement, which counts the rows of the table; they stand at the frames that the table numbers."""
+    recording = _movement(_with_movement(path, "DeepLabCut"), part, score)
+    # movement needs pandas, and has read the same table.
+    rows = needed("pandas", "movement").read_hdf(path).index
+    return replace(recording, positions=_at_frames(recording.positions, np.asarray(rows)))
+
+
+def _at_frames(places: Array, numbers: npt.NDArray[Any]) -> Array:
+    """Rows of positions at the numbers of their frames; a frame without a row is a gap."""
+    if numbers.dtype.kind not in "iuf" or numbers.shape != places.shape[:1]:
+        raise ValueError("its rows are not numbered by frames")
+    if not ((numbers >= 0) & (numbers < 2**53)).all():
+        raise ValueError("its rows are not numbered by frames")
+    frames, counts = np.unique(numbers.astype(np.int64), return_counts=True)
+    if counts.max(initial=1) > 1:
+        raise ValueError(f"frame {frames[counts > 1][0]} is there twice")
+    if not len(frames) or frames[-1] > _SPARSEST * len(frames):
+        raise ValueError("its frames are not numbered one after the other")
+    found = np.full((int(frames[-1]) + 1, *places.shape[1:]), np.nan)
+    found[numbers.astype(np.int64)] = places
+    return found
+
+
+#: More frames for each row are no numbers of frames.
+_SPARSEST = 10_000
+
+
+def _slp(path: Path, part: str | None, score: float) -> Recording:
+    """Through movement, which reads the frames of the first video, and takes what has no track for one individual."""
+    with _opened(path) as file:
+        frames: Any = file["frames"][()] if "frames" in file else np.zeros(0)
+        if frames.dtype.names is None:
+            raise ValueError("it has no table of frames, as SLEAP writes it")
+        videos = set(frames["video"].tolist())
+        most = int(np.max(frames["instance_id_end"] - frames["instance_id_start"], initial=0))
+        tracks = len(file["tracks_json"]) if "tracks_json" in file else 0
+    if len(videos) > 1:
+        raise ValueError(f"it has frames of {len(videos)} videos; save those of one")
+    if most > 1 and not tracks:
+        raise ValueError(f"it has up to {most} instances in a frame and no tracks, so that nobody knows who is who")
+    return _rated(_movement(_with_movement(path, "SLEAP"), part, score), _rate_of_slp(path))
 
 
 def _one_text(data: Any) -> str:
@@ -404,9 +458,11 @@ def _of_parts(places: Array, parts: Sequence[str], sure: Array | None, part: str
 
 def _with_movement(path: Path, software: str) -> Any:
     load = needed("movement.io", "movement")
-    if hasattr(load, "load_dataset"):
-        return load.load_dataset(path, source_software=software)
-    return load.load_poses.from_file(path, source_software=software)
+    read = load.load_dataset if hasattr(load, "load_dataset") else load.load_poses.from_file
+    try:
+        return read(path, source_software=software)
+    except (ValueError, LookupError, TypeError) as error:
+        raise ValueError(f"movement cannot read it: {error}") from None
 
 
 def _is_dataset(data: Any) -> bool:

@@ -349,13 +349,18 @@ class Tracks(Shown):
     def __repr__(self) -> str:
         return self.text
 
+    def _with_unit(self, name: str) -> str:
+        """A name of what is measured, with its unit where it has one."""
+        unit = self.summary["declaration"]["unit"] or "unit of the file"
+        if name.startswith("nearest_distance"):
+            return f"{name} ({unit})"
+        return f"{name} ({unit}/s)" if name == "momentum" else name
+
     def _repr_html_(self) -> str:
         s, left = self.summary, self.summary["left_out"]
         head = f"{s['source']}: {s['fish']} fish, {s['frames']} frames of {s['step']:g} s, {left['used']} of them used"
-        unit = s["declaration"]["unit"] or "unit of the file"
-        units = {"momentum": f" ({unit}/s)", "nearest_distance": f" ({unit})"}
         means = [
-            (name + units.get(name, ""), f"{value:.6g}")
+            (self._with_unit(name), f"{value:.6g}")
             for name, value in s["means"].items()
             if isinstance(value, (int, float))
         ]
@@ -432,7 +437,7 @@ def tracks(
     blind
         Blind spot behind each fish in degrees.
     still
-        A fish that is no faster has no heading.
+        A fish that is no faster (in the unit of x and y per second) has no heading.
     plain_nearest
         For n = 1 always the nearest neighbour, also in the zone of repulsion.
     nearest

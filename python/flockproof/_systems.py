@@ -18,13 +18,13 @@ from ._numbers import Enclosure, Number
 from ._progress import Progress, callback
 from ._questions import _named
 from ._runs import named_files, toml
-from ._shown import Shown, table
+from ._shown import Shown, table, told
 
 System = Mapping[str, Any] | str | os.PathLike[str]
 
 
 @dataclass(frozen=True)
-class Check:
+class Check(Shown):
     """What is known about one check.
 
     Attributes
@@ -56,6 +56,11 @@ class Check:
     at: Enclosure | None
     witness: Mapping[str, Any] | None = field(hash=False)
     why: str
+
+    def _repr_html_(self) -> str:
+        known = (("worst case", self.worst), ("margin", self.margin), ("attained at t", self.at))
+        rows = [(name, str(value)) for name, value in known if value is not None]
+        return told(f"{self.holds}: {self.verdict}", [self.why]) + table(("", "enclosed"), rows)
 
 
 @dataclass(frozen=True)

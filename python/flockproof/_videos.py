@@ -119,9 +119,9 @@ def _mp4(file: BinaryIO) -> float | None:
 
 
 def _even(runs: list[tuple[int, ...]], scale: int) -> float | None:
-    """The rate where nearly all frames last equally long, but for one unit of rounding."""
+    """The rate where nearly all frames last equally long, but for one unit of rounding; none of a single frame."""
     frames, units = sum(count for count, _ in runs), sum(count * length for count, length in runs)
-    if not (frames and units and scale):
+    if not (frames > 1 and units and scale):
         return None
     mean = units / frames
     if sum(count for count, length in runs if abs(length - mean) > max(1, _UNEVEN * mean)) > max(1, _UNEVEN * frames):

@@ -54,11 +54,17 @@ from ._numbers import (
     why_not_exact,
 )
 from ._shown import Shown
+from ._signatures import readable
 
 if TYPE_CHECKING:
     from ._questions import Question
 
 __all__ = ["Claimed", "Exact", "Outcome", "Run", "Truth", "claim", "every", "some", "verify"]
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
+
 
 #: What a comparison rests on, weakest first.
 _STRENGTH = ("simulated", "certified", "exact")
@@ -577,7 +583,7 @@ def claim(
     repaired: tuple[str, str, Any] | None = None,
     expected: str | None = None,
     expected_grades: Sequence[str] = (),
-) -> Callable[[Check[Any]], Claimed[Any]]:
+) -> Callable[[Callable[[Any, Run], Outcome]], Claimed[Any]]:
     """Make a claim of a function that decides a variant of a statement; its docstring is the argument in words.
 
     Parameters
@@ -727,3 +733,6 @@ def _examined(one: Claimed[Any], seed: str, full: bool) -> dict[str, Any]:
         document["correction"] = {"fault": fault, "statement": statement, "clauses": []}
         document["corrected"] = examine(variant, True)
     return document
+
+
+readable(globals(), __all__)

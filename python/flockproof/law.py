@@ -9,6 +9,34 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from ._progress import Progress
+from ._signatures import readable
+
+__all__ = [
+    "Agent",
+    "Expression",
+    "Law",
+    "choose",
+    "count",
+    "cross",
+    "dot",
+    "heading",
+    "largest",
+    "mean",
+    "norm",
+    "norm2",
+    "normal",
+    "smallest",
+    "total",
+    "turn",
+    "uniform",
+    "unit",
+    "vector",
+]
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
+
 
 _NAMES = "ijklmnpqrsuvwxyz"
 _UFUNCS = {"sqrt": "sqrt", "exp": "exp", "log": "log", "sin": "sin", "cos": "cos", "absolute": "abs"}
@@ -175,7 +203,7 @@ def turn(a: Any, angle: Any) -> Expression:
 
 
 def heading(a: Any) -> Expression:
-    """The angle of a vector of the plane, in (-pi, pi]."""
+    """The angle of a vector of the plane in radians, in (-pi, pi]."""
     return _called("heading", a)
 
 
@@ -279,7 +307,7 @@ class Law:
     Parameters
     ----------
     state
-        What each agent has: ``{"x": "vector", "v": "vector"}``; also ``"number"`` and ``"angle"``.
+        What each agent has: ``{"x": "vector", "v": "vector"}``; also ``"number"`` and ``"angle"`` (radians).
     rates
         Of each part of the state its rate of change, in continuous time: a text, or a function of an agent.
     next
@@ -491,3 +519,6 @@ def _latex_call(name: str, arguments: list[ast.expr]) -> str:
         return rf"\begin{{cases}} {inner[1]} & {inner[0]} \\ {inner[2]} & \text{{else}} \end{{cases}}"
     known = rf"\{name}" if name in ("sin", "cos", "exp", "log") else rf"\mathrm{{{name}}}".replace("_", r"\_")
     return rf"{known}\left({', '.join(inner)}\right)"
+
+
+readable(globals(), __all__)

@@ -7,26 +7,33 @@ results is a TypeError.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._extras import needed
+from ._fit import Fit
 from ._flock import Flock, Run, Settlement
 from ._numbers import Enclosure
 from ._patterns import Patterns
 from ._platoon import Platoon
-from ._queries import Resonance, Spectrum
+from ._queries import Ergodicity, Resonance, Spectrum
 from ._questions import Table
 from ._runs import Simulation, Tracks
+from ._signatures import readable
 from ._systems import Reach
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 __all__ = [
     "against",
     "bode",
     "circle",
+    "ergodicity",
+    "fit",
     "network",
     "observables",
     "paths",
@@ -55,7 +62,7 @@ def _needed(value: object, kinds: type | tuple[type, ...], name: str, maker: str
         raise TypeError(f"{name} should be what {maker} gives, but it is `{str(value)[:60]}`")
 
 
-def _axes(axes: Any) -> Any:
+def _axes(axes: Axes | None) -> Axes:
     if axes is not None:
         return axes
     axes = needed("matplotlib.pyplot", "plot").subplots(layout="constrained")[1]
@@ -78,6 +85,13 @@ def _legend(axes: Any) -> None:
     axes.legend(**below, ncols=columns, fontsize="small", frameon=False)
 
 
+def _whole(axes: Axes) -> None:
+    """Ticks at whole numbers along the axis; axes of somebody else may have ticks of another kind, which stay."""
+    locator = axes.xaxis.get_major_locator()
+    if isinstance(locator, needed("matplotlib.ticker", "plot").MaxNLocator):
+        locator.set_params(integer=True)
+
+
 def _without_jumps(positions: Any) -> Any:
     """Paths in a periodic box, broken where they leave at one side and come back at the other."""
     jumps = np.abs(np.diff(positions, axis=0)) > np.ptp(positions, axis=(0, 1)) / 2
@@ -86,7 +100,7 @@ def _without_jumps(positions: Any) -> Any:
     return broken
 
 
-def paths(simulation: Simulation, axes: Any = None) -> Any:
+def paths(simulation: Simulation, axes: Axes | None = None) -> Axes:
     """The paths of the agents in the plane, or their one coordinate or phase over time.
 
     Parameters
@@ -119,7 +133,7 @@ def paths(simulation: Simulation, axes: Any = None) -> Any:
     return axes
 
 
-def observables(simulation: Simulation, names: Iterable[str] | None = None, axes: Any = None) -> Any:
+def observables(simulation: Simulation, names: Iterable[str] | None = None, axes: Axes | None = None) -> Axes:
     """Observables over time; all of them where none is named.
 
     Parameters
@@ -155,7 +169,7 @@ def observables(simulation: Simulation, names: Iterable[str] | None = None, axes
     return axes
 
 
-def resonances(found: Iterable[Resonance] | Resonance, axes: Any = None) -> Any:
+def resonances(found: Iterable[Resonance] | Resonance, axes: Axes | None = None) -> Axes:
     """Amplitudes of main resonances over the number of followers, with what Theorem 1 says.
 
     Parameters
@@ -186,7 +200,12 @@ def resonances(found: Iterable[Resonance] | Resonance, axes: Any = None) -> Any:
     return axes
 
 
-def bode(platoon: Platoon, cars: Iterable[int] | None = None, frequencies: Any = None, axes: Any = None) -> Any:
+def bode(
+    platoon: Platoon,
+    cars: Iterable[int] | None = None,
+    frequencies: Iterable[float] | None = None,
+    axes: Sequence[Axes] | None = None,
+) -> Sequence[Axes]:
     """Bode's diagram of cars of a platoon: magnitude (dB) and phase (degrees), the certified peaks marked.
 
     The title says where a platoon is not stable, so that nothing settles into this response.
@@ -267,8 +286,8 @@ def _responses(platoon: Platoon, frequencies: Any) -> Any:
     return np.array([c @ np.linalg.solve(1j * w * one - a, b @ np.array([1, 1j * w])) for w in frequencies])
 
 
-def spectrum(found: Spectrum, axes: Any = None) -> Any:
-    """Eigenvalues in the complex plane, larger where the multiplicity is.
+def spectrum(found: Spectrum, axes: Axes | None = None) -> Axes:
+    """Eigenvalues in the complex plane, of several multiplicities with a number above each that is multiple.
 
     Parameters
     ----------
@@ -284,13 +303,82 @@ def spectrum(found: Spectrum, axes: Any = None) -> Any:
     _needed(found, Spectrum, "found", "flockproof.spectrum")
     axes = _axes(axes)
     values = np.array([complex(part) for part in found])
-    sizes = [12 * part.multiplicity for part in found]
-    axes.scatter(values.real, values.imag, s=sizes, alpha=0.7)
+    axes.scatter(values.real, values.imag, s=14, alpha=0.7)
+    for value, part in zip(values, found, strict=True):
+        if part.multiplicity > 1:
+            axes.annotate(
+                str(part.multiplicity),
+                (value.real, value.imag),
+                textcoords="offset points",
+                xytext=(0, 5),
+                ha="center",
+                fontsize="small",
+            )
     axes.set(xlabel="real part", ylabel="imaginary part", title=f"{found.graph}, {found.kind}")
+    if not values.imag.any():
+        # Real ones lie on a line; a scale above and below it would say nothing.
+        axes.set(ylim=(-1, 1), yticks=[0])
     return axes
 
 
-def network(found: Run | Settlement, axes: Any = None) -> Any:
+def ergodicity(found: Ergodicity, axes: Axes | None = None) -> Axes:
+    """The coefficients of ergodicity of the products of the first 1, 2, .. matrices, on a logarithmic scale.
+
+    A product whose rows are all equal has coefficients 0, which the scale leaves out.
+
+    Parameters
+    ----------
+    found
+        Of :func:`flockproof.ergodicity`.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    _needed(found, Ergodicity, "found", "flockproof.ergodicity")
+    axes = _axes(axes)
+    factors = [part.t for part in found.prefixes]
+    for label, values in (
+        ("tau_1", [float(part.tau_1) for part in found.prefixes]),
+        ("tau_2", [float(part.tau_2) for part in found.prefixes]),
+    ):
+        axes.semilogy(factors, [value if value > 0 else np.nan for value in values], "o-", ms=3, label=label)
+    _whole(axes)
+    axes.set(xlabel="factors", ylabel="coefficient of ergodicity")
+    _legend(axes)
+    return axes
+
+
+def fit(found: Fit, axes: Axes | None = None) -> Axes:
+    """The fitted parameters with their intervals of 95 %; the title has what the law and its negative control explain.
+
+    Parameters
+    ----------
+    found
+        Of :func:`flockproof.fit`; each parameter in its own unit.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    _needed(found, Fit, "found", "flockproof.fit")
+    axes = _axes(axes)
+    for k, (name, value) in enumerate(found.parameters.items()):
+        low, high = found.intervals[name]
+        axes.errorbar(value, k, xerr=[[value - low], [high - value]], fmt="o", ms=4, capsize=3)
+    axes.set_yticks(range(len(found.parameters)), list(found.parameters))
+    axes.set_ylim(len(found.parameters) - 0.4, -0.6)
+    beside = f", shuffled at most {100 * max(found.control):.1f} %" if found.control else ""
+    axes.set(xlabel="value, with 95 % intervals")
+    axes.set_title(f"{100 * found.explained:.1f} % explained{beside}", fontsize="medium")
+    return axes
+
+
+def network(found: Run | Settlement, axes: Axes | None = None) -> Axes:
     """The network of a flock on a circle, birds from 1.
 
     Parameters
@@ -314,13 +402,14 @@ def network(found: Run | Settlement, axes: Any = None) -> Any:
     for flock in found.flocks:
         axes.plot(*zip(*(place[bird] for bird in flock), strict=True), "o", ms=8)
     for bird, (x, y) in place.items():
-        axes.annotate(str(bird), (x, y), textcoords="offset points", xytext=(6, 6))
+        # Outside of the circle, where no line is.
+        axes.annotate(str(bird), (x, y), textcoords="offset points", xytext=(13 * x, 11 * y), ha="center", va="center")
     axes.set(aspect="equal")
     axes.axis("off")
     return axes
 
 
-def settlement(found: Settlement, axes: Any = None) -> Any:
+def settlement(found: Settlement, axes: Axes | None = None) -> Axes:
     """Which pairs of birds are linked, over time: a bar for each link, until the last switch and a little longer.
 
     Parameters
@@ -364,6 +453,7 @@ def settlement(found: Settlement, axes: Any = None) -> Any:
     if last > 1000:
         axes.set_xscale("symlog", linthresh=1)
     axes.set_yticks(range(len(place)), [f"{i}-{j}" for i, j in place])
+    axes.set_ylim(-0.6, len(place) - 0.4)
     axes.set(xlabel="t", ylabel="linked birds", title=f"{count} switch{'' if count == 1 else 'es'}, {found.ending}")
     return axes
 
@@ -372,7 +462,7 @@ def settlement(found: Settlement, axes: Any = None) -> Any:
 _LATEST = 10_000
 
 
-def spacetime(flock: Flock, until: int | None = None, coordinate: int = 0, axes: Any = None) -> Any:
+def spacetime(flock: Flock, until: int | None = None, coordinate: int = 0, axes: Axes | None = None) -> Axes:
     """The space-time diagram of a flock of model D: one coordinate of each bird over time, from exact runs.
 
     Pairs that become linked are joined at that time by a line, and by a dotted one where they part.
@@ -428,7 +518,7 @@ def spacetime(flock: Flock, until: int | None = None, coordinate: int = 0, axes:
     return axes
 
 
-def sweep(table: Table, x: str, y: str, axes: Any = None) -> Any:
+def sweep(table: Table, x: str, y: str, axes: Axes | None = None) -> Axes:
     """A quantity of a sweep over a name or another one.
 
     Enclosures are drawn by their ends. Where several members have the same ``x``, such as runs with other seeds: each
@@ -469,8 +559,8 @@ def sweep(table: Table, x: str, y: str, axes: Any = None) -> Any:
         axes.errorbar(place, middle, yerr=errors, fmt="o-", ms=3, lw=1)
     else:
         _grouped(axes, place, middle, "members")
-    if all(value == round(value) for value in place):
-        axes.xaxis.get_major_locator().set_params(integer=True)
+    if all(at == round(at) for at in place):
+        _whole(axes)
     axes.set(xlabel=x, ylabel=y)
     return axes
 
@@ -540,7 +630,7 @@ def _ends(value: Any) -> tuple[float, float] | None:
     return None
 
 
-def portrait(simulation: Simulation, coordinate: int = 0, axes: Any = None) -> Any:
+def portrait(simulation: Simulation, coordinate: int = 0, axes: Axes | None = None) -> Axes:
     """The phase portrait of a run: of each agent its velocity over its position, in one coordinate; a dot at the end.
 
     Parameters
@@ -577,7 +667,7 @@ def portrait(simulation: Simulation, coordinate: int = 0, axes: Any = None) -> A
     return axes
 
 
-def reach(found: Reach, check: int = 0, axes: Any = None) -> Any:
+def reach(found: Reach, check: int = 0, axes: Axes | None = None) -> Axes:
     """The quantity of a check over time: enclosed for all motions, and along the worst one that was found.
 
     It is enclosed where the order of modes is fixed.
@@ -621,7 +711,7 @@ def reach(found: Reach, check: int = 0, axes: Any = None) -> Any:
     return axes
 
 
-def circle(simulation: Simulation, row: int = -1, axes: Any = None) -> Any:
+def circle(simulation: Simulation, row: int = -1, axes: Axes | None = None) -> Axes:
     """Phases on the unit circle at one time, and the order parameter p_1 as an arrow from the centre.
 
     Parameters
@@ -660,7 +750,7 @@ def circle(simulation: Simulation, row: int = -1, axes: Any = None) -> Any:
     return axes
 
 
-def tracks(found: Tracks, names: Iterable[str] = ("p_1", "rotation"), axes: Any = None) -> Any:
+def tracks(found: Tracks, names: Iterable[str] = ("p_1", "rotation"), axes: Axes | None = None) -> Axes:
     """What was measured in a recording over time; frames that were left out break the lines.
 
     Parameters
@@ -691,13 +781,13 @@ def tracks(found: Tracks, names: Iterable[str] = ("p_1", "rotation"), axes: Any 
             raise ValueError(f"`{name}` is none of {', '.join(known)}")
     axes = _axes(axes)
     for name in chosen:
-        axes.plot(frames["t"], frames[name], lw=1.2, label=name)
+        axes.plot(frames["t"], frames[name], lw=1.2, label=found._with_unit(name))
     axes.set(xlabel="time (s)", title=str(found.summary["source"]))
     _legend(axes)
     return axes
 
 
-def patterns(found: Patterns, axes: Any = None) -> Any:
+def patterns(found: Patterns, axes: Axes | None = None) -> Axes:
     """Symmetric patterns on a circle, three in a row: filled where they are stable, hollow where they are not.
 
     Parameters
@@ -715,7 +805,7 @@ def patterns(found: Patterns, axes: Any = None) -> Any:
     axes = _axes(axes)
     turn = np.exp(1j * np.linspace(0, 2 * np.pi, 181))
     # Told apart by shape as well as by colour.
-    looks = {
+    looks: dict[str, dict[str, Any]] = {
         "stable": {"marker": "o", "color": _COLOURS[0]},
         "unstable": {"marker": "o", "mfc": "none", "color": _COLOURS[1]},
         "undecided": {"marker": "x", "color": _COLOURS[6]},
@@ -735,3 +825,6 @@ def patterns(found: Patterns, axes: Any = None) -> Any:
     axes.set_title(f"{found.particles} particles, K = {gains}", fontsize="medium")
     axes.axis("off")
     return axes
+
+
+readable(globals(), __all__)

@@ -23,6 +23,7 @@ from typing import Any
 
 from ._extras import missing
 from ._flock import Flock
+from ._signatures import readable
 
 try:
     from hypothesis import strategies as st
@@ -39,6 +40,10 @@ __all__ = [
     "stochastic_matrices",
     "stochastic_sequences",
 ]
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
 
 
 def fractions(lowest: int = -4, highest: int = 4, max_denominator: int = 8) -> st.SearchStrategy[Fraction]:
@@ -259,3 +264,6 @@ def circle_points() -> st.SearchStrategy[CirclePoint]:
     """Exact phases, :class:`CirclePoint`; shrink to 1, and to the quarter turns before others."""
     corners = st.sampled_from([Fraction(0), Fraction(1), Fraction(-1), None])
     return st.one_of(corners, fractions(-8, 8, 12)).map(CirclePoint)
+
+
+readable(globals(), __all__)

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import flockproof
-from flockproof import claims, plot, strategies
+from flockproof import claims, law, plot, strategies
 
 MODULES = [flockproof, claims, strategies, plot]
 
@@ -23,6 +23,42 @@ def public() -> Iterator[tuple[str, Any]]:
 
 CALLABLES = {name: thing for name, thing in public() if callable(thing)}
 FUNCTIONS = {name: thing for name, thing in CALLABLES.items() if not inspect.isclass(thing)}
+
+
+@pytest.mark.parametrize("module", [claims, law, plot, strategies], ids=lambda module: module.__name__)
+def test_only_what_is_described_is_public(module: Any) -> None:
+    assert dir(module) == sorted(module.__all__)
+
+
+def signatures() -> Iterator[tuple[str, inspect.Signature]]:
+    functions = [(f"flockproof.law.{name}", getattr(law, name)) for name in law.__all__]
+    for name, thing in [*CALLABLES.items(), *functions]:
+        # Texts and errors have none of their own.
+        if not (inspect.isclass(thing) and issubclass(thing, (str, Exception))):
+            yield name, inspect.signature(thing)
+        for attribute, value in vars(thing).items() if inspect.isclass(thing) else ():
+            bare = value.__func__ if isinstance(value, (classmethod, staticmethod)) else value
+            if inspect.isfunction(bare) and not attribute.startswith("_"):
+                yield f"{name}.{attribute}", inspect.signature(bare)
+
+
+#: What may stand in a signature besides this package's own names.
+WORDS = """
+    Any Axes Callable DataFrame Decimal Fraction Generic Iterable Iterator Mapping None PathLike Random SearchStrategy
+    Literal Sequence V bool bytes complex dict float float64 int list ndarray numpy object os pandas set str tuple
+""".split()
+
+
+@pytest.mark.parametrize(("name", "signature"), [pytest.param(*both, id=both[0]) for both in signatures()])
+def test_help_says_types_that_a_reader_knows(name: str, signature: inspect.Signature) -> None:
+    named = {word for module in [*MODULES, law] for word in module.__all__}
+    types = [one.annotation for one in signature.parameters.values()] + [signature.return_annotation]
+    for said in [repr(one) for one in types if one is not inspect.Signature.empty]:
+        assert "'" not in said or "Literal" in said, said
+        # Outcomes and agents are made by others, of what is private.
+        words = set(re.findall(r"[A-Za-z_]\w*", re.sub(r"'.*?'", "", said)))
+        unknown = words - set(WORDS) - named - {"_Evidence", "_Tracing"}
+        assert not unknown, f"{name}: {said}: {unknown}"
 
 
 def section(doc: str, title: str) -> str:

@@ -28,8 +28,52 @@ def _no_window() -> None:
     pytest.importorskip("matplotlib").use("Agg")
 
 
-def test_only_pictures_are_public() -> None:
-    assert dir(plot) == sorted(plot.__all__)
+def test_eigenvalues_carry_their_multiplicities() -> None:
+    drawn = plot.spectrum(flockproof.spectrum("ring:12"))
+    # 0 and 4 are simple; five others are double.
+    assert [text.get_text() for text in drawn.texts] == ["2"] * 5
+    assert list(drawn.get_yticks()) == [0]
+    turning = plot.spectrum(flockproof.spectrum([[0, 1, 0], [0, 0, 1], [1, 0, 0]], kind="out-degree"))
+    assert len(turning.get_yticks()) > 1 and not turning.texts
+
+
+def test_products_become_ergodic() -> None:
+    found = flockproof.ergodicity([[["1/2", "1/2"], ["1/3", "2/3"]]] * 4 + [[["1/2", "1/2"]] * 2])
+    first, second = plot.ergodicity(found).get_lines()
+    assert list(first.get_xdata()) == [1, 2, 3, 4, 5]
+    assert list(first.get_ydata())[:4] == pytest.approx([6.0**-k for k in range(1, 5)])
+    # Equal rows: the coefficient is 0, which has no logarithm.
+    assert math.isnan(first.get_ydata()[4]) and second.get_ydata()[0] == pytest.approx(2**0.5 / 6)
+    with pytest.raises(TypeError, match=r"flockproof\.ergodicity"):
+        plot.ergodicity(found.product)  # type: ignore[arg-type]
+
+
+def test_a_fit_shows_its_intervals() -> None:
+    found = flockproof.Fit({"k": 1.0, "b": 3.0}, {"k": (0.5, 1.5), "b": (2.0, 5.0)}, 0.9, (0.1, 0.2), 20, 0.5, "words")
+    drawn = plot.fit(found)
+    assert drawn.get_title() == "90.0 % explained, shuffled at most 20.0 %"
+    spans = [bars.get_segments()[0][:, 0].tolist() for one in drawn.containers for bars in one.lines[2]]
+    assert spans == [[0.5, 1.5], [2.0, 5.0]]
+    assert [label.get_text() for label in drawn.get_yticklabels()] == ["k", "b"]
+
+
+def test_axes_of_somebody_else_keep_their_ticks(tmp_path: Path) -> None:
+    question = tmp_path / "paths.toml"
+    question.write_text(
+        '[question]\nid = "paths"\n[for]\nn = "3..5"\ngraph = "path(n)"\n[values]\nslow = "lambda(2)"\n'
+    )
+    axes = pytest.importorskip("matplotlib.pyplot").subplots()[1]
+    axes.set_xscale("log")
+    assert plot.sweep(flockproof.sweep(question), "n", "slow", axes) is axes and axes.get_xscale() == "log"
+
+
+def test_birds_are_named_outside_of_their_circle() -> None:
+    drawn = plot.network(flockproof.Flock([k * 9 / 10 for k in range(12)], [0] * 12).settle())
+    drawn.figure.canvas.draw()
+    assert len(drawn.texts) == 12
+    for text in drawn.texts:
+        x, y = text.get_position()
+        assert x * text.xy[0] + y * text.xy[1] > 10
 
 
 def test_links_begin_and_end_where_the_switches_are() -> None:
@@ -238,6 +282,23 @@ def test_results_and_claims_show_themselves_in_latex() -> None:
         assert latex.count(r" \\" + "\n") == html.count("<tr>")
 
 
+def test_parts_of_results_show_themselves() -> None:
+    platoon = flockproof.Platoon(3, -1, -2, ahead="0.6")
+    response = platoon.response(1, car=1)
+    eigenvalue = flockproof.spectrum("complete:5")[1]
+    assert eigenvalue._repr_latex_() == r"$5,\quad 4\ \text{times}$"
+    assert flockproof.spectrum("complete:5")[0]._repr_latex_() == "$0$"
+    pattern = flockproof.pattern(4, [-1], "1/2")[0]
+    for found, words in (
+        (platoon, "platoon of 3 followers"),
+        (response, "phase (radians)"),
+        (pattern, "<td>1</td><td>stable</td>"),
+    ):
+        html, latex = found._repr_html_(), found._repr_latex_()
+        assert words in html and html.count("<table>") == html.count("</table>") == 1
+        assert latex.count(r" \\" + "\n") == html.count("<tr>")
+
+
 def test_a_reach_shows_its_checks() -> None:
     found = flockproof.reach(
         {
@@ -248,6 +309,7 @@ def test_a_reach_shows_its_checks() -> None:
         }
     )
     assert "<td>x &lt;= 9/10</td><td>holds</td>" in found._repr_html_()
+    assert "x &lt;= 9/10: holds" in found[0]._repr_html_() and r"\begin{longtable}" in found[0]._repr_latex_()
 
 
 def test_a_platoon_that_is_not_stable_is_told() -> None:

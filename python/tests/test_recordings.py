@@ -16,7 +16,7 @@ import pytest
 from numpy.lib import format as npy
 
 import flockproof
-from flockproof import _videos
+from flockproof import _recordings, _videos
 
 
 def school(frames: int = 200, fish: int = 4) -> np.ndarray:
@@ -222,39 +222,152 @@ def test_deeplabcut(tmp_path: Path) -> None:
     assert not Path("ran").exists()
 
 
-def test_deeplabcut_and_sleap_through_movement(tmp_path: Path) -> None:
-    pytest.importorskip("movement")
+def deeplabcut_table() -> Any:
+    """The school as DeepLabCut has it in HDF5."""
     pandas = pytest.importorskip("pandas")
     places, scores = poses()
     levels = [["net"], [f"fish{k}" for k in range(4)], NODES, ["x", "y", "likelihood"]]
     columns = pandas.MultiIndex.from_product(levels, names=["scorer", "individuals", "bodyparts", "coords"])
     cells = np.concatenate([places, scores[..., None]], axis=3).reshape(200, -1)
-    pandas.DataFrame(cells, columns=columns).to_hdf(tmp_path / "poses.h5", key="df_with_missing", format="table")
+    return pandas.DataFrame(cells, columns=columns)
+
+
+def test_deeplabcut_through_movement(tmp_path: Path) -> None:
+    pytest.importorskip("movement")
+    deeplabcut_table().to_hdf(tmp_path / "poses.h5", key="df_with_missing", format="table")
     same(analysed(tmp_path / "poses.h5", fps=25, score=0.5), unit="pixels")
+    # A dataset that movement made, and its file.
+    dataset = _recordings._with_movement(tmp_path / "poses.h5", "DeepLabCut")
+    same(analysed(dataset, fps=25, score=0.5), unit="pixels")
+    pytest.importorskip("h5netcdf")
+    dataset.to_netcdf(tmp_path / "poses.nc", engine="h5netcdf")
+    same(analysed(tmp_path / "poses.nc", fps=25, score=0.5), unit="pixels")
     (tmp_path / "poses_meta.pickle").write_bytes(pickle.dumps({"data": {"fps": 25.0}}))
     same(
         analysed(tmp_path / "poses.h5", score=0.5), times_from="frames, and their rate is in the metadata of DeepLabCut"
     )
-    # movement brings sleap-io.
+
+
+@pytest.mark.parametrize("ending", ["h5", "slp"])
+def test_what_is_no_hdf5_is_named(tmp_path: Path, ending: str) -> None:
+    h5py = pytest.importorskip("h5py")
+    file = tmp_path / f"run.{ending}"
+    with pytest.raises(FileNotFoundError, match=f"run.{ending}"):
+        analysed(file, fps=25)
+    file.write_text("nothing")
+    with pytest.raises(ValueError, match=f"run.{ending}: it is no file of HDF5"):
+        analysed(file, fps=25)
+    if ending == "slp":
+        h5py.File(file, "w").close()
+        with pytest.raises(ValueError, match=r"run\.slp: it has no table of frames"):
+            analysed(file, fps=25)
+
+
+def gaps_of(data: Any, **chosen: Any) -> tuple[int, list[tuple[str, float, float]]]:
+    found = flockproof.tracks(data, window=5, null=0, **chosen).summary
+    return found["frames"], sorted((gap["id"], gap["from"], gap["to"]) for gap in found["gaps"])
+
+
+def test_rows_that_were_dropped_are_gaps(tmp_path: Path) -> None:
+    """movement counts rows; what is left out of a table of DeepLabCut is missing there, not nearer in time."""
+    pytest.importorskip("movement")
+    table = deeplabcut_table()
+    name = "poses.h5"
+
+    def written(some: Any) -> Path:
+        (tmp_path / name).unlink(missing_ok=True)
+        some.to_hdf(tmp_path / name, key="df_with_missing", format="table")
+        return tmp_path / name
+
+    holes = school()
+    holes[80:90] = np.nan
+    wanted = gaps_of(holes, fps=25)
+    assert wanted[0] == 200 and len(wanted[1]) == 5
+    frames, gaps = gaps_of(written(table.drop(index=range(80, 90))), fps=25, score=0.5)
+    assert frames == 200 and sorted(gap[1:] for gap in gaps) == sorted(gap[1:] for gap in wanted[1])
+    # Backwards it is the same school, and later it is later.
+    same(analysed(written(table.iloc[::-1]), fps=25, score=0.5))
+    late = flockproof.tracks(written(table.iloc[60:]), fps=25, score=0.5, window=5, null=0)
+    assert late.summary["frames"] == 140 and late.table("frames")["t"][0] == pytest.approx(60 / 25)
+    for index, why in (
+        ([0, 0, *range(2, 200)], "frame 0 is there twice"),
+        ([f"img{k}.png" for k in range(200)], "not numbered by frames"),
+        ([-1, *range(1, 200)], "not numbered by frames"),
+        ([10**9 * k for k in range(200)], "not numbered one after the other"),
+    ):
+        with pytest.raises(ValueError, match=f"poses.h5: .*{why}"):
+            analysed(written(table.set_axis(index, axis=0)), fps=25)
+    # idtracker.ai's folder has times, and their rate beside them.
+    folder = tmp_path / "trajectories_csv"
+    folder.mkdir()
+    rows = np.column_stack([np.round(np.arange(200) / 25, 3), school().reshape(200, 8)])
+    header = "time," + ",".join(f"x{k},y{k}" for k in range(1, 5))
+    kept = np.delete(rows, range(80, 90), axis=0)
+    np.savetxt(folder / "trajectories.csv", kept, delimiter=",", header=header, comments="", fmt="%.17g")
+    (folder / "attributes.json").write_text(json.dumps({"frames_per_second": 25.0, "body_length": 7.5}))
+    assert gaps_of(folder) == wanted
+
+
+def sleap_labels(videos: int = 1, frames: Any = range(200), tracked: bool = True, sure: bool = True) -> Any:
+    """The school as a project of SLEAP: predicted, or set by hand, which has no scores."""
     sio = pytest.importorskip("sleap_io")
-    skeleton, video = sio.Skeleton(list(NODES)), sio.Video(filename="video.mp4", open_backend=False)
+    places, scores = poses()
+    skeleton = sio.Skeleton(list(NODES))
+    files = [sio.Video(filename=f"school{k}.mp4" if k else "school.mp4", open_backend=False) for k in range(videos)]
     tracks = [sio.Track(f"track_{k}") for k in range(4)]
-    frames = []
-    for frame in range(200):
-        seen = [k for k in range(4) if not np.isnan(places[frame, k]).any()]
-        instances = [
-            sio.PredictedInstance.from_numpy(
-                places[frame, k], skeleton=skeleton, point_scores=scores[frame, k], score=1.0, track=tracks[k]
-            )
-            for k in seen
-        ]
-        frames.append(sio.LabeledFrame(video=video, frame_idx=frame, instances=instances))
-    labels = sio.Labels(frames, videos=[video], skeletons=[skeleton], tracks=tracks)
-    sio.save_slp(labels, str(tmp_path / "run.slp"))
+
+    def instance(frame: int, k: int) -> Any:
+        track = tracks[k] if tracked else None
+        if not sure:
+            return sio.Instance.from_numpy(places[frame, k], skeleton=skeleton, track=track)
+        return sio.PredictedInstance.from_numpy(
+            places[frame, k], skeleton=skeleton, point_scores=scores[frame, k], score=1.0, track=track
+        )
+
+    labelled = [
+        sio.LabeledFrame(
+            video=video,
+            frame_idx=int(frame),
+            instances=[instance(frame, k) for k in range(4) if not np.isnan(places[frame, k]).any()],
+        )
+        for video in files
+        for frame in frames
+    ]
+    return sio.Labels(labelled, videos=files, skeletons=[skeleton], tracks=tracks if tracked else [])
+
+
+def test_projects_of_sleap_through_movement(tmp_path: Path) -> None:
+    pytest.importorskip("movement")
+    sio = pytest.importorskip("sleap_io")
+    file = tmp_path / "run.slp"
+
+    def written(**chosen: Any) -> Path:
+        sio.save_slp(sleap_labels(**chosen), str(file))
+        return file
+
     # movement reads positions in single precision.
-    found = analysed(tmp_path / "run.slp", fps=25, score=0.5)
-    assert found["means"]["p_1"] == pytest.approx(analysed(school(), fps=25)["means"]["p_1"], abs=1e-6)
+    plain = analysed(school(), fps=25)["means"]["p_1"]
+    found = analysed(written(), fps=25, score=0.5)
+    assert found["means"]["p_1"] == pytest.approx(plain, abs=1e-6) and found["declaration"]["unit"] == "pixels"
     assert [fish["id"] for fish in found["per_fish"]] == [f"track_{k}" for k in range(4)]
+    assert analysed(file, fps=25, part="tail")["means"]["p_1"] == pytest.approx(plain, abs=1e-6)
+    with pytest.raises(ValueError, match="comes with fps"):
+        analysed(file, score=0.5)
+    (tmp_path / "school.mp4").write_bytes(mp4([512] * 200, 12800))
+    rated = analysed(file, score=0.5)
+    assert rated["declaration"]["times_from"] == "frames, and their rate is in the header of school.mp4"
+    assert rated["means"] == found["means"] and rated["step"] == pytest.approx(1 / 25)
+    # Set by hand: no score is too small.
+    by_hand = analysed(written(sure=False), fps=25, score=0.5, part="nose")
+    assert by_hand["means"]["p_1"] == pytest.approx(plain, abs=1e-6)
+    # Frames in any order, and none of some.
+    holes = [frame for frame in np.random.default_rng(2).permutation(200) if not 80 <= frame < 90]
+    frames, gaps = gaps_of(written(frames=holes), fps=25, score=0.5)
+    assert frames == 200 and len(gaps) == 5
+    with pytest.raises(ValueError, match=r"run\.slp: it has frames of 2 videos"):
+        analysed(written(videos=2), fps=25)
+    with pytest.raises(ValueError, match="up to 4 instances in a frame and no tracks"):
+        analysed(written(tracked=False), fps=25)
 
 
 def test_trex(tmp_path: Path) -> None:
@@ -432,6 +545,11 @@ def avi(rate: int, scale: int) -> bytes:
         (mp4([1001] * 199 + [3000], 30000), 30000 / 1001),
         # Durations that are rounded: 1000/30.
         (mp4([33, 33, 34] * 60, 1000), 30),
+        # The last frame often lasts otherwise: a single one says nothing.
+        (mp4([512], 12800), None),
+        (mp4([512, 512], 12800), 25),
+        (mp4([512, 3000], 12800), None),
+        (mp4([], 12800), None),
         # The rate changes in the middle.
         (mp4([512] * 100 + [1024] * 100, 12800), None),
         (avi(25, 1), 25),

@@ -163,6 +163,10 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
         return Err(CliError::Use(format!("--score {} is below 0", arguments.score)));
     }
     let format = format.of_parts(arguments.part.clone(), arguments.score);
+    if is_read_in_python(&read.0) {
+        let how = "it is one of the files of trackers that are read in Python: flockproof.tracks(FILE)";
+        return Err(CliError::file(path, how));
+    }
     let (tracks, origin) = if Tracks::is_npy(&read.0) {
         (Tracks::from_npy(&read.0, &format), read.1)
     } else {
@@ -173,6 +177,12 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
     // The name only, so that the same file gives the same output wherever it is.
     let name = path.file_name().unwrap_or(path.as_os_str());
     Ok((tracks, name.to_string_lossy().into_owned(), origin))
+}
+
+/// Whether a file begins as HDF5 does (also `.slp`, `.nc`), an archive of NumPy, a table of MATLAB or a pickle.
+fn is_read_in_python(bytes: &[u8]) -> bool {
+    let begins: [&[u8]; 4] = [b"\x89HDF\r\n\x1a\n", b"PK\x03\x04", b"MATLAB 5.0 MAT-file", b"\x80"];
+    begins.iter().any(|begin| bytes.starts_with(begin))
 }
 
 /// What is said of the body length beside the table.

@@ -1,7 +1,7 @@
 // The pages of `flockproof report --out DIR` in Chromium: node check.mjs DIR [FOLDER FOR SCREENSHOTS]
 //
 // Asked of every page: no message of an error on the console, no request but for files of the site, every link and anchor
-// leads somewhere, most counterexamples are drawn, and at 320 pixels nothing is wider than the window. Of one page of each kind, light and dark: axe finds
+// leads somewhere, most counterexamples are drawn, and at 320 pixels nothing is wider than the window and no table has to be scrolled. Of one page of each kind, light and dark: axe finds
 // nothing. Of the list of claims: filters, search and keyboard. Of the motions: they run.
 //
 // With FLOCKPROOF=path of the program, the live pages too, under `flockproof serve`: they give what the command line prints, by keyboard
@@ -88,6 +88,16 @@ function width(tab) {
   });
 }
 
+/** How the first table begins that has to be scrolled, in its own box or in one around it. */
+function scrolled(tab) {
+  return tab.evaluate(() => {
+    const scrolls = (e) => e.scrollWidth > e.clientWidth + 1 && /auto|scroll/.test(getComputedStyle(e).overflowX);
+    const inside = (e) => e && e !== document.body && (scrolls(e) || inside(e.parentElement));
+    const table = [...document.querySelectorAll("main table")].find(inside);
+    return table ? table.textContent.slice(0, 60) : "";
+  });
+}
+
 /** What axe finds. */
 async function checkAxe(tab, name) {
   await tab.evaluate(axe);
@@ -104,6 +114,8 @@ async function checkNarrow(browser) {
     const tab = await open(context, page);
     const [wide, who] = await width(tab);
     expect(wide <= 320, `${page}: ${wide} pixels wide in a window of 320: ${who}`);
+    const table = await scrolled(tab);
+    expect(table === "", `${page}: a table has to be scrolled in a window of 320: ${table}`);
     if (shots && kinds.includes(page)) await tab.screenshot({ path: path.join(shots, page.replaceAll("/", "-") + ".narrow.png") });
     await tab.close();
   }

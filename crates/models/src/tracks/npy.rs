@@ -27,13 +27,14 @@ impl Tracks {
     /// # Errors
     /// [`TracksError`].
     pub fn from_npy(bytes: &[u8], format: &Format) -> Result<Tracks, TracksError> {
+        // What cannot be read at all is said before what is missing beside it.
+        let (header, data) = header(bytes)?;
+        let [frames, fish, _] = header.shape;
+        let values = floats(&header, data)?;
         let Some(rate) = format.fps else { return Err(TracksError::NoRate { form: Form::Array.words() }) };
         if format.part.is_some() || format.least_score > 0.0 {
             return Err(TracksError::NoParts { form: Form::Array.words() });
         }
-        let (header, data) = header(bytes)?;
-        let [frames, fish, _] = header.shape;
-        let values = floats(&header, data)?;
         let place = |frame: usize, k: usize, axis: usize| match header.is_fortran {
             false => (frame * fish + k) * 2 + axis,
             true => (axis * fish + k) * frames + frame,

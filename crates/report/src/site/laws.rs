@@ -2,6 +2,7 @@
 
 use super::Texts;
 use super::explore::RunsError;
+use crate::page::player::Motion;
 use crate::shown;
 use arithmetic::Unwatched;
 use maud::{Markup, PreEscaped, html};
@@ -69,12 +70,23 @@ fn title<'t>(law: &Law, text: &'t str) -> &'t str {
     named.and_then(|rest| rest.strip_suffix('"')).unwrap_or(law.name)
 }
 
+/// A law with its page and a small picture of its run.
+pub(super) struct Shown {
+    pub title: String,
+    pub body: Markup,
+    picture: Option<Markup>,
+}
+
 /// The list of laws.
-pub(super) fn list(texts: Texts) -> Markup {
+pub(super) fn list(listed: &[(&Law, Shown)]) -> Markup {
     html! {
         h1 { "Laws of the literature" }
         p.lead { "Each is a file that was written without Rust. Each page has its motion, and a question about it with the answer. " a href="../explore/live-law.html" { "Change one, and run it." } }
-        ul { @for law in LAWS { @if let Some(text) = texts(law.file) { li { a href={ (law.name) ".html" } { (title(law, text)) } } } } }
+        ul.shows {
+            @for (law, shown) in listed {
+                li { a href={ (law.name) ".html" } { @if let Some(picture) = &shown.picture { (picture) } (shown.title) } }
+            }
+        }
     }
 }
 
@@ -82,7 +94,7 @@ pub(super) fn list(texts: Texts) -> Markup {
 ///
 /// # Errors
 /// The sentence of what could not be computed.
-pub(super) fn body(law: &Law, texts: Texts) -> Result<Option<(String, Markup)>, RunsError> {
+pub(super) fn body(law: &Law, texts: Texts) -> Result<Option<Shown>, RunsError> {
     let Some((text, asked)) = texts(law.file).zip(texts(law.question)) else { return Ok(None) };
     let failed = |error: String| RunsError::Case(format!("{}: {error}", law.name));
     let question = Question::read(asked, &|_| Ok(text.to_string())).map_err(|error| failed(error.to_string()))?;
@@ -100,5 +112,6 @@ pub(super) fn body(law: &Law, texts: Texts) -> Result<Option<(String, Markup)>, 
         p { a href="../explore/live-law.html" { "Change it, and run it." } }
         script src="../explore.js" defer {}
     };
-    Ok(Some((title, body)))
+    let picture = Motion::of_outcome(&run, "").map(|motion| motion.thumbnail());
+    Ok(Some(Shown { title, body, picture }))
 }

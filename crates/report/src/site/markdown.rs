@@ -6,17 +6,20 @@ use crate::page::{Links, escape};
 use maud::{Markup, PreEscaped};
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};
 
-/// A note as HTML: headings have addresses, and code that names a claim, a figure or a note is a link.
+/// A note as HTML: headings have addresses, code that names a claim, a figure or a note is a link, and cells of tables
+/// have the names of their columns, which narrow windows show beside them.
 pub(super) fn markdown(text: &str, names: &Names, links: Links) -> Markup {
     let mut events: Vec<Event> = Vec::new();
     // Where the heading began that is being read, and its words.
     let mut heading: Option<(usize, String)> = None;
     // How the links end that are open.
     let mut open: Vec<Event> = Vec::new();
+    let mut columns = Columns::default();
     for event in Parser::new_ext(text, Options::ENABLE_TABLES) {
         if let (Some((_, words)), Event::Text(text) | Event::Code(text)) = (&mut heading, &event) {
             words.push_str(text);
         }
+        columns.read(&event);
         match event {
             Event::Code(code) => events.push(code_span(&code, names, links)),
             Event::Start(Tag::Heading { .. }) => {
@@ -32,9 +35,13 @@ pub(super) fn markdown(text: &str, names: &Names, links: Links) -> Markup {
                 events.push(event);
             }
             Event::Start(Tag::Table(_)) => {
-                events.push(Event::Html("<div class=\"wide\" tabindex=\"0\">".into()));
+                events.push(Event::Html("<div class=\"wide rows\" tabindex=\"0\">".into()));
                 events.push(event);
             }
+            Event::Start(Tag::TableCell) if !columns.in_head => {
+                events.push(Event::Html(format!("<td data-label=\"{}\">", escape(columns.following())).into()));
+            }
+            Event::End(TagEnd::TableCell) if !columns.in_head => events.push(Event::Html("</td>".into())),
             Event::End(TagEnd::Table) => {
                 events.push(event);
                 events.push(Event::Html("</div>".into()));
@@ -59,6 +66,38 @@ pub(super) fn markdown(text: &str, names: &Names, links: Links) -> Markup {
     let mut out = String::new();
     push_html(&mut out, events.into_iter());
     PreEscaped(out)
+}
+
+/// The names of the columns of a table, as its head is read and its rows follow.
+#[derive(Default)]
+struct Columns {
+    names: Vec<String>,
+    in_head: bool,
+    /// Of the cell that comes next.
+    at: usize,
+}
+
+impl Columns {
+    fn read(&mut self, event: &Event) {
+        match event {
+            Event::Start(Tag::TableHead) => (self.names, self.in_head) = (Vec::new(), true),
+            Event::End(TagEnd::TableHead) => self.in_head = false,
+            Event::Start(Tag::TableRow) => self.at = 0,
+            Event::Start(Tag::TableCell) if self.in_head => self.names.push(String::new()),
+            Event::Text(words) | Event::Code(words) if self.in_head => {
+                if let Some(name) = self.names.last_mut() {
+                    name.push_str(words);
+                }
+            }
+            _ => (),
+        }
+    }
+
+    /// The name of the column of the next cell of a row.
+    fn following(&mut self) -> &str {
+        self.at += 1;
+        self.names.get(self.at - 1).map_or("", String::as_str)
+    }
 }
 
 /// How a link begins and ends: to the page of a note; what else looks like one, `K[f](x)`, is text.

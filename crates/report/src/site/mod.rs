@@ -134,13 +134,15 @@ impl<'a> Site<'a> {
             let body = explore::body(self, show, &runs);
             pages.push(self.inner(&format!("explore/{}.html", show.name), show.title, "explore", &body));
         }
-        pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list(&pictures)));
-        pages.push(self.inner("laws/index.html", "Laws", "explore", &laws::list(self.texts)));
+        pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list(&pictures, self.texts)?));
+        let mut listed = Vec::new();
         for law in laws::LAWS {
-            if let Some((title, body)) = laws::body(law, self.texts)? {
-                pages.push(self.inner(&format!("laws/{}.html", law.name), &title, "explore", &body));
+            if let Some(shown) = laws::body(law, self.texts)? {
+                pages.push(self.inner(&format!("laws/{}.html", law.name), &shown.title, "explore", &shown.body));
+                listed.push((law, shown));
             }
         }
+        pages.push(self.inner("laws/index.html", "Laws", "explore", &laws::list(&listed)));
         for name in notes::NOTES.iter().filter(|name| !["guarantees", "results"].contains(name)) {
             let (path, title) = (format!("notes/{name}.html"), notes::title(self.text(name)));
             pages.push(self.inner(&path, title, "note", &self.note(name, Links::Folder)));

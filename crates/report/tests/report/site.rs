@@ -33,7 +33,10 @@ fn texts(path: &str) -> Option<&'static str> {
             "model = \"velocity-alignment\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\npositions = [[0, 0], [1, 0]]\n\
              velocities = [[1, 0], [0, 1]]\n[law]\npotential = \"inverse-square-log\"\n[run]\nuntil = 1\n",
         ),
-        _ => path.strip_prefix("notes/").map(|_| "# A note\n\nA sentence.\n"),
+        _ => path.strip_prefix("notes/").map(|_| {
+            "# A note\n\nA sentence.\n\n| name of `it` | what \"it\" is |\n|---|---|\n| one | 1 |\n| two | |\n\n\
+             | other |\n|---|\n| three |\n"
+        }),
     }
 }
 
@@ -164,6 +167,23 @@ fn the_same_ledger_gives_the_same_bytes_without_times() {
     let text = ledger("veerman.own", "x = 1");
     let pages = [pages(&text), pages(&text.replace("1.5", "2.5"))];
     assert_eq!(pages[0], pages[1]);
+}
+
+/// Narrow windows show the name of a column beside each of its cells.
+#[test]
+fn cells_of_notes_have_the_names_of_their_columns() {
+    let pages = pages(&ledger("veerman.own", "one is one"));
+    let note = pages.iter().find(|page| page.path == "guarantees.html").expect("the note");
+    let text = String::from_utf8_lossy(&note.contents);
+    let cells = [
+        "<th>name of <code>it</code></th><th>what",
+        "<td data-label=\"name of it\">one</td><td data-label=\"what &quot;it&quot; is\">1</td>",
+        "<td data-label=\"name of it\">two</td><td data-label=\"what &quot;it&quot; is\"></td>",
+        "<td data-label=\"other\">three</td>",
+    ];
+    for cell in cells {
+        assert!(text.contains(cell), "{cell}: {text}");
+    }
 }
 
 #[test]

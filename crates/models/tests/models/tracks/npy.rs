@@ -84,6 +84,9 @@ fn what_is_no_recording_is_refused_with_a_reason() {
     refused(&saved("<f8", "False", "(0, 0, 2)", &[]), "no fish was seen");
     let unnamed = Tracks::from_npy(&whole, &Format::default()).expect_err("no rate").to_string();
     assert!(unnamed.contains("(fps)"), "{unnamed}");
+    // Objects are not read with a rate either, so that nobody is asked for one.
+    let objects = Tracks::from_npy(&saved("|O", "False", "()", &[]), &Format::default()).expect_err("objects");
+    assert!(objects.to_string().contains("flockproof.tracks in Python"), "{objects}");
     let parts = at_25().of_parts(Some("nose".to_string()), 0.0);
     assert!(Tracks::from_npy(&whole, &parts).is_err_and(|error| error.to_string().contains("no body parts")));
 }

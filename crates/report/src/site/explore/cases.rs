@@ -17,7 +17,7 @@ use scenario::Scenario;
 /// A piece of a page.
 pub(super) type Case = Result<String, RunsError>;
 
-fn failed(error: impl std::fmt::Display) -> RunsError {
+pub(super) fn failed(error: impl std::fmt::Display) -> RunsError {
     RunsError::Case(error.to_string())
 }
 

@@ -3,6 +3,7 @@
 use super::super::Texts;
 use super::cases::{self, Case};
 use super::runs::RunsError;
+use super::sketches::{self, Sketch};
 use super::starts::{
     BIRDS, CERTIFICATE, FORTY_CARS, GAINS, GAP, PAIRS, PAIRS_FLOCK, PATTERN, PHASES, PHASES_SCENARIO, PLAA01, PLAD01,
     PLATOON, SWITCHING, THREE, TWO_CARS,
@@ -23,6 +24,8 @@ pub(in super::super) struct Live {
     draws: Option<(&'static str, &'static str)>,
     /// What the static site shows: what it is, and the answer.
     case: Option<(&'static str, Answered)>,
+    /// A small picture for the list.
+    pub sketch: Option<fn(Texts) -> Sketch>,
     /// Starts to choose from: a name, and what stands in the fields then.
     examples: &'static [(&'static str, &'static [(&'static str, &'static str)])],
 }
@@ -71,6 +74,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         ],
         draws: None,
         case: Some(("128 followers, f = g = -1", cases::resonance)),
+        sketch: Some(sketches::resonance),
         examples: &[],
     },
     Live {
@@ -105,6 +109,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         ],
         draws: Some(("graph", "edges")),
         case: Some(("the Laplacian of ring:12", cases::spectrum)),
+        sketch: Some(sketches::spectrum),
         examples: &[],
     },
     Live {
@@ -117,6 +122,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         fields: &[text("flock", "The flock", 6, BIRDS)],
         draws: Some(("flock", "flock")),
         case: Some(("three birds", cases::flock)),
+        sketch: Some(sketches::flock),
         examples: &[],
     },
     Live {
@@ -134,6 +140,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         ],
         draws: None,
         case: Some(("twelve particles, K = (1/5, 1/5, -1/25)", cases::patterns)),
+        sketch: Some(sketches::patterns),
         examples: &[],
     },
     Live {
@@ -149,6 +156,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         ],
         draws: None,
         case: Some(("the question gap_and_diameter", cases::question)),
+        sketch: Some(sketches::question),
         examples: &[
             ("A gap and a diameter", &[("question", GAP), ("beside", "")]),
             ("Gains of platoons", &[("question", GAINS), ("beside", "")]),
@@ -169,6 +177,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         fields: &[text("scenario", "The scenario", 18, SWITCHING)],
         draws: None,
         case: Some(("six agents, links within 5/2", cases::scenario)),
+        sketch: Some(sketches::scenario),
         examples: &[
             ("Six agents, links within 5/2", &[("scenario", SWITCHING)]),
             ("Twelve particles form a pattern", &[("scenario", PATTERN)]),
@@ -185,6 +194,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         fields: &[text("scenario", "The scenario with its law", 24, "assets/laws/boids.toml")],
         draws: None,
         case: None,
+        sketch: Some(sketches::law),
         examples: &[
             ("Boids", &[("scenario", "assets/laws/boids.toml")]),
             ("Circling particles", &[("scenario", "assets/laws/circling.toml")]),
@@ -219,6 +229,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         fields: &[text("system", "The system", 18, TWO_CARS)],
         draws: None,
         case: None,
+        sketch: Some(sketches::worst_cases),
         examples: &[
             ("Two cars, communication on and off", &[("system", TWO_CARS)]),
             ("Three followers, on and off in turn (PLAD01)", &[("system", PLAD01)]),
@@ -236,6 +247,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         fields: &[Field { name: "certificate", label: "The certificate", at_first: CERTIFICATE, kind: Kind::File(10) }],
         draws: None,
         case: None,
+        sketch: None,
         examples: &[("The limit of one pair of birds", &[("certificate", CERTIFICATE)])],
     },
 ];

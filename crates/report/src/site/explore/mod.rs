@@ -3,6 +3,7 @@
 mod cases;
 mod live;
 mod runs;
+mod sketches;
 mod starts;
 
 use super::{Site, Texts};
@@ -117,16 +118,25 @@ impl Show {
     }
 }
 
-/// The list of motions, with a small picture of the first one of each show.
-pub(super) fn list(pictures: &[Markup]) -> Markup {
-    html! {
+/// The list of motions, with a small picture of the first one of each show, and of what the live pages ask about.
+///
+/// # Errors
+/// The sentence of what could not be computed.
+pub(super) fn list(pictures: &[Markup], texts: Texts) -> Result<Markup, RunsError> {
+    let sketch = |live: &live::Live| live.sketch.map_or(Ok(None), |sketch| sketch(texts));
+    let sketches = LIVE.iter().map(sketch).collect::<Result<Vec<_>, RunsError>>()?;
+    Ok(html! {
         h1 { "Explore" }
         p.lead { "Examples and counterexamples that move. Each was computed by the program; play, step, or drag the slider." }
         ul.shows { @for (show, picture) in SHOWS.iter().zip(pictures) { li { a href={ (show.name) ".html" } { (picture) (show.title) } } } }
         h2 { "Live" }
         p { "Each shows one answer here; under " code { "flockproof serve" } " they ask the program." }
-        ul { @for live in LIVE { li { a href={ (live.name) ".html" } { (live.title) } } } }
-    }
+        ul.shows {
+            @for (live, sketch) in LIVE.iter().zip(&sketches) {
+                li { a href={ (live.name) ".html" } { @if let Some(picture) = sketch { (picture) } (live.title) } }
+            }
+        }
+    })
 }
 
 /// The page of a live one.
