@@ -52,7 +52,11 @@ fn what_is_not_enclosed_says_so() {
     let noisy =
         PAIR.replace("continuous", "discrete").replace("law.rates", "law.next").replace("/2\"", "/2 + normal(1)\"");
     let within = PAIR.replace("[state]", "[graph]\nkind = \"within\"\nradius = 2\n[state]");
-    for (scenario, why) in [(noisy, "noise"), (within, "do not depend on the distances")] {
+    // Without its noise the law would be enclosed, and the property true.
+    let shaken =
+        PAIR.replace("[state]", "[law.noise]\nv = \"1\"\n[state]").replace("until = 4", "until = 4\nstep = \"1/100\"");
+    let shaken = (shaken, "laws with noise are not enclosed");
+    for (scenario, why) in [(noisy, "noise"), (within, "do not depend on the distances"), shaken] {
         let answer = answered(&scenario, "n = 1", "always[0, 1](min_distance > 0)", "1 < 0");
         assert_eq!(answer.verdict, Verdict::Undecided);
         assert!(answer.why.contains(why), "{}", answer.why);

@@ -24,6 +24,8 @@ impl OwnMotion {
         let Described { law, state, network, time, .. } = own;
         if time == Time::Discrete {
             Err("laws in discrete time are not enclosed")
+        } else if law.is_noisy() || !law.drawn().is_empty() {
+            Err("laws with noise are not enclosed: their motions are drawn at random")
         } else if network.switches() {
             Err("laws of one's own are enclosed on networks that do not depend on the distances")
         } else if network.next_time().is_some() {
