@@ -316,6 +316,21 @@ Definition lem3_7 : Prop := forall b d, exists n0 K, forall (R : rcfType) n (x v
   Num.sqrt (\sum_q (v t i q - x t i q / t%:R) ^+ 2) <= n%:R ^+ (K * n ^ 3) / t%:R.
 Definition lem3_8 : Prop := forall b d, exists n0, forall (R : rcfType) n (x v : nat -> 'M[R]_(n, d)) G w, (n0 <= n)%N ->
   paper_flock b x v G w -> forall t i j, (n ^ (2 * n ^ 4) < t)%N -> G t.-1 i j -> G t i j.
+(* lazy and vicsek weights are such fractions with a = 2: the theorems hold for them with speeds up to n from n = 4 on *)
+Lemma usual_weights_short (R : realFieldType) n (G : rel 'I_n) : (1 < n)%N -> network G -> short_weights 2 (lazy R G) /\ short_weights 2 (vicsek R G).
+Proof.
+move=> n1 [_ irr]; have dn i : (degree G i < n)%N.
+  rewrite -[X in (_ < X)%N]card_ord; apply: proper_card; apply/properP; split; first by apply/subsetP.
+  by exists i; rewrite // inE irr.
+have sq : (n * 2 <= n ^ 2)%N by rewrite -mulnn leq_mul2l n1 orbT.
+split.
+  exists (fun i => if degree G i == 0%N then 0%N else 2%N), (fun i => if degree G i == 0%N then 1%N else (3 * degree G i)%N) => i; have := dn i.
+  rewrite /lazy; case: (degree G i =P 0%N) => [->|/eqP d0] h.
+    by split; rewrite ?mulr0n ?mulr0 ?invr0 ?mulr0 ?mul0r // expn_gt0 ltnW.
+  split; [by rewrite natrM | by rewrite muln_gt0 /= lt0n d0 | move: h n1; rewrite -mulnn; nia].
+exists (fun=> 1%N), (fun i => (degree G i).+1) => i; split=> //; first by rewrite /vicsek mul1r.
+by apply: leq_trans (dn i) _; rewrite -mulnn leq_pmull // ltnW.
+Qed.
 Lemma distance_is (R : rcfType) n d (y : 'M[R]_(n, d)) i j : Num.sqrt (\sum_q (y i q - y j q) ^+ 2) = norm2 (row i y - row j y).
 Proof. by congr Num.sqrt; apply: eq_bigr => q _; rewrite !mxE. Qed.
 (* n0 = b + b + d + 6: the theorems with a = b + 1, c = b + 1 *)
