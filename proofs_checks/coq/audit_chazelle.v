@@ -560,21 +560,34 @@ Check (@chazelle_losses.losses :
   (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i) ->
   (forall i, norm2 (row i (v 1%N)) <= n%:R) -> (forall i q, `|x 0%N i q| <= n%:R) ->
   forall t i j, (n ^ (n ^ 4 + 2 * (n - 1) ^ 2 + 10 * (n - 1) + 17) <= t.+1)%N -> G t i j -> G t.+1 i j).
-(* chazelle.lem3.8 and chazelle.lem3.6.ii, for the two usual weights *)
+(* chazelle.lem3.8, lem3.6.ii and lem3.7 (the virtual origins), for weights that are fractions with denominators up to n^a *)
 Check (@chazelle_losses.lemma_3_8 :
-  forall (R : rcfType) (n d : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
-  (4 <= n)%N -> (d <= n ^ 2)%N ->
+  forall (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  (4 <= n)%N -> (0 < a)%N -> (a + c < n)%N ->
   chazelle_switches.flock (n%:R ^- (n ^ 4)) x v G w ->
-  (forall t i, w t i = 2%:R / (3 * degree (G t) i)%:R) \/ (forall t i, w t i = (degree (G t) i).+1%:R^-1) ->
-  (forall i, norm2 (row i (v 1%N)) <= n%:R) -> (forall i q, `|x 0%N i q| <= n%:R) ->
+  (forall t, (0 < t)%N -> short_weights a (w t)) ->
+  (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i) ->
+  (forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c) ->
+  (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
   forall t i j, (n ^ (2 * n ^ 4) <= t.+1)%N -> G t i j -> G t.+1 i j).
 Check (@chazelle_losses.lemma_3_6_ii :
-  forall (R : rcfType) (n d : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
-  (4 <= n)%N ->
+  forall (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  (4 <= n)%N -> (0 < a)%N -> (a + c < n)%N ->
   chazelle_switches.flock (n%:R ^- (n ^ 4)) x v G w ->
-  (forall t i, w t i = 2%:R / (3 * degree (G t) i)%:R) \/ (forall t i, w t i = (degree (G t) i).+1%:R^-1) ->
-  (forall i, norm2 (row i (v 1%N)) <= n%:R) ->
+  (forall t, (0 < t)%N -> short_weights a (w t)) ->
+  (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i) ->
+  (forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c) ->
   forall t i j, 1 + n%:R ^- (n ^ 3) < norm2 (row i (x t) - row j (x t)) -> ~~ G t i j).
+Check (@chazelle_losses.lemma_3_7_origins :
+  forall (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  (4 <= n)%N -> (0 < a)%N -> (a + c < n)%N ->
+  chazelle_switches.flock (n%:R ^- (n ^ 4)) x v G w ->
+  (forall t, (0 < t)%N -> short_weights a (w t)) ->
+  (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i) ->
+  (forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c) ->
+  (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
+  forall t i, (0 < t)%N ->
+  norm2 (row i (x t) - t%:R *: row i (v t)) <= n%:R ^+ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 2 * a + 10)).
 (* chazelle.lem3.6.i: any threshold, any dimension *)
 Check (@chazelle_losses.within_unit :
   forall (R : rcfType) (n d : nat) (eps : R) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),

@@ -3,7 +3,7 @@
 Set Warnings "-notation-overridden,-ambiguous-paths".
 From mathcomp Require Import all_ssreflect all_algebra ring zify.
 From Flockproof Require Import chazelle_model chazelle_ergodicity chazelle_fixed chazelle_limits chazelle_products chazelle_entries.
-From Flockproof Require chazelle_stabilisers chazelle_losses chazelle_network chazelle_spectral chazelle_eigenvalues chazelle_switches audit_independent_chazelle.
+From Flockproof Require chazelle_stabilisers chazelle_losses chazelle_network chazelle_spectral chazelle_eigenvalues chazelle_distances chazelle_switches audit_independent_chazelle.
 Module A := audit_independent_chazelle.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -294,6 +294,211 @@ apply: (@chazelle_losses.losses R n d a x v G (A.from_0 G w) n4 dn a0 (A.flock_i
 - by case=> // u _ e; apply: same.
 - by move=> p; have := A.flock_speed F p; rewrite expr1.
 by rewrite !subn1; apply: ltnW.
+Qed.
+
+(* chazelle.lem3.6.ii, lem3.7 and lem3.8, written after the theorems; inputs and weights are rationals of b log n bits, the dimension is
+   fixed, n is large enough.  Birds are joined at time 0 within unit distance, later within unit distance or where they were joined and their
+   distance changes by less than n^(-n^4); v(t+1) = P(t) v(t), weights vary only when the network does. *)
+Definition paper_flock (R : rcfType) b n d (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :=
+  let dist t i j := Num.sqrt (\sum_q (x t i q - x t j q) ^+ 2) in
+  [/\ (forall i j, G 0%N i j = (i != j) && (dist 0%N i j <= 1)) /\
+      (forall t i j, G t.+1 i j = (i != j) && ((dist t.+1 i j <= 1) ||
+        (G t i j && (`|dist t.+1 i j - dist t i j| < (n%:R ^+ (n ^ 4))^-1)))),
+      forall t, x t.+1 = x t + v t.+1,
+      forall t, (0 < t)%N -> model_D (G t) (w t) /\ v t.+1 = transition (G t) (w t) *m v t,
+      forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i &
+      [/\ short_input b (x 0%N), short_input b (v 1%N) & forall t, (0 < t)%N -> short_weights b (w t)]].
+Definition lem3_6_ii : Prop := forall b d, exists n0, forall (R : rcfType) n (x v : nat -> 'M[R]_(n, d)) G w, (n0 <= n)%N ->
+  paper_flock b x v G w -> forall t i j, 1 + (n%:R ^+ (n ^ 3))^-1 < Num.sqrt (\sum_q (x t i q - x t j q) ^+ 2) -> ~~ G t i j.
+(* the length that the angle of the lifted birds does not exceed (audit_independent_angle.angle_1), at all times *)
+Definition lem3_7 : Prop := forall b d, exists n0 K, forall (R : rcfType) n (x v : nat -> 'M[R]_(n, d)) G w, (n0 <= n)%N ->
+  paper_flock b x v G w -> forall t i, (0 < t)%N ->
+  Num.sqrt (\sum_q (v t i q - x t i q / t%:R) ^+ 2) <= n%:R ^+ (K * n ^ 3) / t%:R.
+Definition lem3_8 : Prop := forall b d, exists n0, forall (R : rcfType) n (x v : nat -> 'M[R]_(n, d)) G w, (n0 <= n)%N ->
+  paper_flock b x v G w -> forall t i j, (n ^ (2 * n ^ 4) < t)%N -> G t.-1 i j -> G t i j.
+(* lazy and vicsek weights are such fractions with a = 2: the theorems hold for them with speeds up to n from n = 4 on *)
+Lemma usual_weights_short (R : realFieldType) n (G : rel 'I_n) : (1 < n)%N -> network G -> short_weights 2 (lazy R G) /\ short_weights 2 (vicsek R G).
+Proof.
+move=> n1 [_ irr]; have dn i : (degree G i < n)%N.
+  rewrite -[X in (_ < X)%N]card_ord; apply: proper_card; apply/properP; split; first by apply/subsetP.
+  by exists i; rewrite // inE irr.
+have sq : (n * 2 <= n ^ 2)%N by rewrite -mulnn leq_mul2l n1 orbT.
+split.
+  exists (fun i => if degree G i == 0%N then 0%N else 2%N), (fun i => if degree G i == 0%N then 1%N else (3 * degree G i)%N) => i; have := dn i.
+  rewrite /lazy; case: (degree G i =P 0%N) => [->|/eqP d0] h.
+    by split; rewrite ?mulr0n ?mulr0 ?invr0 ?mulr0 ?mul0r // expn_gt0 ltnW.
+  split; [by rewrite natrM | by rewrite muln_gt0 /= lt0n d0 | move: h n1; rewrite -mulnn; nia].
+exists (fun=> 1%N), (fun i => (degree G i).+1) => i; split=> //; first by rewrite /vicsek mul1r.
+by apply: leq_trans (dn i) _; rewrite -mulnn leq_pmull // ltnW.
+Qed.
+Lemma distance_is (R : rcfType) n d (y : 'M[R]_(n, d)) i j : Num.sqrt (\sum_q (y i q - y j q) ^+ 2) = norm2 (row i y - row j y).
+Proof. by congr Num.sqrt; apply: eq_bigr => q _; rewrite !mxE. Qed.
+(* n0 = b + b + d + 6: the theorems with a = b + 1, c = b + 1 *)
+Lemma paper_is (R : rcfType) b n d (x v : nat -> 'M[R]_(n, d)) G w : (b + b + d + 6 <= n)%N -> paper_flock b x v G w ->
+  [/\ (4 <= n)%N /\ (b.+1 + b.+1 < n)%N, chazelle_switches.flock (n%:R ^- (n ^ 4)) x v G (A.from_0 G w),
+      (forall t, (0 < t)%N -> short_weights b.+1 (A.from_0 G w t)) /\
+        (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, A.from_0 G w t.+1 i = A.from_0 G w t i),
+      forall i, norm2 (row i (v 1%N)) <= n%:R ^+ b.+1 &
+      (d <= n ^ 2)%N /\ forall i q, `|x 0%N i q| <= n%:R ^+ b.+1].
+Proof.
+move=> big [[G0 Gn] Hx HD st [[zx [qx X]] [zv [qv V]] W]].
+have n0 : (0 < n)%N by apply: leq_trans big; rewrite addnS.
+have n1 : (n ^ b <= n ^ b.+1)%N by apply: leq_pexp2l.
+have dn : (d <= n ^ 2)%N by apply: (@leq_trans n); [lia | rewrite -{1}[n]expn1; apply: leq_pexp2l].
+have le y (z : int) q : y = z%:~R / q%:R -> (0 < q)%N -> (`|z| <= n ^ b)%N -> `|y| <= (n%:R : R) ^+ b.
+  move=> -> q0 zb; rewrite normrM normfV normr_nat ler_pdivr_mulr ?ltr0n //.
+  rewrite -intr_norm -abszE -natrX -natrM -[X in X <= _]/(`|z|%N%:R) ler_nat.
+  by apply: leq_trans zb _; rewrite leq_pmulr.
+have net t : network (G t).
+  elim: t => [|t [sy ir]]; split=> [i j|i]; rewrite ?G0 ?Gn ?eqxx // !distance_is eq_sym.
+    by rewrite -norm2N opprB.
+  by rewrite sy -norm2N opprB -[X in `|_ - X|]norm2N opprB.
+split.
+- by split; lia.
+- split=> // [i j|t i j|[|t]|[|t]] //; rewrite ?G0 ?Gn ?distance_is //; first exact: vicsek_model_D.
+    by case: (HD t.+1 isT).
+  by move=> _; case: (HD t.+1 isT).
+- split=> [[|t] // _|[|t] // _]; last exact: (st t.+1 isT).
+  have [p [q H]] := W t.+1 isT; exists p, q => i; have [e q0 qb] := H i; split=> //; exact: leq_trans qb n1.
+- move=> i; rewrite exprS; apply: chazelle_losses.norm2_le => // [|q]; first by rewrite exprn_ge0 ?ler0n.
+  by rewrite mxE; have [e q0 _ zb] := V i q; exact: le e q0 zb.
+split=> // i q; have [e q0 _ zb] := X i q; apply: (le_trans (le _ _ _ e q0 zb)).
+by rewrite -!natrX ler_nat.
+Qed.
+Lemma lem3_6_ii_holds : lem3_6_ii.
+Proof.
+move=> b d; exists (b + b + d + 6)%N => R n x v G w big /(paper_is big)[[n4 acn] F [W st] V _] t i j; rewrite distance_is.
+exact: (@chazelle_losses.lemma_3_6_ii R n d b.+1 b.+1 x v G _ n4 isT acn F W st V).
+Qed.
+Lemma lem3_7_holds : lem3_7.
+Proof.
+move=> b d; exists (b + b + d + 6)%N, (4 * b + 23)%N => R n x v G w big /(paper_is big)[[n4 acn] F [W st] V [dn X]] t i t0.
+have tR : 0 < t%:R :> R by rewrite ltr0n.
+rewrite ler_pdivl_mulr // mulrC.
+have -> : t%:R * Num.sqrt (\sum_q (v t i q - x t i q / t%:R) ^+ 2) = norm2 (row i (x t) - t%:R *: row i (v t)) :> R.
+  have -> : row i (x t) - t%:R *: row i (v t) = t%:R *: (\row_q (x t i q / t%:R - v t i q)).
+    by apply/rowP => q; rewrite !mxE mulrBr mulrCA divff ?gt_eqF // mulr1.
+  rewrite norm2Z gtr0_norm //; congr (_ * Num.sqrt _); apply: eq_bigr => q _.
+  by rewrite !mxE -sqrrN opprB.
+apply: (le_trans (@chazelle_losses.lemma_3_7_origins R n d b.+1 b.+1 x v G _ n4 isT acn F W st V dn X t i t0)).
+apply: ler_weexpn2l; first by rewrite ler1n (leq_trans _ n4).
+have n0 : (0 < n)%N by exact: leq_trans n4.
+have p1 : (n.-1 <= n ^ 3)%N by apply: leq_trans (leq_pred n) _; rewrite -{1}[n]expn1; apply: leq_pexp2l.
+have p2 : (n.-1 ^ 2 <= n ^ 3)%N by apply: (@leq_trans (n ^ 2)); [rewrite leq_exp2r // leq_pred | apply: leq_pexp2l].
+have p0 : (1 <= n ^ 3)%N by rewrite expn_gt0 n0.
+rewrite subn1; move: (n.-1) (n.-1 ^ 2)%N (n ^ 3)%N p0 p1 p2 => m s N N1 mN sN.
+have h1 : (b.+1 * s <= b.+1 * N)%N by rewrite leq_mul2l sN orbT.
+have h2 : ((b.+1 + 9) * m <= (b.+1 + 9) * N)%N by rewrite leq_mul2l mN orbT.
+have h3 : (2 * b.+1 + 10 <= (2 * b.+1 + 10) * N)%N by rewrite leq_pmulr.
+have -> : ((4 * b + 23) * N = b.+1 * N + (b.+1 + 9) * N + (2 * b.+1 + 10) * N)%N by rewrite -!mulnDl; congr (_ * _)%N; lia.
+by rewrite -addnA; apply: leq_add => //; exact: leq_add.
+Qed.
+Lemma lem3_8_holds : lem3_8.
+Proof.
+move=> b d; exists (b + b + d + 6)%N => R n x v G w big /(paper_is big)[[n4 acn] F [W st] V [dn X]] [|t] i j // late.
+exact: (@chazelle_losses.lemma_3_8 R n d b.+1 b.+1 x v G _ n4 isT acn F W st V dn X t i j (ltnW late)).
+Qed.
+
+(* chazelle.eq3.18, written after the theorem: birds f i and g j of two flocks that have n birds at most together, or of one flock (f = g), with
+   B = 0 and |A| = 1; terms are the mu_k with the Psi_k of (3.17) *)
+Definition in_3_18 (R : rcfType) n d m m' (x v : nat -> 'M[R]_(n, d)) G w t1 (f : 'I_m.+1 -> 'I_n) (g : 'I_m'.+1 -> 'I_n) i j : Prop :=
+  let c := fun k => w t1 (f k) in let c' := fun k => w t1 (g k) in
+  let Gf := A.own_network f (G t1) in let Gg := A.own_network g (G t1) in
+  let v1 := A.own_rows f (v t1.+1) in let v1' := A.own_rows g (v t1.+1) in
+  let A0 := row (f i) (x t1) - row (g j) (x t1) + (row i (A.Gamma_of Gf c *m v1) - row j (A.Gamma_of Gg c' *m v1')) in
+  A.y_of c v1 = A.y_of c' v1' -> Num.sqrt (\sum_q A0 0 q ^+ 2) = 1 ->
+  exists (terms : seq (R * 'rV[R]_d)) (rho : seq R) (up um : R -> R),
+  [/\ forall p, p \in terms -> `|p.1| < 1 /\ (A.is_eigenvalue (transition Gf c) p.1 \/ A.is_eigenvalue (transition Gg c') p.1),
+    sorted (fun r r' => r' < r) rho /\ (forall r, r \in rho -> 0 < r < 1),
+    forall r, (r \in rho) <-> r != 0 /\ ((exists2 p, p \in terms & r = `|p.1|) \/ exists p q, [/\ p \in terms, q \in terms & r = `|p.1 * q.1|]),
+    (size rho < n ^ 2)%N &
+    forall t, (t1 < t)%N -> A.unchanged G w t1 t ->
+      row (f i) (x t) - row (g j) (x t) = A0 - \sum_(p <- terms) p.1 ^+ (t - t1) *: p.2 /\
+      \sum_q (x t (f i) q - x t (g j) q) ^+ 2 - 1 = \sum_(r <- rho) (up r + (-1) ^+ t * um r) * r ^+ (t - t1)].
+Definition eq3_18 : Prop := forall (R : rcfType) n d m m' (x v : nat -> 'M[R]_(n, d)) G w t1
+  (f : 'I_m.+1 -> 'I_n) (g : 'I_m'.+1 -> 'I_n) lam u lam' u' i j,
+  A.motion_D x v G w -> (0 < t1)%N -> A.is_flock f (G t1) -> A.is_flock g (G t1) -> (forall k, 0 < w t1 (f k)) -> (forall k, 0 < w t1 (g k)) ->
+  A.eigenbasis (A.own_network f (G t1)) (fun k => w t1 (f k)) lam u -> A.eigenbasis (A.own_network g (G t1)) (fun k => w t1 (g k)) lam' u' ->
+  (forall k l, f k <> g l) -> in_3_18 x v G w t1 f g i j.
+Definition eq3_18_one : Prop := forall (R : rcfType) n d m (x v : nat -> 'M[R]_(n, d)) G w t1 (f : 'I_m.+1 -> 'I_n) lam u i j,
+  A.motion_D x v G w -> (0 < t1)%N -> A.is_flock f (G t1) -> (forall k, 0 < w t1 (f k)) ->
+  A.eigenbasis (A.own_network f (G t1)) (fun k => w t1 (f k)) lam u -> in_3_18 x v G w t1 f f i j.
+(* a matrix of order m + 1 with the eigenvalue 1 has at most m others *)
+Lemma others_few (R : realFieldType) m (P : 'M[R]_m.+1) (s : seq R) : (forall i, \sum_j P i j = 1) -> uniq s ->
+  (forall y, y \in s -> y != 1 /\ A.is_eigenvalue P y) -> (size s <= m)%N.
+Proof.
+move=> P1 un ev; have root_of y (z : 'cV[R]_m.+1) : z != 0 -> P *m z = y *: z -> root (char_poly P^T) y.
+  move=> z0 E; rewrite -eigenvalue_root_char; apply/eigenvalueP; exists z^T; last by rewrite trmx_eq0.
+  by rewrite -trmx_mul E linearZ.
+pose s1 : seq R := 1 :: s; suff H : (size s1 < size (char_poly P^T))%N by move: H; rewrite size_char_poly /= !ltnS.
+apply: max_poly_roots.
+- by rewrite monic_neq0 // char_poly_monic.
+- apply/andP; split; last by apply/allP => y /ev[_ [z [z0 E]]]; exact: root_of z0 E.
+  apply: (root_of 1 (const_mx 1)); last by apply/colP => i; rewrite !mxE mul1r -[RHS](P1 i); apply: eq_bigr => k _; rewrite mxE mulr1.
+  by apply/eqP => /matrixP/(_ ord0 ord0) /eqP; rewrite !mxE oner_eq0.
+by rewrite /s1 /= un andbT; apply/negP => /ev[]; rewrite eqxx.
+Qed.
+Lemma in_3_18_holds (R : rcfType) n d m m' (x v : nat -> 'M[R]_(n, d)) G w t1 (f : 'I_m.+1 -> 'I_n) (g : 'I_m'.+1 -> 'I_n) lam u lam' u' i j :
+  A.motion_D x v G w -> (0 < t1)%N -> A.is_flock f (G t1) -> A.is_flock g (G t1) -> (forall k, 0 < w t1 (f k)) -> (forall k, 0 < w t1 (g k)) ->
+  A.eigenbasis (A.own_network f (G t1)) (fun k => w t1 (f k)) lam u -> A.eigenbasis (A.own_network g (G t1)) (fun k => w t1 (g k)) lam' u' ->
+  (forall s : seq R, uniq s -> (forall y, y \in s -> y != 1 /\ (A.is_eigenvalue (transition (A.own_network f (G t1)) (fun k => w t1 (f k))) y \/
+    A.is_eigenvalue (transition (A.own_network g (G t1)) (fun k => w t1 (g k))) y)) -> (size s < n)%N) -> in_3_18 x v G w t1 f g i j.
+Proof.
+move=> MO t10 FL FL' w0 w0' EB EB' few c c' Gf Gg v1 v1' A0 B0 A1.
+have [terms [_ ev E]] := A.eq3_17_proved i j MO t10 FL FL' w0 w0' EB EB'.
+pose mu := [seq p.1 | p <- terms]; have inmu p : p \in terms -> p.1 \in mu by exact: map_f.
+have [up [um X]] := @chazelle_distances.expansion R d A0 terms mu inmu A1 t1.
+exists terms, (chazelle_distances.moduli mu), up, um; split=> //.
+- split; first exact: chazelle_distances.moduli_sorted.
+  by apply: chazelle_distances.moduli_range => y /mapP[p pm ->]; case: (ev p pm).
+- move=> r; rewrite chazelle_distances.in_moduli; split.
+    move/andP=> [r0 H]; split=> //; case/orP: H => [/mapP[y /mapP[p pm ->] ->]|/allpairsP[[y z] /= [/mapP[p pm ->] /mapP[q qm ->] ->]]].
+      by left; exists p.
+    by right; exists p, q.
+  move=> [-> H] /=; case: H => [[p pm ->]|[p [q [pm qm ->]]]]; first by rewrite map_f // inmu.
+  by apply/orP; right; apply/allpairsP; exists (p.1, q.1); rewrite !inmu.
+- have le : (size (undup mu) < n)%N.
+    apply: few (undup_uniq _) _ => y; rewrite mem_undup => /mapP[p pm ->]; have [lt e] := ev p pm; split=> //.
+    by apply: contraTneq lt => ->; rewrite normr1 ltxx.
+  rewrite -(ltn_pmul2l (isT : 0 < 2)%N); exact: leq_ltn_trans (chazelle_distances.moduli_few (leqnn _)) (chazelle_distances.fewer le).
+move=> t tt un; have := E t (ltnW tt) un; rewrite B0 subrr scaler0 addr0 => D; split=> //.
+have s0 : (0 < t - t1)%N by rewrite subn_gt0.
+have := X (t - t1)%N s0; rewrite subnKC ?(ltnW tt) // -D norm2_sqr => <-; congr (_ - 1); apply: eq_bigr => q _.
+by rewrite !mxE.
+Qed.
+Lemma flock_rows (R : rcfType) n d m (x v : nat -> 'M[R]_(n, d)) G w t1 (f : 'I_m.+1 -> 'I_n) : A.motion_D x v G w -> (0 < t1)%N -> A.is_flock f (G t1) ->
+  (forall k, 0 < w t1 (f k)) -> forall i, \sum_j transition (A.own_network f (G t1)) (fun k => w t1 (f k)) i j = 1.
+Proof. by move=> [/(_ t1) MD _ _] t10 FL w0 i; have [net D] := MD t10; have [nf _ _ _] := A.own_fixed FL net D w0; exact: transition_row_sum. Qed.
+Lemma eq3_18_holds : eq3_18.
+Proof.
+move=> R n d m m' x v G w t1 f g lam u lam' u' i j MO t10 FL FL' w0 w0' EB EB' fg; apply: (in_3_18_holds MO t10 FL FL' w0 w0' EB EB').
+move=> s un ev; have R1 := flock_rows MO t10 FL w0; have R2 := flock_rows MO t10 FL' w0'.
+pose P1 := transition (A.own_network f (G t1)) (fun k => w t1 (f k)).
+pose a := [seq y <- s | eigenvalue P1^T y]; pose b := [seq y <- s | ~~ eigenvalue P1^T y].
+have is_ev k (P : 'M[R]_k) y : A.is_eigenvalue P y <-> eigenvalue P^T y.
+  split=> [[z [z0 E]]|/eigenvalueP[z E z0]].
+    by apply/eigenvalueP; exists z^T; [rewrite -trmx_mul E linearZ | rewrite trmx_eq0].
+  by exists z^T; rewrite trmx_eq0 z0; split=> //; rewrite -[P]trmxK -trmx_mul E linearZ.
+have sa : (size a <= m)%N.
+  apply: (others_few R1) => [|y]; first exact: filter_uniq.
+  by rewrite mem_filter => /andP[e /ev[y1 _]]; split=> //; apply/is_ev.
+have sb : (size b <= m')%N.
+  apply: (others_few R2) => [|y]; first exact: filter_uniq.
+  by rewrite mem_filter => /andP[e /ev[y1 [/is_ev h|h]]]; [rewrite h in e | split].
+have all : size s = (size a + size b)%N by rewrite /a /b !size_filter count_predC.
+have birds : (m.+1 + m'.+1 <= n)%N.
+  have [fi _ _] := FL; have [gi _ _] := FL'.
+  pose h (k : 'I_m.+1 + 'I_m'.+1) := match k with inl k => f k | inr k => g k end.
+  have hi : injective h by move=> [k|k] [l|l] /= e; [rewrite (fi _ _ e) | case: (fg _ _ e) | case: (fg _ _ (esym e)) | rewrite (gi _ _ e)].
+  by have := leq_card h hi; rewrite card_sum !card_ord.
+by rewrite all; lia.
+Qed.
+Lemma eq3_18_one_holds : eq3_18_one.
+Proof.
+move=> R n d m x v G w t1 f lam u i j MO t10 FL w0 EB; apply: (in_3_18_holds MO t10 FL FL w0 w0 EB EB).
+move=> s un ev; have R1 := flock_rows MO t10 FL w0; have [fi _ _] := FL.
+have le : (m.+1 <= n)%N by have := leq_card f fi; rewrite !card_ord.
+by apply: leq_trans le; rewrite ltnS; apply: (others_few R1) => // y /ev[y1 [e|e]].
 Qed.
 
 (* chazelle.eq3.7 clause 2, written after the theorem: the list of the eigenvalues with their multiplicities, from the largest to the smallest *)

@@ -1,18 +1,20 @@
-(* Chazelle, Lemmas 3.6 (ii) and 3.8, the latter sharpened: edges of a flock stay shorter than 1 + n^(-n^3), and after time
-   n^(n^4 + 2(n-1)^2 + 10(n-1) + 17) the network loses none.
-     beyond.chazelle.losses (losses), chazelle.lem3.8 (lemma_3_8), chazelle.lem3.6.ii (lemma_3_6_ii); beyond.chazelle.angle, clause 2, for
-     weights that change only when the network does (origins_stay).
-   Hypotheses of `losses`: n >= 4 birds in R^d, d <= n^2; the hysteresis rule with the threshold n^(-n^4); from t = 1 on positive entries of
-   P(t) at least n^-a, a = 1 or 2, and G_(t+1) = G_t gives c(t+1) = c(t); |v_i(1)| <= n; coordinates of x(0) at most n.  The weights of
-   time 0 do not matter.
-   On a stretch of one network the velocities of neighbours agree after 2 n^9 steps up to less than the threshold, so that it adds at most
-   n^(10 - n^4) to an edge; chazelle_switches.v bounds the number of stretches.  So no edge is longer than 2, the virtual origins stay within
-   n^O(n^2), and t (v_i - v_j) does so with them.  Any real closed field, no axioms. *)
+(* Chazelle, Lemmas 3.6 (ii), 3.7 (but for the angle) and 3.8, the last sharpened: edges of a flock stay shorter than 1 + n^(-n^3), the
+   virtual origins within n^O(n^2), and after time n^(n^4 + a(n-1)^2 + (c+9)(n-1) + 2a + 13) the network loses no edge.
+     chazelle.lem3.6.ii (lemma_3_6_ii), chazelle.lem3.7 (lemma_3_7_origins), chazelle.lem3.8 (lemma_3_8), chazelle.lem3.6.i (within_unit);
+     beyond.chazelle.losses (losses, with a = 2 and c = 1); beyond.chazelle.angle, clause 2, for weights that change only when the network
+     does (origins_stay).
+   Hypotheses: n >= 4 birds in R^d, n > a + c, a >= 1; the hysteresis rule with the threshold n^(-n^4); from t = 1 on positive entries of
+   P(t) at least n^-a, which fractions with denominators up to n^a give (short_floor), and G_(t+1) = G_t gives c(t+1) = c(t); |v_i(1)| <= n^c;
+   but for edges also d <= n^2 and coordinates of x(0) at most n^c.  The weights of time 0 do not matter.
+   On a stretch of one network the velocities of neighbours agree after 2 n^(a+7) + n^(2a+3) steps up to less than the threshold, so that it adds
+   at most n^(2a + 8 - n^4) to an edge; chazelle_switches.v bounds the number of stretches.  So no edge is longer than 2, the virtual origins
+   stay within n^O(n^2), and t (v_i - v_j) does so with them.  Any real closed field, no axioms. *)
 Set Warnings "-notation-overridden,-ambiguous-paths".
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp Require Import ring zify.
 From Flockproof Require Import chazelle_model chazelle_ergodicity chazelle_fixed chazelle_network chazelle_sharp chazelle_origins
   chazelle_stabilisers chazelle_count chazelle_switches.
+From Flockproof Require chazelle_products.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
 Import GRing.Theory Num.Theory Order.Theory.
 Local Open Scope ring_scope.
@@ -71,72 +73,83 @@ apply: le_trans (ler_norm_sub _ _) _; rewrite mulr_natl mulr2n; apply: ler_add; 
 Qed.
 End Apart.
 
-(* ---- what a stretch of one network adds to the length of an edge, entries at least n^-2 ---- *)
+(* ---- what a stretch of one network adds to the length of an edge, entries at least n^-a, speeds up to n^c ---- *)
 Section Pace.
-Variables (R : realFieldType) (n : nat).
+Variables (R : realFieldType) (n a c : nat).
 Hypothesis n4 : (3 < n)%N.
+Hypothesis a1 : (0 < a)%N.
+Hypothesis cn : (c < n)%N.
 Notation N := (n%:R : R).
 Notation eps := (N ^+ (n ^ 4))^-1.
-Definition pace (r : nat) : R := Num.min eps (N * (2%:R * bound R n 2 r)).
+Definition pace (r : nat) : R := Num.min eps (N ^+ c * (2%:R * bound R n a r)).
 
 Let n0 : (0 < n)%N. Proof. exact: leq_trans n4. Qed.
 Let N0 k : 0 < N ^+ k. Proof. by rewrite exprn_gt0 // ltr0n. Qed.
-Let mu : R := 1 - 4%:R / N ^+ 4.
-Let h := (n ^ 4 * n ^ 3)%N.
-Let k := (n * (n ^ 4 + 2))%N.
-Let boundE r : bound R n 2 r = if (r < h)%N then 2%:R else 2%:R * mu ^+ (r - h). Proof. by []. Qed.
+Let mu : R := 1 - 4%:R / N ^+ (a + 2).
+Let h := (n ^ (a + 2) * n ^ a.+1)%N.
+Let k := (n * (n ^ 4 + c.+1))%N.
+Let boundE r : bound R n a r = if (r < h)%N then 2%:R else 2%:R * mu ^+ (r - h). Proof. by []. Qed.
 Let mu_range : 0 <= mu < 1.
 Proof.
 rewrite /mu subr_ge0 ltr_subl_addr ltr_addl divr_gt0 ?ltr0n // andbT ler_pdivr_mulr // mul1r -natrX ler_nat.
-by apply: (leq_trans n4); rewrite -{1}[n]expn1 leq_exp2l // (leq_trans _ n4).
+apply: (leq_trans n4); rewrite -{1}[n]expn1; apply: leq_pexp2l; [exact: leq_trans n4 | by rewrite addn2].
 Qed.
 Lemma pace_ge0 r : 0 <= pace r.
 Proof.
-have [m0 _] := andP mu_range; rewrite /pace le_minr invr_ge0 ltW //=; apply: mulr_ge0; first exact: ler0n.
+have [m0 _] := andP mu_range; rewrite /pace le_minr invr_ge0 ltW //=; apply: mulr_ge0; first exact: ltW.
 by apply: mulr_ge0; rewrite ?ler0n // boundE; case: ifP => _; rewrite ?ler0n // mulr_ge0 ?ler0n ?exprn_ge0.
 Qed.
-Lemma pace_sum s : \sum_(r < s) pace r <= eps * N ^+ 10.
+Lemma pace_sum s : \sum_(r < s) pace r <= eps * N ^+ (2 * a + 8).
 Proof.
 have [m0 m1] := andP mu_range; have e0 : 0 < eps by rewrite invr_gt0.
-have M0 : (0 < n ^ 4)%N by rewrite expn_gt0 n0.
-have half : mu ^+ (n ^ 4) <= 2%:R^-1.
-  have := @halving R (n ^ 4) (n ^ 4) M0; rewrite divnn M0 expr1; apply: le_trans.
+have M0 : (0 < n ^ (a + 2))%N by rewrite expn_gt0 n0.
+have half : mu ^+ (n ^ (a + 2)) <= 2%:R^-1.
+  have := @halving R (n ^ (a + 2)) (n ^ (a + 2)) M0; rewrite divnn M0 expr1; apply: le_trans.
   apply: ler_expn2r; rewrite ?nnegrE // ?subr_ge0 ?invf_le1 ?ltr0n ?ler1n // ler_add2l ler_opp2 natrX -[X in X <= _]mul1r.
   by apply: ler_wpmul2r; [rewrite invr_ge0 ltW | rewrite ler1n].
-have tail : N * 4%:R * mu ^+ (n ^ 4 * k) <= eps.
-  rewrite exprM; apply: (@le_trans _ _ (N ^+ 2 * 2%:R^-1 ^+ k)).
+have tail : N ^+ c * 4%:R * mu ^+ (n ^ (a + 2) * k) <= eps.
+  rewrite exprM; apply: (@le_trans _ _ (N ^+ c.+1 * 2%:R^-1 ^+ k)).
     apply: ler_pmul; rewrite ?mulr_ge0 ?exprn_ge0 ?ler0n //.
-      by rewrite expr2; apply: ler_wpmul2l; rewrite ?ler0n // ler_nat.
+      by rewrite exprSr; apply: ler_wpmul2l; rewrite ?exprn_ge0 ?ler0n // ler_nat.
     by apply: ler_expn2r; rewrite ?nnegrE ?exprn_ge0 ?invr_ge0 ?ler0n.
   rewrite exprVn ler_pdivr_mulr ?exprn_gt0 ?ltr0n // ler_pdivl_mull // -!natrX -natrM ler_nat -expnD /k expnM.
-  by rewrite leq_exp2r ?addn2 //; apply: ltnW; exact: ltn_expl.
+  by rewrite leq_exp2r ?addnS //; apply: ltnW; exact: ltn_expl.
 pose C r := 2%:R / eps * pace r.
 have ce : 0 <= 2%:R / eps by rewrite divr_ge0 ?ler0n // ltW.
 have C0 r : 0 <= C r by rewrite mulr_ge0 ?pace_ge0.
 have C2 r : C r <= 2%:R.
   rewrite /C mulrAC ler_pdivr_mulr //; apply: ler_wpmul2l; rewrite ?ler0n //; by rewrite /pace le_minl lexx.
-have Cm r : C (h + n ^ 4 * k + r)%N <= 2%:R * mu ^+ r.
+have Cm r : C (h + n ^ (a + 2) * k + r)%N <= 2%:R * mu ^+ r.
   rewrite /C mulrAC ler_pdivr_mulr // -mulrA; apply: ler_wpmul2l; rewrite ?ler0n //.
-  apply: (@le_trans _ _ (N * (2%:R * bound R n 2 (h + n ^ 4 * k + r)))); first by rewrite /pace le_minl lexx orbT.
+  apply: (@le_trans _ _ (N ^+ c * (2%:R * bound R n a (h + n ^ (a + 2) * k + r)))); first by rewrite /pace le_minl lexx orbT.
   rewrite boundE -addnA ltnNge leq_addr /= addKn exprD.
-  have -> : N * (2%:R * (2%:R * (mu ^+ (n ^ 4 * k) * mu ^+ r))) = mu ^+ r * (N * 4%:R * mu ^+ (n ^ 4 * k)).
-    by move: (mu ^+ r) (mu ^+ (n ^ 4 * k)) N => y z u; ring.
+  have -> : N ^+ c * (2%:R * (2%:R * (mu ^+ (n ^ (a + 2) * k) * mu ^+ r))) = mu ^+ r * (N ^+ c * 4%:R * mu ^+ (n ^ (a + 2) * k)).
+    by move: (mu ^+ r) (mu ^+ (n ^ (a + 2) * k)) (N ^+ c) => y z u; ring.
   by apply: ler_wpmul2l => //; rewrite exprn_ge0.
 have := tail_sum s mu_range C2 Cm C0; rewrite /C -mulr_sumr mulrAC ler_pdivr_mulr // => H.
 have -> : \sum_(r < s) pace r = 2%:R^-1 * (2%:R * \sum_(r < s) pace r) by rewrite mulKf ?pnatr_eq0.
 apply: le_trans (ler_wpmul2l _ H) _; first by rewrite invr_ge0 ler0n.
 rewrite mulrA [2%:R^-1 * _ * _]mulrC; apply: ler_wpmul2l; first exact: ltW.
-have -> : 2%:R / (1 - mu) = (n ^ 4)%:R / 2%:R :> R.
+have -> : 2%:R / (1 - mu) = (n ^ (a + 2))%:R / 2%:R :> R.
   rewrite /mu subKr invf_div natrX mulrCA; congr (_ * _).
   by rewrite -[4%:R]/(2 * 2)%:R natrM invfM mulrA mulfV ?mul1r ?pnatr_eq0.
-rewrite ler_pdivr_mull ?ltr0n //; apply: (@le_trans _ _ ((2 * (h + n ^ 4 * k))%:R + (n ^ 4)%:R)).
+rewrite ler_pdivr_mull ?ltr0n //; apply: (@le_trans _ _ ((2 * (h + n ^ (a + 2) * k))%:R + (n ^ (a + 2))%:R)).
   by rewrite ler_add2l ler_pdivr_mulr ?ltr0n // ler_pemulr ?ler0n // ler1n.
 rewrite -natrD -natrX -natrM ler_nat /h /k.
-have p m : (0 < n ^ m)%N by rewrite expn_gt0 n0.
-have -> : (n ^ 4 * n ^ 3 = n ^ 7)%N by rewrite -expnD.
-have -> : (n ^ 4 * (n * (n ^ 4 + 2)) = n ^ 9 + 2 * n ^ 5)%N by rewrite mulnA -expnSr mulnDr -expnD [(n ^ 5 * 2)%N]mulnC.
 have four m : (4 * n ^ m <= n ^ m.+1)%N by rewrite expnS leq_mul2r n4 orbT.
-move: (four 9%N) (four 8%N) (four 7%N) (four 6%N) (four 5%N) (four 4%N); clear; lia.
+have up e f : (e <= f)%N -> (n ^ e <= n ^ f)%N by apply: leq_pexp2l; exact: leq_trans n4.
+have c4 : (c.+1 <= n ^ 4)%N by apply: leq_trans cn _; rewrite -{1}[n]expn1 up.
+have b1 : (n ^ (a + 2) * n ^ a.+1 <= n ^ (2 * a + 3))%N by rewrite -expnD up //; lia.
+have b2 : (n ^ (a + 2) * (n * (n ^ 4 + c.+1)) <= 2 * n ^ (a + 7))%N.
+  rewrite mulnA -expnSr; apply: (@leq_trans (n ^ (a + 2).+1 * (2 * n ^ 4))); first by rewrite leq_mul2l mul2n -addnn leq_add2l c4 orbT.
+  by rewrite mulnCA -expnD leq_mul2l; apply/orP; right; apply: up; lia.
+have b3 : (n ^ (a + 7) <= n ^ (2 * a + 6))%N by apply: up; move: a1; lia.
+have b4 : (n ^ (a + 2) <= n ^ (2 * a + 6))%N by apply: up; lia.
+have b5 : (n ^ (2 * a + 3) <= n ^ (2 * a + 6))%N by apply: up; lia.
+have b6 : (16 * n ^ (2 * a + 6) <= n ^ (2 * a + 8))%N.
+  have -> : (2 * a + 8 = 2 * a + 6 + 2)%N by lia.
+  by rewrite (expnD n (2 * a + 6) 2) [(n ^ (2 * a + 6) * _)%N]mulnC leq_mul2r; apply/orP; right; rewrite (@leq_trans (4 ^ 2)) // leq_exp2r.
+move: b1 b2 b3 b4 b5 b6; clear; lia.
 Qed.
 End Pace.
 
@@ -160,15 +173,17 @@ Qed.
 
 (* ---- no edge is longer than 2 ---- *)
 Section Short.
-Variables (R : rcfType) (n d : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R).
+Variables (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R).
 Notation N := (n%:R : R).
 Notation eps := (N ^+ (n ^ 4))^-1.
 Notation P t := (transition (G t) (w t)).
 Hypothesis n4 : (3 < n)%N.
+Hypothesis a1 : (0 < a)%N.
+Hypothesis cn : (c < n)%N.
 Hypothesis F : flock eps x v G w.
-Hypothesis floor : forall t i j, (0 < t)%N -> 0 < P t i j -> (N ^+ 2)^-1 <= P t i j.
+Hypothesis floor : forall t i j, (0 < t)%N -> 0 < P t i j -> (N ^+ a)^-1 <= P t i j.
 Hypothesis st : steady G w.
-Hypothesis speed : forall i, norm2 (row i (v 1%N)) <= N.
+Hypothesis speed : forall i, norm2 (row i (v 1%N)) <= N ^+ c.
 
 Let net t : network (G t). Proof. exact: (flock_network F). Qed.
 Let MD t : model_D (G t) (w t). Proof. by case: F. Qed.
@@ -176,9 +191,10 @@ Let SP t : stochastic (P t). Proof. by case: (model_D_stochastic (net t) (@MD t)
 Let Hx t : x t.+1 = x t + v t.+1. Proof. by case: F => _ _ _ h _. Qed.
 Let Hv t : (0 < t)%N -> v t.+1 = P t *m v t. Proof. by case: F => _ _ _ _ h; exact: h. Qed.
 Let N0 : 0 < N. Proof. by rewrite ltr0n (leq_trans _ n4). Qed.
+Let Nc : 0 < N ^+ c. Proof. exact: exprn_gt0. Qed.
 Notation len t i j := (norm2 (row i (x t) - row j (x t))).
 
-Lemma speed_le t i : (0 < t)%N -> norm2 (row i (v t)) <= N.
+Lemma speed_le t i : (0 < t)%N -> norm2 (row i (v t)) <= N ^+ c.
 Proof.
 move=> t0; apply: (@le_trans _ _ (fastest (v t))); first exact: (max_ub (fun i => norm2 (row i (v t))) i).
 case: t t0 => // t _; elim: t => [|t IH]; first by apply: max_le; rewrite // ltW.
@@ -193,23 +209,23 @@ rewrite addnS Hv ?addn_gt0 ?p // H // afterS mxE; apply: eq_bigr => j _; rewrite
 Qed.
 (* the parts of the velocities in the direction D of the difference *)
 Lemma run_pace t0 s i j : (0 < t0)%N -> (forall r, (r < s)%N -> P (t0 + r) = P t0) -> G t0 i j ->
-  norm2 (row i (v (t0 + s)%N) - row j (v (t0 + s)%N)) <= N * (2%:R * bound R n 2 s).
+  norm2 (row i (v (t0 + s)%N) - row j (v (t0 + s)%N)) <= N ^+ c * (2%:R * bound R n a s).
 Proof.
 move=> p H Gij; set D := row i _ - row j _.
-have agree y : (forall k, `|y k| <= 1) -> `|after (G t0) (w t0) s y i - after (G t0) (w t0) s y j| <= 2%:R * bound R n 2 s.
-  by move=> y1; exact: (neighbours_agree (net t0) (@MD t0) (isT : 0 < 2)%N (fun k l => floor p) s y1 Gij).
+have agree y : (forall k, `|y k| <= 1) -> `|after (G t0) (w t0) s y i - after (G t0) (w t0) s y j| <= 2%:R * bound R n a s.
+  by move=> y1; exact: (neighbours_agree (net t0) (@MD t0) a1 (fun k l => floor p) s y1 Gij).
 have [D0|Dn] := eqVneq (norm2 D) 0.
   rewrite D0; apply: mulr_ge0; [exact: ltW | apply: le_trans (normr_ge0 _) (agree (fun=> 0) _)] => k; by rewrite normr0 ler01.
 have Dp : 0 < norm2 D by rewrite lt_def Dn norm2_ge0.
-have ND : 0 < N * norm2 D by exact: mulr_gt0.
-pose y k := dot (row k (v t0)) D / (N * norm2 D).
+have ND : 0 < N ^+ c * norm2 D by exact: mulr_gt0.
+pose y k := dot (row k (v t0)) D / (N ^+ c * norm2 D).
 have y1 k : `|y k| <= 1.
-  rewrite /y normrM normfV [ `|N * _|]gtr0_norm // ler_pdivr_mulr // mul1r; apply: (@le_trans _ _ (norm2 (row k (v t0)) * norm2 D)).
+  rewrite /y normrM normfV [ `|N ^+ c * _|]gtr0_norm // ler_pdivr_mulr // mul1r; apply: (@le_trans _ _ (norm2 (row k (v t0)) * norm2 D)).
     rewrite ler_norml cauchy_schwarz andbT ler_oppl -[norm2 (row k _)]norm2N; apply: le_trans (cauchy_schwarz _ _).
     by rewrite /dot -sumrN; apply: ler_sum => q _; rewrite !mxE mulNr.
   by apply: ler_wpmul2r; [exact: ltW | exact: speed_le].
-have E k : after (G t0) (w t0) s y k = dot (row k (v (t0 + s)%N)) D / (N * norm2 D).
-  rewrite /after /dot (eq_bigr (fun l => (\sum_q mpow (P t0) s k l * (v t0 l q * D 0 q)) / (N * norm2 D))) => [|l _]; last first.
+have E k : after (G t0) (w t0) s y k = dot (row k (v (t0 + s)%N)) D / (N ^+ c * norm2 D).
+  rewrite /after /dot (eq_bigr (fun l => (\sum_q mpow (P t0) s k l * (v t0 l q * D 0 q)) / (N ^+ c * norm2 D))) => [|l _]; last first.
     by rewrite /y mulrA /dot mulr_sumr; congr (_ / _); apply: eq_bigr => q _; rewrite mxE.
   rewrite -mulr_suml exchange_big /=; congr (_ / _); apply: eq_bigr => q _.
   by rewrite [row k _ 0 q]mxE (velocity_run _ _ p H) /after mulr_suml; apply: eq_bigr => l _; rewrite mulrA.
@@ -231,13 +247,13 @@ rewrite -ler_subl_addl le_minr; apply/andP; split; first by apply: le_trans (ler
 apply: le_trans (ler_norm _) _; apply: (@lemma_2_1 R n d x v t.+1 i j) => // -[|u] // _; exact: Hx.
 Qed.
 Lemma edges_grow t : (0 < t)%N -> exists t0, [/\ (0 < t0 <= t)%N, forall r, (t0 <= r <= t)%N -> forall i j, G r i j = G t0 i j &
-  forall i j, G t i j -> len t i j <= 1 + eps + (eps * N ^+ 10) *+ chazelle_stabilisers.N (changes G) t 1 + \sum_(r < t - t0) pace R n r.+1].
+  forall i j, G t i j -> len t i j <= 1 + eps + (eps * N ^+ (2 * a + 8)) *+ chazelle_stabilisers.N (changes G) t 1 + \sum_(r < t - t0) pace R n a c r.+1].
 Proof.
 have e0 : 0 < eps by rewrite invr_gt0 exprn_gt0.
-have D0 : 0 <= eps * N ^+ 10 by rewrite mulr_ge0 ?exprn_ge0 // ltW.
-have S0 s : 0 <= \sum_(r < s) pace R n r.+1 by apply: sumr_ge0 => r _; exact: pace_ge0.
-have SD s : \sum_(r < s) pace R n r.+1 <= eps * N ^+ 10.
-  by apply: le_trans (pace_sum R n4 s.+1); rewrite big_ord_recl /= ler_addr pace_ge0.
+have D0 : 0 <= eps * N ^+ (2 * a + 8) by rewrite mulr_ge0 ?exprn_ge0 // ltW.
+have S0 s : 0 <= \sum_(r < s) pace R n a c r.+1 by apply: sumr_ge0 => r _; exact: pace_ge0.
+have SD s : \sum_(r < s) pace R n a c r.+1 <= eps * N ^+ (2 * a + 8).
+  by apply: le_trans (pace_sum R n4 a1 cn s.+1); rewrite big_ord_recl /= ler_addr pace_ge0.
 elim: t => // t IH _; case: (posnP t) => [->|t0p].
   exists 1%N; split=> // [r|i j /step_le[h|[Gij h]]].
     by rewrite -eqn_leq => /eqP <-.
@@ -245,14 +261,14 @@ elim: t => // t IH _; case: (posnP t) => [->|t0p].
   have [G0 _ _ _ _] := F; move: Gij; rewrite G0 => /andP[_ l0].
   rewrite N_empty // mulr0n big_ord0 !addr0; apply: le_trans h _; apply: ler_add => //; by rewrite le_minl lexx.
 have [t0 [/andP[p le] run H]] := IH t0p; rewrite changes_next //; set m := chazelle_stabilisers.N _ t 1 in H *.
-have one i j : 1 <= 1 + eps + (eps * N ^+ 10) *+ (m + changes G t.+1) + \sum_(r < j - i) pace R n r.+1.
+have one i j : 1 <= 1 + eps + (eps * N ^+ (2 * a + 8)) *+ (m + changes G t.+1) + \sum_(r < j - i) pace R n a c r.+1.
   by rewrite -!addrA ler_addl !addr_ge0 // ?mulrn_wge0 // ltW.
 have same r : (r < (t - t0).+1)%N -> P (t0 + r) = P t0.
   have all u : (u < (t - t0).+1)%N -> forall i j, G (t0 + u)%N i j = G t0 i j.
     by rewrite ltnS => h; apply: run; rewrite leq_addr /= -leq_subRL.
   move=> rs; have [_ i1] := net t0; have [_ i2] := net (t0 + r).
   by apply: transition_same => //; [exact: all | exact: (steady_run st p all rs)].
-have grow i j : G t i j -> Num.min eps (norm2 (row i (v t.+1) - row j (v t.+1))) <= pace R n (t - t0).+1.
+have grow i j : G t i j -> Num.min eps (norm2 (row i (v t.+1) - row j (v t.+1))) <= pace R n a c (t - t0).+1.
   move=> Gij; have G0ij : G t0 i j by rewrite -(run t) // le leqnn.
   have := run_pace p same G0ij; rewrite addnS subnKC // => h.
   by rewrite /pace le_minr !le_minl lexx h orbT.
@@ -386,62 +402,76 @@ Qed.
 End First.
 
 (* ---- the estimates ---- *)
-(* n^few n bounds the number of switches *)
-Definition few n := (2 * (n - 1) ^ 2 + 10 * (n - 1) + 1)%N.
+(* n^(few a c n) bounds the number of switches *)
+Definition few a c n := (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 1)%N.
 Section Estimates.
-Variable n : nat.
+Variables n a c : nat.
 Hypothesis n4 : (3 < n)%N.
+Hypothesis acn : (a + c < n)%N.
 Let p e : (0 < n ^ e)%N. Proof. by rewrite expn_gt0 (leq_trans _ n4). Qed.
 Let four e : (4 * n ^ e <= n ^ e.+1)%N. Proof. by rewrite expnS leq_mul2r n4 orbT. Qed.
-Lemma few_room : (few n + n ^ 3 + 12 <= n ^ 4)%N.
+Lemma few_room : (few a c n + n ^ 3 + (2 * a + 10) <= n ^ 4)%N.
 Proof.
-have b : ((n - 1) ^ 2 <= n ^ 2)%N by rewrite leq_exp2r // leq_subr.
-move: (four 3%N) (four 2%N) (four 1%N) b n4; rewrite /few expn1; lia.
+rewrite /few; case: n n4 acn => // m m3; rewrite ltnS subn1 /= => am.
+have h : (a * m ^ 2 + c * m <= m ^ 3)%N.
+  apply: (@leq_trans ((a + c) * m ^ 2)); last by rewrite (expnS m 2) leq_mul2r am orbT.
+  by rewrite mulnDl leq_add2l leq_mul2l -mulnn leq_pmulr ?orbT // -ltnS (leq_trans _ m3).
+have f : (a <= m)%N by apply: leq_trans am; rewrite leq_addr.
+have [u E] : exists u, m = (u + 3)%N by exists (m - 3)%N; rewrite subnK.
+have key : (m ^ 3 + 9 * m + 1 + m.+1 ^ 3 + (2 * m + 10) <= m.+1 ^ 4)%N.
+  by rewrite E !expnS !expn0; move: (leq0n (u * u)) (leq0n (u * u * u)) (leq0n (u * u * u * u)); clear; lia.
+by move: h f key; rewrite mulnDl; clear; lia.
 Qed.
-Lemma few_room' : (few n + 16 <= n ^ 4)%N.
-Proof. by apply: leq_trans few_room; move: (four 2%N) (four 1%N) n4; rewrite expn1; lia. Qed.
+Lemma few_room' : (few a c n + 2 * a + 12 <= n ^ 4)%N.
+Proof. by move: few_room (four 2%N) (four 1%N) n4; rewrite expn1; lia. Qed.
 (* the time *)
-Lemma time_estimate : (n ^ (n ^ 4) * (2 + 2 * n ^ (few n + 13)) + 2 <= n ^ (n ^ 4 + 2 * (n - 1) ^ 2 + 10 * (n - 1) + 17))%N.
+Lemma time_estimate : (n ^ (n ^ 4) * (2 + 2 * n ^ (few a c n + 2 * a + 9)) + 2 <= n ^ (n ^ 4 + few a c n + 2 * a + 12))%N.
 Proof.
-have -> : (n ^ 4 + 2 * (n - 1) ^ 2 + 10 * (n - 1) + 17 = n ^ 4 + (few n + 13).+3)%N by rewrite /few; lia.
-set e := (few n + 13)%N; rewrite [(n ^ (n ^ 4 + _))%N]expnD; set T := (n ^ (n ^ 4))%N; have T0 : (0 < T)%N by exact: p.
+have -> : (n ^ 4 + few a c n + 2 * a + 12 = n ^ 4 + (few a c n + 2 * a + 9).+3)%N by lia.
+set e := (few a c n + 2 * a + 9)%N; rewrite [(n ^ (n ^ 4 + _))%N]expnD; set T := (n ^ (n ^ 4))%N; have T0 : (0 < T)%N by exact: p.
 apply: (@leq_trans (T * (2 + 2 * n ^ e + 2))).
   by rewrite [(T * (_ + 2))%N]mulnDr leq_add2l leq_pmull.
 rewrite leq_mul2l; apply/orP; right; move: (four e.+2) (four e.+1) (four e) (p e); lia.
 Qed.
 (* with m switches *)
 Variable m : nat.
-Hypothesis mf : (m <= n ^ few n)%N.
+Hypothesis mf : (m <= n ^ few a c n)%N.
 (* the length of an edge *)
 Lemma edge_estimate (R : realFieldType) :
-  (n%:R ^+ (n ^ 4))^-1 + ((n%:R ^+ (n ^ 4))^-1 * n%:R ^+ 10) *+ m + (n%:R ^+ (n ^ 4))^-1 * n%:R ^+ 10 <= (n%:R ^+ (n ^ 3))^-1 :> R.
+  (n%:R ^+ (n ^ 4))^-1 + ((n%:R ^+ (n ^ 4))^-1 * n%:R ^+ (2 * a + 8)) *+ m + (n%:R ^+ (n ^ 4))^-1 * n%:R ^+ (2 * a + 8)
+    <= (n%:R ^+ (n ^ 3))^-1 :> R.
 Proof.
-set e := (_ ^+ (n ^ 4))^-1; have N0 k : 0 < n%:R ^+ k :> R by rewrite -natrX ltr0n.
+set e := (_ ^+ (n ^ 4))^-1; set b := (2 * a + 8)%N; have N0 k : 0 < n%:R ^+ k :> R by rewrite -natrX ltr0n.
 rewrite -addrA -mulrSr.
-have -> : e + (e * n%:R ^+ 10) *+ m.+1 = e * (1 + n ^ 10 * m.+1)%:R.
+have -> : e + (e * n%:R ^+ b) *+ m.+1 = e * (1 + n ^ b * m.+1)%:R.
   by rewrite natrD natrM natrX mulrDr mulr1 mulrA mulr_natr.
 rewrite mulrC ler_pdivr_mulr // ler_pdivl_mull // -!natrX -natrM ler_nat.
-have low : (n ^ (n ^ 3) * (n ^ 12 * n ^ few n) <= n ^ (n ^ 4))%N.
-  by rewrite -!expnD; apply: leq_pexp2l; [exact: leq_trans n4 | move: few_room; lia].
-apply: leq_trans low; rewrite leq_mul2l; apply/orP; right; rewrite [(n ^ 12)%N](expnD n 10 2) -mulnA.
+have low : (n ^ (n ^ 3) * (n ^ (b + 2) * n ^ few a c n) <= n ^ (n ^ 4))%N.
+  by rewrite -!expnD; apply: leq_pexp2l; [exact: leq_trans n4 | move: few_room; rewrite /b; lia].
+apply: leq_trans low; rewrite leq_mul2l; apply/orP; right; rewrite expnD -mulnA.
 have two : (3 <= n ^ 2)%N by apply: (@leq_trans (4 ^ 2)); rewrite // leq_exp2r.
-apply: (@leq_trans (n ^ 10 * (3 * n ^ few n))); last by rewrite leq_mul2l leq_mul2r two !orbT.
-apply: (@leq_trans (n ^ 10 * (m.+1 + 1))); first by rewrite mulnDr addnC leq_add2l muln1.
-by rewrite leq_mul2l; apply/orP; right; move: mf (p (few n)); lia.
+apply: (@leq_trans (n ^ b * (3 * n ^ few a c n))); last by rewrite leq_mul2l leq_mul2r two !orbT.
+apply: (@leq_trans (n ^ b * (m.+1 + 1))); first by rewrite mulnDr addnC leq_add2l muln1.
+by rewrite leq_mul2l; apply/orP; right; move: mf (p (few a c n)); lia.
 Qed.
 (* the virtual origins *)
-Lemma origin_estimate : (n * (n + 4 * m.+1 * n ^ 7) <= n ^ (few n + 13))%N.
+Lemma origin_estimate : (n * (n ^ c + 4 * m.+1 * n ^ (2 * a + 3)) <= n ^ (few a c n + 2 * a + 9))%N.
 Proof.
-rewrite expnD (_ : 13 = 8 + 5)%N // expnD mulnA.
-set y := (n ^ few n)%N; set z := (n ^ 8)%N; have my : (m <= y)%N by [].
+set y := (n ^ few a c n)%N; set z := (n ^ (2 * a + 4))%N; have my : (m <= y)%N by [].
+have -> : (n ^ (few a c n + 2 * a + 9) = y * z * n ^ 5)%N by rewrite -!expnD; congr (_ ^ _)%N; lia.
 have z9 : (9 <= n ^ 5)%N by apply: (@leq_trans (4 ^ 5)); rewrite // leq_exp2r.
-have nz : (n * n ^ 7 = z)%N by rewrite -expnS.
-have n2 : (n * n <= z)%N by rewrite mulnn; apply: leq_pexp2l => //; exact: leq_trans n4.
+have nz : (n * n ^ (2 * a + 3) = z)%N by rewrite -expnS -addnS.
+have ny : (n * n ^ c <= y)%N.
+  rewrite -expnS; apply: leq_pexp2l; first exact: leq_trans n4.
+  rewrite /few; have : (1 <= n - 1)%N by rewrite subn_gt0 (leq_trans _ n4).
+  move: (n - 1)%N => q q1; have : (c + 9 <= (c + 9) * q)%N by rewrite leq_pmulr.
+  lia.
+have yz : (y <= y * z)%N by rewrite leq_pmulr ?p.
 have zy : (z <= y * z)%N by rewrite leq_pmull ?p.
-have mz : (m.+1 * z <= 2 * (y * z))%N by rewrite mulnA leq_mul2r; apply/orP; right; move: my (p (few n)); rewrite -/y; lia.
-have -> : (n * (n + 4 * m.+1 * n ^ 7) = n * n + 4 * (m.+1 * z))%N by rewrite mulnDr -nz; lia.
+have mz : (m.+1 * z <= 2 * (y * z))%N by rewrite mulnA leq_mul2r; apply/orP; right; move: my (p (few a c n)); rewrite -/y; lia.
+have -> : (n * (n ^ c + 4 * m.+1 * n ^ (2 * a + 3)) = n * n ^ c + 4 * (m.+1 * z))%N by rewrite mulnDr -nz; lia.
 apply: (@leq_trans (y * z * 9)); last by rewrite leq_mul2l z9 orbT.
-move: n2 zy mz; move: (n * n)%N (y * z)%N (m.+1 * z)%N => a b c; lia.
+move: ny yz mz; move: (n * n ^ c)%N (y * z)%N (m.+1 * z)%N => a' b c'; lia.
 Qed.
 End Estimates.
 Lemma norm2_le (R : rcfType) n d (y : 'rV[R]_d) b : (d <= n ^ 2)%N -> 0 <= b -> (forall q, `|y 0 q| <= b) -> norm2 y <= n%:R * b.
@@ -455,36 +485,32 @@ Qed.
 
 (* ---- the claims ---- *)
 Section Claims.
-Variables (R : rcfType) (n d a : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R).
+Variables (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R).
 Notation P t := (transition (G t) (w t)).
 Hypothesis n4 : (4 <= n)%N.
-Hypothesis a12 : (1 <= a <= 2)%N.
+Hypothesis a1 : (0 < a)%N.
+Hypothesis acn : (a + c < n)%N.
 Hypothesis F : flock (n%:R ^+ (n ^ 4))^-1 x v G w.
 Hypothesis floor : forall t i j, (0 < t)%N -> 0 < P t i j -> (n%:R ^+ a)^-1 <= P t i j.
 Hypothesis st : steady G w.
-Hypothesis speed : forall i, norm2 (row i (v 1%N)) <= n%:R.
+Hypothesis speed : forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c.
 
 Let n0 : (0 < n)%N. Proof. exact: leq_trans n4. Qed.
-Let floor2 t i j : (0 < t)%N -> 0 < P t i j -> (n%:R ^+ 2)^-1 <= P t i j.
+Let cn : (c < n)%N. Proof. by apply: leq_ltn_trans acn; rewrite leq_addl. Qed.
+Lemma few_switches t : (N (changes G) t 1 <= n ^ few a c n)%N.
 Proof.
-move=> t0 p; apply: le_trans (floor t0 p); rewrite lef_pinv ?posrE ?exprn_gt0 ?ltr0n //.
-by apply: ler_weexpn2l; [rewrite ler1n | case/andP: a12].
-Qed.
-Lemma few_switches t : (N (changes G) t 1 <= n ^ few n)%N.
-Proof.
-apply: (@chazelle_switches.switches R n d 2 1 x v G (from_one G w) _ (flock_from_one F)); first by exact: leq_trans n4.
-- exact: (from_one_floor F (isT : 0 < 2)%N floor2).
-by move=> i; rewrite expr1.
+apply: (@chazelle_switches.switches R n d a c x v G (from_one G w) _ (flock_from_one F)) => //; first by exact: leq_trans n4.
+exact: (from_one_floor F a1 floor).
 Qed.
 (* chazelle.lem3.6.ii *)
 Lemma edges_short t i j : G t i j -> norm2 (row i (x t) - row j (x t)) <= 1 + (n%:R ^+ (n ^ 3))^-1.
 Proof.
 move=> Gij; case: t Gij => [|t] Gij.
   have [G0 _ _ _ _] := F; move: Gij; rewrite G0 => /andP[_ h]; apply: (le_trans h); by rewrite ler_addl invr_ge0 exprn_ge0 ?ler0n.
-have [t1 [_ _ H]] := edges_grow n4 F floor2 st speed (ltn0Sn t).
+have [t1 [_ _ H]] := edges_grow n4 a1 cn F floor st speed (ltn0Sn t).
 apply: le_trans (H _ _ Gij) _; rewrite -!addrA ler_add2l !addrA.
-apply: le_trans (edge_estimate n4 (few_switches t.+1) R); rewrite ler_add2l.
-apply: le_trans (pace_sum R n4 (t.+1 - t1).+1); by rewrite big_ord_recl /= ler_addr pace_ge0.
+apply: le_trans (edge_estimate n4 acn (few_switches t.+1) R); rewrite ler_add2l.
+apply: le_trans (pace_sum R n4 a1 cn (t.+1 - t1).+1); by rewrite big_ord_recl /= ler_addr pace_ge0.
 Qed.
 Lemma edges_short2 t i j : (0 < t)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R.
 Proof.
@@ -493,20 +519,20 @@ by apply: exprn_ege1; rewrite ler1n.
 Qed.
 
 Hypothesis dn : (d <= n ^ 2)%N.
-Hypothesis first : forall i q, `|x 0%N i q| <= n%:R.
+Hypothesis first : forall i q, `|x 0%N i q| <= n%:R ^+ c.
 (* chazelle.lem3.7 *)
-Lemma origin_le t i : (0 < t)%N -> norm2 (row i (x t) - t%:R *: row i (v t)) <= n%:R ^+ (few n + 13).
+Lemma origin_le t i : (0 < t)%N -> norm2 (row i (x t) - t%:R *: row i (v t)) <= n%:R ^+ (few a c n + 2 * a + 9).
 Proof.
 have [_ _ MD Hx Hv] := F; move=> t0; set m := N (changes G) t.-1 1.
-apply: le_trans (_ : _ <= n%:R * (n + 4 * m.+1 * n ^ 7)%:R) _; last first.
+apply: le_trans (_ : _ <= n%:R * (n ^ c + 4 * m.+1 * n ^ (2 * a + 3))%:R) _; last first.
   by rewrite -natrM -natrX ler_nat; apply: origin_estimate => //; exact: few_switches.
-apply: norm2_le => // q; rewrite !mxE natrD natrM natrX natrM; have tt : (0 < t <= t)%N by rewrite t0 leqnn.
-exact: (@origins_stay R n d 2 G w x v (fun u _ => flock_network F u) (fun u _ => @MD u) isT floor2 st Hx Hv t (fun u i j h => @edges_short2 u i j (proj1 (andP h))) q t i n%:R tt (fun k => first k q)).
+apply: norm2_le => // q; rewrite !mxE natrD natrM !natrX natrM; have tt : (0 < t <= t)%N by rewrite t0 leqnn.
+exact: (@origins_stay R n d a G w x v (fun u _ => flock_network F u) (fun u _ => @MD u) a1 floor st Hx Hv t (fun u i j h => @edges_short2 u i j (proj1 (andP h))) q t i (n%:R ^+ c) tt (fun k => first k q)).
 Qed.
-Lemma no_loss t i j : (n ^ (n ^ 4 + 2 * (n - 1) ^ 2 + 10 * (n - 1) + 17) <= t.+1)%N -> G t i j -> G t.+1 i j.
+Lemma no_loss t i j : (n ^ (n ^ 4 + few a c n + 2 * a + 12) <= t.+1)%N -> G t i j -> G t.+1 i j.
 Proof.
 have [_ _ _ Hx _] := F; move=> late Gij; apply: (flock_lasts F) => //.
-have := leq_trans (time_estimate n4) late; set T := (n ^ (n ^ 4))%N; set M := (n ^ (few n + 13))%N => long.
+have := leq_trans (time_estimate n4 acn) late; set T := (n ^ (n ^ 4))%N; set M := (n ^ (few a c n + 2 * a + 9))%N => long.
 have t0 : (0 < t)%N by move: long; rewrite addn2 ltnS; exact: leq_ltn_trans.
 have tR : 0 < t%:R :> R by rewrite ltr0n.
 pose E k : 'rV[R]_d := row k (x t.+1) - t.+1%:R *: row k (v t.+1).
@@ -531,62 +557,64 @@ Theorem losses (R : rcfType) n d a (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel '
   (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i) ->
   (forall i, norm2 (row i (v 1%N)) <= n%:R) -> (forall i q, `|x 0%N i q| <= n%:R) ->
   forall t i j, (n ^ (n ^ 4 + 2 * (n - 1) ^ 2 + 10 * (n - 1) + 17) <= t.+1)%N -> G t i j -> G t.+1 i j.
-Proof. by move=> n4 dn a12 F floor st speed first t i j; exact: (no_loss n4 a12 F floor st speed dn first). Qed.
-
-(* weights 2/(3 d_i) and 1/(d_i + 1) *)
-Lemma usual_weights (R : realFieldType) n (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) : (1 < n)%N -> (forall t, network (G t)) ->
-  (forall t i, w t i = 2%:R / (3 * degree (G t) i)%:R) \/ (forall t i, w t i = (degree (G t) i).+1%:R^-1) ->
-  (forall t i j, (0 < t)%N -> 0 < transition (G t) (w t) i j -> (n%:R ^+ 2)^-1 <= transition (G t) (w t) i j) /\ steady G w.
 Proof.
-move=> n1 net W; have n0 : (0 < n)%N by exact: ltnW.
-split; last first.
-  move=> t _ E i; have D : degree (G t.+1) i = degree (G t) i by apply: eq_card => k; rewrite !inE E.
-  by case: W => W; rewrite !W D.
-have N2 : 0 < n%:R ^+ 2 :> R by rewrite exprn_gt0 // ltr0n.
-have small (p q : nat) : (0 < p)%N -> (0 < q)%N -> (q <= p * n ^ 2)%N -> (n%:R ^+ 2)^-1 <= p%:R / q%:R :> R.
-  move=> p0 q0 pq; rewrite ler_pdivl_mulr ?ltr0n // ler_pdivr_mull // mulrC -natrX -natrM ler_nat //.
-have sq : (n * 2 <= n ^ 2)%N by rewrite -mulnn leq_mul2l n1 orbT.
-move=> t i j _; have [_ irr] := net t; rewrite transitionE //.
-have dn : (degree (G t) i < n)%N.
-  rewrite -[X in (_ < X)%N]card_ord; apply: proper_card; apply/properP; split; first by apply/subsetP.
-  by exists i; rewrite // inE irr.
-case: (i =P j) => _; last case Gij: (G t i j); rewrite ?ltxx // => _; last first.
-  have d0 := edge_degree Gij; case: W => W; rewrite W; first by apply: small; rewrite ?muln_gt0 //; move: dn sq; lia.
-  by rewrite -[X in _ <= X]mul1r; apply: (small 1%N); rewrite // mul1n; move: dn sq; lia.
-case: (posnP (degree (G t) i)) => [->|d0].
-  by rewrite mulr0 subr0 invf_le1 // -natrX ler1n expn_gt0 n0.
-have dz : (degree (G t) i)%:R != 0 :> R by rewrite pnatr_eq0 -lt0n.
-case: W => W; rewrite W.
-  have -> : 1 - 2%:R / (3 * degree (G t) i)%:R * (degree (G t) i)%:R = 1%:R / 3%:R :> R.
-    by rewrite natrM; field; rewrite dz.
-  by apply: small; rewrite // mul1n; move: n1 sq; lia.
-have -> : 1 - (degree (G t) i).+1%:R^-1 * (degree (G t) i)%:R = 1%:R / (degree (G t) i).+1%:R :> R.
-  have : (degree (G t) i).+1%:R != 0 :> R by rewrite pnatr_eq0.
-  by rewrite -[X in X%:R](addn1 (degree (G t) i)) natrD => h; field; rewrite h.
-by apply: small; rewrite // mul1n; move: dn sq; lia.
+move=> n4 dn /andP[a1 a2] F floor st speed first t i j late.
+have floor2 u k l : (0 < u)%N -> 0 < transition (G u) (w u) k l -> (n%:R ^+ 2)^-1 <= transition (G u) (w u) k l.
+  move=> u0 p; apply: le_trans (floor u k l u0 p); rewrite lef_pinv ?posrE ?exprn_gt0 ?ltr0n ?(leq_trans _ n4) //.
+  by apply: ler_weexpn2l => //; rewrite ler1n (leq_trans _ n4).
+apply: (@no_loss R n d 2 1 x v G w) => //; apply: leq_trans late.
+by rewrite /few eq_leq //; congr (_ ^ _)%N; lia.
 Qed.
 
-(* chazelle.lem3.6.ii and chazelle.lem3.8 as they are read: n >= 4, these weights, speeds up to n *)
-Theorem lemma_3_6_ii (R : rcfType) n d (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :
-  (4 <= n)%N -> flock (n%:R ^+ (n ^ 4))^-1 x v G w ->
-  (forall t i, w t i = 2%:R / (3 * degree (G t) i)%:R) \/ (forall t i, w t i = (degree (G t) i).+1%:R^-1) ->
-  (forall i, norm2 (row i (v 1%N)) <= n%:R) ->
-  forall t i j, 1 + (n%:R ^+ (n ^ 3))^-1 < norm2 (row i (x t) - row j (x t)) -> ~~ G t i j.
+(* weights of a log2 n bits: fractions with denominators up to n^a *)
+Lemma short_floor (R : realFieldType) n a (G : rel 'I_n) (c : 'I_n -> R) : network G -> model_D G c -> chazelle_products.short_weights a c ->
+  forall i j, 0 < transition G c i j -> (n%:R ^+ a)^-1 <= transition G c i j.
 Proof.
-move=> n4 F W speed t i j far; apply: contraTN far => Gij; rewrite -leNgt.
-have [floor st] := usual_weights (@leq_trans 4 2 n isT n4) (flock_network F) W.
-exact: (edges_short n4 (isT : 1 <= 2 <= 2)%N F floor st speed).
+move=> net MD [p [q W]] i j; have [_ irr] := net; rewrite transitionE //.
+have [E q0 qa] := W i; have qR : 0 < (q i)%:R :> R by rewrite ltr0n.
+have na : (0 < n ^ a)%N by exact: leq_trans q0 qa.
+have fl (k : nat) : (0 < k)%N -> (n%:R ^+ a)^-1 <= k%:R / (q i)%:R :> R.
+  move=> k0; apply: (@le_trans _ _ (q i)%:R^-1); first by rewrite -natrX lef_pinv ?posrE ?ltr0n // ler_nat.
+  by rewrite ler_pmull ?invr_gt0 // ler1n.
+case: (i =P j) => _; last case: (G i j); rewrite ?ltxx // E; last first.
+  by move=> h; apply: fl; move: h; rewrite pmulr_lgt0 ?invr_gt0 // ltr0n.
+set d := degree G i => h.
+have D : 1 - (p i)%:R / (q i)%:R * d%:R = ((q i)%:R - (p i * d)%:R) / (q i)%:R :> R.
+  by rewrite natrM mulrBl mulfV ?gt_eqF // mulrAC.
+move: h; rewrite D pmulr_lgt0 ?invr_gt0 // subr_gt0 ltr_nat => h.
+by rewrite -natrB ?(ltnW h) //; apply: fl; rewrite subn_gt0.
 Qed.
-Theorem lemma_3_8 (R : rcfType) n d (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :
-  (4 <= n)%N -> (d <= n ^ 2)%N -> flock (n%:R ^+ (n ^ 4))^-1 x v G w ->
-  (forall t i, w t i = 2%:R / (3 * degree (G t) i)%:R) \/ (forall t i, w t i = (degree (G t) i).+1%:R^-1) ->
-  (forall i, norm2 (row i (v 1%N)) <= n%:R) -> (forall i q, `|x 0%N i q| <= n%:R) ->
+
+(* chazelle.lem3.6.ii, lem3.7 (the virtual origins) and lem3.8: weights of O(log n) bits, that is fractions with denominators up to n^a,
+   which change only when the network does, and lengths up to n^c: for all n >= 4 with n > a + c *)
+Section Printed.
+Variables (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R).
+Hypothesis n4 : (4 <= n)%N.
+Hypothesis a1 : (0 < a)%N.
+Hypothesis acn : (a + c < n)%N.
+Hypothesis F : flock (n%:R ^+ (n ^ 4))^-1 x v G w.
+Hypothesis bits : forall t, (0 < t)%N -> chazelle_products.short_weights a (w t).
+Hypothesis st : forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i.
+Hypothesis speed : forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c.
+Let floor t i j : (0 < t)%N -> 0 < transition (G t) (w t) i j -> (n%:R ^+ a)^-1 <= transition (G t) (w t) i j.
+Proof. by move=> t0; have [_ _ MD _ _] := F; exact: (short_floor (flock_network F t) (MD t) (bits t0)). Qed.
+Theorem lemma_3_6_ii t i j : 1 + (n%:R ^+ (n ^ 3))^-1 < norm2 (row i (x t) - row j (x t)) -> ~~ G t i j.
+Proof.
+by move=> far; apply: contraTN far => Gij; rewrite -leNgt; exact: (edges_short n4 a1 acn F floor st speed).
+Qed.
+Theorem lemma_3_8 : (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
   forall t i j, (n ^ (2 * n ^ 4) <= t.+1)%N -> G t i j -> G t.+1 i j.
 Proof.
-move=> n4 dn F W speed first t i j late; have [floor st] := usual_weights (@leq_trans 4 2 n isT n4) (flock_network F) W.
-apply: (losses n4 dn (isT : 1 <= 2 <= 2)%N F floor st speed first) => //; apply: leq_trans late.
-apply: leq_pexp2l; [exact: leq_trans n4 | move: (few_room' n4); rewrite /few; lia].
+move=> dn first t i j late; apply: (no_loss n4 a1 acn F floor st speed dn first); apply: leq_trans late.
+apply: leq_pexp2l; [exact: leq_trans n4 | move: (few_room' n4 acn); lia].
 Qed.
+Theorem lemma_3_7_origins : (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
+  forall t i, (0 < t)%N -> norm2 (row i (x t) - t%:R *: row i (v t)) <= n%:R ^+ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 2 * a + 10).
+Proof.
+move=> dn first t i t0; have -> : (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 2 * a + 10 = few a c n + 2 * a + 9)%N by rewrite /few; lia.
+exact: (origin_le n4 a1 acn F floor st speed dn first).
+Qed.
+End Printed.
 (* chazelle.lem3.6.i: for every threshold, in every dimension *)
 Theorem within_unit (R : rcfType) n d (eps : R) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :
   flock eps x v G w -> forall t i j, i != j -> norm2 (row i (x t) - row j (x t)) <= 1 -> G t i j.

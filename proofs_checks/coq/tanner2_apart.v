@@ -1,7 +1,7 @@
 (* Tanner, Jadbabaie, Pappas II, section 4, corrected: in a minimum of the sum of all potentials no two agents are in one place.
      beyond.tanner2.sec4.flocking (clause 2), tanner2.sec4.flocking (corrected).
    Potentials of Definition 3 are infinite where two agents meet, so the sum is infinite there, and near every configuration there is one where all agents are apart. *)
-From Coq Require Import Reals Lra Lia Classical.
+From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model tanner_energy tanner_flock.
 Open Scope R_scope.

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 159] = sources![
+const SOURCES: [(&str, &str); 162] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -32,6 +32,8 @@ const SOURCES: [(&str, &str); 159] = sources![
     "laplacian_edges",
     "chazelle_spectral",
     "chazelle_eigenvalues",
+    "chazelle_distances",
+    "chazelle_lifted",
     "chazelle_stabilisers",
     "chazelle_contraction",
     "chazelle_count",
@@ -133,6 +135,7 @@ const SOURCES: [(&str, &str); 159] = sources![
     "veerman_resonances",
     "audit_certificates",
     "audit_chazelle",
+    "audit_distances",
     "audit_paley",
     "audit_paley_spectrum",
     "audit_paley_limits",

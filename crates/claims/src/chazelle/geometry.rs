@@ -375,10 +375,11 @@ pub fn no_losses() -> Record<LossVariant> {
         "chazelle.lem3.8",
         "For an edge of G_{t-1}, v_i(t) - v_j(t) = (x_i(t-1) - x_j(t-1) - E_i(t) + E_j(t))/(t-1), at most (2 + \
          2|E|)/(t-1). By Lemma 2.1 the edge stays once that is below eps = n^(-n^4): after n^(n^4 + K) with K = O(n²) \
-         from |E| <= n^O(n²) (lem3.7). K <= n^4 for n >= 4 with lazy or vicsek weights, speeds and absolute coordinates of x(0) up to n and d <= n², for other \
-         O(log n)-bit inputs from some n on (notes/settling.md). So n^(2n^4) is enough.",
+         from |E| <= n^O(n²) (lem3.7). K <= n^4 for n >= 4 with n > a + c: weights with denominators up to n^a, speeds and absolute \
+         coordinates of x(0) up to n^c, d <= n² (notes/settling.md). So n^(2n^4) is enough.",
         LossVariant { time: |n| 2 * n.pow(4), hysteresis: true, earlier: 1 },
     )
-    .reading("n is large enough: n >= 4 for lazy or vicsek weights, Euclidean speeds and absolute coordinates of x(0) up to n, in \
-         dimension d <= n^2; weights change only when the network does, as model D has it.")
+    .reading("n is large enough: n >= 4 and n > a + c, with weights of a log_2 n bits, Euclidean speeds and absolute coordinates of \
+         x(0) up to n^c, in dimension d <= n^2 (n >= 4 for lazy or vicsek weights and c = 1); weights change only when the \
+         network does, as model D has it.")
 }

@@ -346,14 +346,15 @@ pub fn far_birds_are_not() -> Record<FarVariant> {
         "An edge longer than 1 has been kept at every step since its length was at most 1. Each step adds less than \
          eps, and on a fixed network also less than the difference of the velocities, which mixing brings below any \
          limit: it grows by at most eps (mixing time + 2) between two switches. With N(n) <= n^(a(n-1)² + (c+9)(n-1) \
-         + 1) switches and entries >= n^-a the sum is below n^(-n^3) for all n >= 4 with lazy or vicsek weights and \
-         speeds up to n; for other O(log n)-bit weights from some n on (notes/settling.md).",
+         + 1) switches and entries >= n^-a the sum is below n^(-n^3) for all n >= 4 with n > a + c: weights with \
+         denominators up to n^a, speeds up to n^c (notes/settling.md).",
         FarVariant { power: 3, weight: 8, growth: (1, 1), mixing: 8, speeds: 1 },
         check_far_birds_are_not,
     )
     .reading(
-        "n is large enough against the weights and speeds: n >= 4 for lazy or vicsek weights and speeds up to n. Two \
-         birds with c_i = 1/1024 show that this is needed.",
+        "n is large enough against the weights and speeds: n >= 4 and n > a + c, with weights of a log_2 n bits and \
+         speeds up to n^c; so n >= 4 for lazy or vicsek weights and speeds up to n. Weights change only when the network \
+         does, as model D has it. Two birds with c_i = 1/1024 show that n has to be large.",
     )
     .altered("1 + n^(-n^4)", |v| v.power = 4)
     .altered("two birds with c_i = 1/1024", |v| v.weight = 1024)
