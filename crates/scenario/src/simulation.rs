@@ -234,6 +234,16 @@ impl<T: Follower> Simulation for T {
     }
 }
 
+/// Replaces what is due by a time, whatever the state is; whether anything was.
+pub(super) fn replace_due(law: &mut impl Law, time: f64, state: &[f64], events: &mut Vec<Event>) -> bool {
+    let mut replaced = false;
+    while law.next_time().is_some_and(|due| due <= time) {
+        events.extend(law.replace(state).iter().map(|change| Event::new(time, change)));
+        replaced = true;
+    }
+    replaced
+}
+
 /// A law with its solution.
 pub(super) struct Continuous<L> {
     law: L,
@@ -281,9 +291,8 @@ impl<L: Law> Continuous<L> {
 
     /// Replaces what is due by now.
     fn replace_due(&mut self, events: &mut Vec<Event>) {
-        while self.law.next_time().is_some_and(|due| due <= self.solution.time()) {
-            let (time, state) = (self.solution.time(), self.solution.state().to_vec());
-            events.extend(self.law.replace(&state).iter().map(|change| Event::new(time, change)));
+        let (time, state) = (self.solution.time(), self.solution.state().to_vec());
+        if replace_due(&mut self.law, time, &state, events) {
             self.restart(time, &state);
         }
     }

@@ -3,7 +3,7 @@
 
 use super::error::{ConfigError, RunError};
 use super::network::Network;
-use super::simulation::{Event, Follower, Law};
+use super::simulation::{Event, Follower, Law, replace_due};
 use super::source::Source;
 use arithmetic::Progress;
 use arithmetic::threads::on_a_thread;
@@ -136,10 +136,9 @@ impl<L: Law> Stepped<L> {
     }
 }
 
-impl<L: Law + Send> Follower for Stepped<L> {
-    type Law = L;
-
-    fn go(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
+impl<L: Law + Send> Stepped<L> {
+    /// Equal steps to a time; `false` where `progress` told to stop before.
+    fn steps_until(&mut self, until: f64, progress: &dyn Progress) -> Result<bool, RunError> {
         let from = self.time;
         let (steps, length) = steps_to(from, until, self.step);
         let mut taken = 0;
@@ -163,6 +162,21 @@ impl<L: Law + Send> Follower for Stepped<L> {
             taken = until;
         }
         self.time = until;
+        Ok(true)
+    }
+}
+
+impl<L: Law + Send> Follower for Stepped<L> {
+    type Law = L;
+
+    fn go(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
+        while self.time < until {
+            let end = self.law.next_time().map_or(until, |due| due.clamp(self.time, until));
+            if !self.steps_until(end, progress)? {
+                return Ok(false);
+            }
+            replace_due(&mut self.law, end, &self.list, events);
+        }
         self.law.settle(&self.list);
         Ok(true)
     }

@@ -124,7 +124,9 @@ impl<'a> Dividing<'a> {
             };
             let Some(&key) = self.keys[slot].get(&id) else { return };
             let shared = program.slots[slot].parent != FLOCK || of_itself.contains(&key);
-            if shared && !chosen.contains(&key) {
+            // A loop inside of another one, though nothing in it depends on that one's agent, stays there.
+            let is_own = self.first.slot_of[key] == OWN;
+            if shared && is_own && !chosen.contains(&key) {
                 chosen.push(key);
             }
         };

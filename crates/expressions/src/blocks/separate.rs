@@ -1,15 +1,16 @@
-//! Sines and cosines of sums, taken apart: `sin(a + b) = sin a cos b + cos a sin b`, so that there are functions of agents and none of pairs. Where everybody
-//! hears everybody, a sum of products of what is the agent's own with what is the other's is then one of sums over the flock.
-//! Sums over one agent's neighbours under several conditions are made one loop.
+//! Sums of sines and cosines over everybody: `sin(a + b) = sin a cos b + cos a sin b`, so that where everybody hears everybody, a sum of products of what is the agent's own
+//! with sines and cosines of the other's is one of sums over the flock. Sums over one agent's neighbours under several conditions are made one loop.
 //!
-//! Only products of sines, cosines and parameters are summed up for the flock: an agent's own term is taken from that sum again, which is no loss where terms are of
-//! one size. Differences as `x[j] - x` stay what they are.
+//! A sum over the flock has the rounding of its largest terms, and an agent's own term is taken from it again. So only sines and cosines are summed up, which are of one size, and
+//! only where the sum is added up further: not where it is compared, divided by, or taken a function of, since a difference of two phases that is small, or none, would
+//! lose its digits there. Differences as `x[j] - x` stay what they are.
 
 use crate::function::Function;
 use crate::program::{FLOCK, Gather, Id, Of, Op, Program, Slot, Things};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How deep an expression is looked into.
-const DEPTH: usize = 32;
+const DEPTH: usize = 12;
 
 /// Most products of a sum that is taken apart.
 const MOST: usize = 8;
@@ -17,9 +18,10 @@ const MOST: usize = 8;
 /// A program that computes the same; `complete` says that everybody hears all others.
 pub(super) fn separated(program: &Program, complete: bool) -> Program {
     let mut separating = Separating { things: Things::with_slots_of(program), complete };
+    let exact = needed_exactly(program);
     let mut found: Vec<Id> = Vec::with_capacity(program.ops.len());
     // What a thing needs has a smaller number.
-    for op in &program.ops {
+    for (id, op) in program.ops.iter().enumerate() {
         let id = match op {
             Op::Gathered(number, place) => {
                 let this = &program.loops[*number];
@@ -30,14 +32,41 @@ pub(super) fn separated(program: &Program, complete: bool) -> Program {
                     (Some(condition), Gather::Sum | Gather::Count) if several => {
                         separating.chosen(this.slot, condition, found[body])
                     }
+                    _ if exact[id] => separating.things.gather(this.slot, condition, gather, found[body]),
                     _ => separating.gathered(this.slot, condition, (gather, found[body])),
                 }
             }
-            _ => separating.made(op.with(|id| found[id])),
+            _ => separating.things.add(op.with(|id| found[id])),
         };
         found.push(id);
     }
     separating.things.program(program.outputs.iter().map(|&id| found[id]).collect())
+}
+
+/// What is compared, divided by or taken a function of, and all that this needs.
+fn needed_exactly(program: &Program) -> Vec<bool> {
+    let mut exact = vec![false; program.ops.len()];
+    for &id in program.wanted.iter().rev() {
+        let op = &program.ops[id];
+        let whole = match op {
+            Op::Sum(..) | Op::Difference(..) | Op::Product(..) | Op::Negated(_) | Op::Power(..) => exact[id],
+            Op::Quotient(a, b) => {
+                exact[*a] |= exact[id];
+                exact[*b] = true;
+                continue;
+            }
+            Op::Gathered(number, place) => {
+                let this = &program.loops[*number];
+                let (gather, body) = this.bodies[*place];
+                exact[body] |= exact[id] || matches!(gather, Gather::Largest | Gather::Smallest);
+                this.condition.into_iter().for_each(|condition| exact[condition] = true);
+                continue;
+            }
+            _ => true,
+        };
+        op.needs().into_iter().for_each(|need| exact[need] |= whole);
+    }
+    exact
 }
 
 struct Separating {
@@ -49,27 +78,6 @@ struct Separating {
 type Sides = (Option<Id>, Option<Id>);
 
 impl Separating {
-    fn made(&mut self, op: Op) -> Id {
-        let Op::Function(function @ (Function::Sine | Function::Cosine), angle) = op else {
-            return self.things.add(op);
-        };
-        let slot = self.things.slot_of[angle];
-        let sides = if slot == FLOCK { None } else { self.added(angle, slot, DEPTH) };
-        let Some((Some(a), Some(b))) = sides.filter(|_| self.things.free[angle].len() > 1) else {
-            return self.things.add(op);
-        };
-        let mut of = |function: Function, id: Id| self.things.add(Op::Function(function, id));
-        let (sines, cosines) =
-            ([of(Function::Sine, a), of(Function::Sine, b)], [of(Function::Cosine, a), of(Function::Cosine, b)]);
-        let mut product = |x: Id, y: Id| self.things.add(Op::Product(x, y));
-        let op = if function == Function::Sine {
-            Op::Sum(product(sines[0], cosines[1]), product(cosines[0], sines[1]))
-        } else {
-            Op::Difference(product(cosines[0], cosines[1]), product(sines[0], sines[1]))
-        };
-        self.things.add(op)
-    }
-
     fn is_without(&self, id: Id, slot: Slot) -> bool {
         !self.things.free[id].contains(&slot)
     }
@@ -152,10 +160,31 @@ impl Separating {
         apart.unwrap_or_else(|| self.things.gather(slot, condition, gather, body))
     }
 
-    /// A number as a sum of products of what does not depend on an agent variable and of sines, cosines and parameters of that agent.
+    /// `sin(a + b)` or `cos(a + b)` as such a sum.
+    fn of_a_sum(&mut self, function: Function, angle: Id, slot: Slot, depth: usize) -> Option<Vec<(Id, Id)>> {
+        let (Some(a), Some(b)) = self.added(angle, slot, depth)? else { return None };
+        if !self.is_plain(b) {
+            return None;
+        }
+        let mut of = |function: Function, id: Id| self.things.add(Op::Function(function, id));
+        let [(sine, cosine), (other_sine, other_cosine)] =
+            [a, b].map(|id| (of(Function::Sine, id), of(Function::Cosine, id)));
+        Some(match function {
+            Function::Sine => vec![(sine, other_cosine), (cosine, other_sine)],
+            _ => vec![(cosine, other_cosine), (self.negated(sine), other_sine)],
+        })
+    }
+
+    /// A number as a sum of products of what does not depend on an agent variable and of sines and cosines of that agent.
     fn products(&mut self, id: Id, slot: Slot, depth: usize) -> Option<Vec<(Id, Id)>> {
         let depth = depth.checked_sub(1)?;
+        if self.is_summable(id, slot, depth) {
+            return Some(vec![(self.things.integer(1), id)]);
+        }
         let products = match self.things.ops[id].clone() {
+            Op::Function(function @ (Function::Sine | Function::Cosine), angle) => {
+                self.of_a_sum(function, angle, slot, depth)?
+            }
             Op::Negated(a) => {
                 let list = self.products(a, slot, depth)?;
                 list.into_iter().map(|(own, other)| (self.negated(own), other)).collect()
@@ -192,13 +221,11 @@ impl Separating {
         Some(products.into_iter().map(times).collect())
     }
 
-    /// Sines, cosines and parameters of an agent, and products of them.
+    /// Sines and cosines of an agent, and products of them.
     fn is_summable(&self, id: Id, slot: Slot, depth: usize) -> bool {
         let Some(depth) = depth.checked_sub(1) else { return false };
         match &self.things.ops[id] {
-            Op::Number(_) => true,
-            Op::Parameter(_, Of::Slot(own)) => *own == slot,
-            Op::Function(Function::Sine | Function::Cosine, _) => self.is_of(id, slot) && self.is_plain(id, depth),
+            Op::Function(Function::Sine | Function::Cosine, _) => self.is_of(id, slot) && self.is_plain(id),
             Op::Negated(a) => self.is_summable(*a, slot, depth),
             Op::Product(a, b) => self.is_summable(*a, slot, depth) && self.is_summable(*b, slot, depth),
             _ => false,
@@ -206,20 +233,38 @@ impl Separating {
     }
 
     /// Without loops.
-    fn is_plain(&self, id: Id, depth: usize) -> bool {
-        let Some(depth) = depth.checked_sub(1) else { return false };
-        let op = &self.things.ops[id];
-        !matches!(op, Op::Gathered(..)) && op.needs().into_iter().all(|id| self.is_plain(id, depth))
+    fn is_plain(&self, id: Id) -> bool {
+        let (mut seen, mut open) = (BTreeSet::from([id]), vec![id]);
+        while let Some(id) = open.pop() {
+            if matches!(self.things.ops[id], Op::Gathered(..)) {
+                return false;
+            }
+            open.extend(self.things.ops[id].needs().into_iter().filter(|need| seen.insert(*need)));
+        }
+        true
     }
 
     /// The same of another agent; what is not plain is not asked for.
     fn renamed(&mut self, id: Id, from: Slot, to: Slot) -> Id {
-        let op = self.things.ops[id].clone();
-        let op = op.with(|id| self.renamed(id, from, to)).of(|slot| if slot == from { to } else { slot });
-        self.things.add(op)
+        let mut needed = BTreeSet::from([id]);
+        let mut open = vec![id];
+        while let Some(id) = open.pop() {
+            open.extend(self.things.ops[id].needs().into_iter().filter(|need| needed.insert(*need)));
+        }
+        // What a thing needs has a smaller number.
+        let mut new: BTreeMap<Id, Id> = BTreeMap::new();
+        for old in needed {
+            let op = self.things.ops[old].with(|need| new[&need]).of(|slot| if slot == from { to } else { slot });
+            new.insert(old, self.things.add(op));
+        }
+        new[&id]
     }
 
     fn over_the_flock(&mut self, slot: Slot, gather: Gather, products: &[(Id, Id)]) -> Option<Id> {
+        // A loop inside of this one, though nothing in it depends on the agent, stays inside.
+        if products.iter().any(|(own, _)| self.things.slot_of[*own] == slot) {
+            return None;
+        }
         let variable = self.things.slots[slot].clone();
         let all = self.things.slot(FLOCK, None, &variable.name);
         let one = self.things.integer(1);

@@ -268,6 +268,8 @@ fn sines_of_differences_are_taken_apart() {
         "sum(j, sum(k, sin(theta[j] - theta[k] + theta)))",
         "sum(j, (theta[j] - theta)*sin(theta[j] - theta))",
         "sum(j, sin(theta[1] - theta[j]) + t*cos(theta[j] - theta))",
+        "sum(j, 2*sin(theta[j])*cos(theta[j]) - sin(theta[j] - theta))",
+        "sum(j, sin(theta[j] - theta)*mean(k, cos(theta[k])))",
         "sum(k, sin(theta[k] - theta)) + sum(j, mean(k, sin(theta[k] - theta[j])/exp(theta[j])))",
     ];
     let measured = [
@@ -305,6 +307,59 @@ fn sines_of_differences_are_taken_apart() {
                     let (size, wanted) = ((agents * agents) as f64, wanted.clone().unwrap());
                     assert!((found - wanted).abs() < 1e-13 * size, "{agents} agents: {found} for {wanted}");
                 }
+            }
+        }
+    }
+}
+
+/// Phases that are equal, or a hair's breadth apart, are compared and divided by as they are.
+#[test]
+fn small_differences_of_phases_keep_their_digits() {
+    let state = [2.3, 2.3, 2.3 + 1e-9, 0.1, 0.1];
+    for rate in [
+        "sum(j where cos(theta[j] - theta) < 1, 1/(1 - cos(theta[j] - theta)))",
+        "count(j, sin(theta[j] - theta) = 0)",
+        "sum(j where abs(theta[j] - theta) > 0, 1/abs(theta[j] - theta))",
+        "sum(j where sin(theta[j] - theta) != 0, 1/sin(theta[j] - theta)) + sum(j where theta[j] = theta, 1)",
+        "if(sum(j, sin(theta[j] - theta)) = 0, 1, 2)",
+        "1/(1 + 1000000000000*sum(j, sin(theta[j] - theta))^2)",
+    ] {
+        let text = LawText {
+            dimension: 1,
+            state: vec![("theta".to_string(), Kind::Angle)],
+            rates: vec![("theta".to_string(), rate.to_string())],
+            ..LawText::default()
+        };
+        for state in [&state[..], &state[..2]] {
+            let law = text.compile(state.len()).unwrap_or_else(|error| panic!("{rate}: {error}"));
+            let everyone = Everyone(state.len());
+            let (found, wanted) = (in_blocks(&law, state, &everyone), law.rates(&0.0, state, &everyone).unwrap());
+            for (found, wanted) in found.iter().zip(&wanted) {
+                assert!((found - wanted).abs() <= 1e-14 * wanted.abs(), "{rate}: {found} for {wanted}");
+            }
+        }
+    }
+}
+
+/// Loops that stand inside of others, whose numbers do not depend on the agent there.
+#[test]
+fn loops_that_stand_inside_of_others_without_need() {
+    let angles = LawText {
+        dimension: 1,
+        state: vec![("theta".to_string(), Kind::Angle)],
+        define: vec![("pull(a, b)".to_string(), "sin(theta[b] - theta[a])*mean(m, cos(theta[m]))".to_string())],
+        rates: vec![("theta".to_string(), "sum(j, pull(i, j))".to_string())],
+        ..LawText::default()
+    };
+    let defined = [("push(a, b)", "(x[b] - x[a])*sum(m, norm2(v[m] - v[a]))")];
+    let places = second_order(&defined, "sum(j, sum(k, push(j, k)))", &[]);
+    for (text, numbers) in [(angles, 1), (places, 4)] {
+        let law = text.compile(7).unwrap();
+        let state: Vec<f64> = (0..7 * numbers).map(|k| f64::from(k as u8).sin()).collect();
+        for hearing in [&Everyone(7) as &dyn Hearing, &around(7, 2)] {
+            let (found, wanted) = (in_blocks(&law, &state, hearing), law.rates(&0.0, &state, hearing).unwrap());
+            for (found, wanted) in found.iter().zip(&wanted) {
+                assert!((found - wanted).abs() < 1e-12 * (1.0 + wanted.abs()), "{found} for {wanted}");
             }
         }
     }

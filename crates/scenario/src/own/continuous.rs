@@ -1,6 +1,5 @@
 //! A law of one's own in continuous time.
 
-use super::headings::Headings;
 use super::measured::{Heard, frame, in_words, observe};
 use super::read::Described;
 use crate::error::Problem;
@@ -21,7 +20,6 @@ pub(super) struct Moving {
     law: Arc<expressions::Law>,
     network: Network,
     rates: RefCell<Blocks>,
-    headings: Headings,
     observed: RefCell<Blocks>,
     declaration: Vec<String>,
     /// What had no value last.
@@ -31,9 +29,8 @@ pub(super) struct Moving {
 impl Moving {
     pub fn new(own: Described) -> Self {
         let complete = own.network.is_all_to_all();
-        let (rates, observed) = (Blocks::held_rates(&own.law, complete), Blocks::observables(&own.law, complete));
+        let (rates, observed) = (Blocks::rates(&own.law, complete), Blocks::observables(&own.law, complete));
         Moving {
-            headings: Headings::of(&rates, own.law.agents()),
             rates: RefCell::new(rates),
             observed: RefCell::new(observed),
             law: own.law,
@@ -70,10 +67,7 @@ impl Moving {
     }
 
     /// In fixed steps, each stage with the links of its positions.
-    pub fn stepped(mut self, state: Vec<f64>, step: f64) -> Stepped<Self> {
-        // Steps go over jumps.
-        self.rates = RefCell::new(Blocks::rates(&self.law, self.network.is_all_to_all()));
-        self.headings = Headings::of(&self.rates.borrow(), 0);
+    pub fn stepped(self, state: Vec<f64>, step: f64) -> Stepped<Self> {
         let Rule::Within(radius) = self.network.rule() else { return Stepped::settled(self, state, step) };
         let rate = move |law: &mut Self, time: f64, state: &[f64], rates: &mut [f64]| {
             let points = law.network.points(state);
@@ -116,15 +110,14 @@ impl Law for Moving {
     }
 
     fn switches(&self) -> bool {
-        !self.headings.is_empty() || self.network.switches()
+        self.network.switches()
     }
 
     fn guards(&self, state: &[f64], moved: &[f64]) -> Vec<Guard> {
-        [self.network.guards(state, moved), self.headings.guards(state, moved)].concat()
+        self.network.guards(state, moved)
     }
 
     fn switch(&mut self, state: &[f64]) -> Vec<Change> {
-        self.headings.go_on(state, self.rates.get_mut());
         self.network.switch(state)
     }
 
@@ -137,7 +130,6 @@ impl Law for Moving {
     }
 
     fn settle(&mut self, state: &[f64]) {
-        self.headings.settle(state, self.rates.get_mut());
         if !self.network.switches() {
             return;
         }
@@ -168,9 +160,7 @@ impl Law for Moving {
     }
 
     fn declaration(&self) -> Vec<String> {
-        let jumps = "headings are in (-pi, pi]; where one passes pi it jumps, which is located";
-        let jumps = (!self.headings.is_empty()).then(|| jumps.to_string());
-        self.declaration.iter().cloned().chain(jumps).collect()
+        self.declaration.clone()
     }
 
     fn remarks(&self) -> Vec<String> {

@@ -4,7 +4,7 @@ use super::continuous::Moving;
 use super::measured::{Heard, in_words};
 use super::read::Described;
 use crate::error::RunError;
-use crate::simulation::{Event, Follower, Law};
+use crate::simulation::{Event, Follower, Law, replace_due};
 use crate::stepped::steps_to;
 use arithmetic::Progress;
 use arithmetic::random::normal;
@@ -57,17 +57,21 @@ impl Noisy {
 impl Follower for Noisy {
     type Law = Moving;
 
-    fn go(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
-        let from = self.time;
-        let (steps, length) = steps_to(from, until, self.step);
-        for taken in 0..steps {
-            if progress.is_cancelled() {
-                return Ok(false);
+    fn go(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
+        while self.time < until {
+            let from = self.time;
+            let end = self.law.next_time().map_or(until, |due| due.clamp(from, until));
+            let (steps, length) = steps_to(from, end, self.step);
+            for taken in 0..steps {
+                if progress.is_cancelled() {
+                    return Ok(false);
+                }
+                self.single_step(length)?;
+                self.time = from + (taken + 1) as f64 * length;
             }
-            self.single_step(length)?;
-            self.time = from + (taken + 1) as f64 * length;
+            self.time = end;
+            replace_due(&mut self.law, end, &self.state, events);
         }
-        self.time = until;
         Ok(true)
     }
 

@@ -66,38 +66,22 @@ fn velocity_alignment_as_a_file_moves_as_the_built_in_law() {
     }
 }
 
-/// Where a heading passes pi it jumps, here and in the built-in law.
+/// A network that is replaced at given times is, too, where steps are fixed.
 #[test]
-fn headings_that_pass_pi_jump_where_those_of_the_built_in_law_do() {
-    let file =
-        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/laws/heading_alignment.toml"));
-    let file = file.expect("a law of the gallery");
-    let law = &file[file.find("[law]").expect("a law")..file.find("[state]").expect("a start")];
-    let starts = [
-        ("[[0, 0], [2, 0], [1, 2]]", "[[-1, \"1/10\"], [-1, \"-3/2\"], [\"-1/2\", 1]]"),
-        ("[[0, 0], [\"3/2\", 0]]", "[[-1, \"1/20\"], [-1, \"-1/2\"]]"),
-        ("[[0, 0], [2, 0], [0, 2], [2, 2]]", "[[-1, 1], [-1, -1], [\"-3/2\", \"1/9\"], [\"-1/3\", \"-1/7\"]]"),
-    ];
-    let mut jumps = 0;
-    for (places, moving) in starts {
-        for graph in ["kind = \"complete\"", "kind = \"path\"", "kind = \"within\"\nradius = 3"] {
-            let common = format!(
-                "[graph]\n{graph}\n[run]\nuntil = 6\nsamples = [1, 3, 6]\nrows = 60\ntolerance = 1e-12\n[state]\n"
-            );
-            let own = run(&format!("model = \"own\"\n{common}x = {places}\nv = {moving}\n{law}"));
-            let built_in = run(&format!(
-                "model = \"heading-alignment\"\n{common}positions = {places}\nvelocities = {moving}\n[law]\npotential = \"inverse-square-log\"\n"
-            ));
-            assert_alike(&own, &built_in, &[("x", "positions"), ("v", "velocities")], 1e-9);
-            let ways: Vec<Vec<f64>> = own.rows.iter().map(|row| part(row, "v")).collect();
-            let crosses = |a: &[f64], b: &[f64]| a[0] < 0.0 && b[0] < 0.0 && a[1] * b[1] < 0.0;
-            jumps += ways
-                .windows(2)
-                .map(|two| two[0].chunks(2).zip(two[1].chunks(2)).filter(|(a, b)| crosses(a, b)).count())
-                .sum::<usize>();
-        }
-    }
-    assert!(jumps > 5, "{jumps}");
+fn fixed_steps_follow_networks_that_are_replaced() {
+    let text = |run: &str, noise: &str| {
+        format!(
+            "model = \"own\"\n[graph]\nkind = \"edges\"\nedges = [[1, 2]]\nswitches = [{{ at = 1, edges = [[2, 3]] }}, {{ at = \"5/3\", edges = [] }}]\n\
+             [run]\nuntil = 2\nsamples = [1, 2]\nrows = 4\n{run}\n[state]\nx = [0, 1, 5]\n[law]\ndimension = 1\nstate = {{ x = \"number\" }}\n\
+             [law.rates]\nx = \"sum(j, x[j] - x)\"\n{noise}"
+        )
+    };
+    let located = run(&text("tolerance = 1e-12", ""));
+    let stepped = run(&text("step = \"1/100\"", ""));
+    assert_alike(&stepped, &located, &[("x", "x")], 1e-8);
+    assert_eq!(stepped.events.len(), 3);
+    let noisy = run(&text("step = \"1/2000\"", "[law.noise]\nx = \"0*x\"\n"));
+    assert_alike(&noisy, &located, &[("x", "x")], 1e-2);
 }
 
 /// Three arcs among three agents are not all pairs.
