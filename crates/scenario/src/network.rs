@@ -401,7 +401,8 @@ impl Network {
                 (None, Some(&&pair)) => (pair, true),
                 (Some(a), Some(b)) => match a.cmp(b) {
                     Ordering::Equal => {
-                        (old.next(), new.next());
+                        old.next();
+                        new.next();
                         continue;
                     }
                     Ordering::Less => (**a, false),
