@@ -1,8 +1,8 @@
 """The laws of the papers from files (assets/laws) beside the built-in ones: user time of `simulate` and its ratio.
 
-usage: python3 benches/own_laws.py [--flockproof PROGRAM] [--rounds N] [--only NAME]
+usage: python3 benches/own_laws.py [--flockproof PROGRAM] [--rounds N] [--only NAME] [--keep FOLDER]
 
-Both get the same start, tolerance and times; one observable and two rows, so that the motion is what is measured. Rounds take turns; the least of each counts.
+Both get the same start, tolerance and times; no observables and two rows, so that the motion is what is measured. Rounds take turns; the least of each counts.
 The last column is the largest difference of a number of the last row.
 """
 
@@ -88,7 +88,8 @@ def main():
     arguments.add_argument("--keep", default="", help="a folder in which the files stay")
     asked = arguments.parse_args()
     print("| run | built-in [s] | file [s] | ratio | difference |\n|---|---|---|---|---|")
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as made:
+        folder = asked.keep or made
         for name, law, graph, until, extra, own, built, (model, text) in cases():
             if asked.only not in name:
                 continue
@@ -100,8 +101,6 @@ def main():
             shipped = re.search(r"\n\[graph\].*?(?=\n\[(state|run)\])", file, re.S)
             chart = f"[graph]\n{graph}\n" if graph else shipped.group(0) + "\n" if shipped else ""
             run = f"[run]\nuntil = {until}\nrows = 2\nobservables = []\ntolerance = 1e-9\n{extra}\n"
-            if asked.keep:
-                folder = asked.keep
             paths = [f"{folder}/own.toml", f"{folder}/built.toml"]
             pathlib.Path(paths[0]).write_text(f'model = "own"\n{head}\n{chart}{listed(own)}{run}')
             others = f"[graph]\n{graph}\n" if graph and model != "platoon" else ""

@@ -86,6 +86,13 @@ pub(crate) struct Loop {
     rank: usize,
 }
 
+impl Loop {
+    /// What one of its results is gathered from: its condition and what is added up.
+    pub fn needs(&self, place: usize) -> impl Iterator<Item = Id> + use<> {
+        self.condition.into_iter().chain([self.bodies[place].1])
+    }
+}
+
 /// An agent variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Variable {
@@ -326,7 +333,7 @@ impl Things {
             return union(needs).into_iter().chain(op.slot()).collect();
         };
         let this = &self.loops[*number];
-        let needs: Vec<Id> = this.condition.into_iter().chain([this.bodies[*place].1]).collect();
+        let needs: Vec<Id> = this.needs(*place).collect();
         let hears = match self.slots[this.slot].hears {
             Some(Of::Slot(slot)) => Some(slot),
             _ => None,
@@ -357,6 +364,14 @@ impl Things {
             bodies.len() - 1
         });
         self.add(Op::Gathered(number, place))
+    }
+
+    /// A thing of a program once more, of other things and agent variables.
+    pub fn again(&mut self, program: &Program, op: &Op, of: impl Fn(Id) -> Id, slot: impl Fn(Slot) -> Slot) -> Id {
+        let Op::Gathered(number, place) = op else { return self.add(op.with(of).of(slot)) };
+        let this = &program.loops[*number];
+        let (gather, body) = this.bodies[*place];
+        self.gather(slot(this.slot), this.condition.map(&of), gather, of(body))
     }
 
     /// The things of a slot that these need, in turn, and what they need from outside.
@@ -424,8 +439,7 @@ impl Things {
             }
             open.extend(self.ops[id].needs());
             if let Op::Gathered(number, place) = self.ops[id] {
-                open.extend(self.loops[number].condition);
-                open.push(self.loops[number].bodies[place].1);
+                open.extend(self.loops[number].needs(place));
             }
         }
         wanted

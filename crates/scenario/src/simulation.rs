@@ -151,6 +151,11 @@ pub(super) trait Law {
         None
     }
 
+    /// Up to when, from one time to another, nothing is replaced.
+    fn held_until(&self, from: f64, until: f64) -> f64 {
+        self.next_time().map_or(until, |due| due.clamp(from, until))
+    }
+
     /// Replaces what is due at that time.
     fn replace(&mut self, _state: &[f64]) -> Vec<Change> {
         Vec::new()
@@ -291,8 +296,9 @@ impl<L: Law> Continuous<L> {
 
     /// Replaces what is due by now.
     fn replace_due(&mut self, events: &mut Vec<Event>) {
-        let (time, state) = (self.solution.time(), self.solution.state().to_vec());
-        if replace_due(&mut self.law, time, &state, events) {
+        let time = self.solution.time();
+        if replace_due(&mut self.law, time, self.solution.state(), events) {
+            let state = self.solution.state().to_vec();
             self.restart(time, &state);
         }
     }
@@ -329,7 +335,7 @@ impl<L: Law> Follower for Continuous<L> {
                 return Ok(false);
             }
             let before = self.solution.time();
-            let end = self.law.next_time().map_or(until, |time| time.min(until));
+            let end = self.law.held_until(before, until);
             if let Some((time, state)) = self.step(end)? {
                 let changes = self.law.switch(&state);
                 events.extend(changes.iter().map(|change| Event::new(time, change)));

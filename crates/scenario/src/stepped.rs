@@ -171,7 +171,7 @@ impl<L: Law + Send> Follower for Stepped<L> {
 
     fn go(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         while self.time < until {
-            let end = self.law.next_time().map_or(until, |due| due.clamp(self.time, until));
+            let end = self.law.held_until(self.time, until);
             if !self.steps_until(end, progress)? {
                 return Ok(false);
             }

@@ -24,14 +24,9 @@ pub(super) fn divided(program: &Program, lists: usize) -> Divided {
     let mut found: Vec<Id> = Vec::with_capacity(program.ops.len());
     for (id, op) in program.ops.iter().enumerate() {
         let ahead = dividing.alone[id].and_then(|slot| Some((slot, place(dividing.keys[slot].get(&id)?)?)));
-        found.push(match (ahead, op) {
-            (Some((slot, place)), _) => rest.add(Op::Parameter(lists + place, Of::Slot(slot))),
-            (None, Op::Gathered(number, place)) => {
-                let this = &program.loops[*number];
-                let (gather, body) = this.bodies[*place];
-                rest.gather(this.slot, this.condition.map(|id| found[id]), gather, found[body])
-            }
-            (None, op) => rest.add(op.with(|id| found[id])),
+        found.push(match ahead {
+            Some((slot, place)) => rest.add(Op::Parameter(lists + place, Of::Slot(slot))),
+            None => rest.again(program, op, |id| found[id], |slot| slot),
         });
     }
     let rest = rest.program(program.outputs.iter().map(|&id| found[id]).collect());
@@ -90,24 +85,17 @@ impl<'a> Dividing<'a> {
             if !program.free[id].iter().all(|slot| slots.contains_key(slot)) {
                 continue;
             }
-            let of = |id: &Id| keys.get(id).copied();
-            let new = match op {
+            let known = match op {
                 Op::Gathered(number, place) => {
                     let this = &program.loops[*number];
-                    let (gather, body) = this.bodies[*place];
-                    let condition = this.condition.map(|id| of(&id));
-                    let (Some(&slot), Some(body), Some(condition)) =
-                        (slots.get(&this.slot), of(&body), condition.map_or(Some(None), |found| found.map(Some)))
-                    else {
-                        continue;
-                    };
-                    self.first.gather(slot, condition, gather, body)
+                    slots.contains_key(&this.slot) && this.needs(*place).all(|id| keys.contains_key(&id))
                 }
-                _ if op.needs().iter().all(|id| keys.contains_key(id)) => {
-                    self.first.add(op.with(|id| keys[&id]).of(|slot| slots[&slot]))
-                }
-                _ => continue,
+                _ => op.needs().iter().all(|id| keys.contains_key(id)),
             };
+            if !known {
+                continue;
+            }
+            let new = self.first.again(program, op, |id| keys[&id], |slot| slots[&slot]);
             keys.insert(id, new);
         }
         keys
@@ -134,8 +122,7 @@ impl<'a> Dividing<'a> {
             let op = &program.ops[id];
             op.needs().into_iter().for_each(|need| used(need, self.alone[id]));
             if let Op::Gathered(number, place) = op {
-                let this = &program.loops[*number];
-                this.condition.into_iter().chain([this.bodies[*place].1]).for_each(|need| used(need, self.alone[id]));
+                program.loops[*number].needs(*place).for_each(|need| used(need, self.alone[id]));
             }
         }
         chosen

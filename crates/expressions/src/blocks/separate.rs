@@ -26,18 +26,20 @@ pub(super) fn separated(program: &Program, complete: bool) -> Program {
             Op::Gathered(number, place) => {
                 let this = &program.loops[*number];
                 let (gather, body) = this.bodies[*place];
-                let condition = this.condition.map(|id| found[id]);
                 let several = program.loops.iter().filter(|l| l.slot == this.slot && l.condition.is_some()).count() > 1;
-                match (condition, gather) {
+                match (this.condition, gather) {
                     (Some(condition), Gather::Sum | Gather::Count) if several => {
-                        separating.chosen(this.slot, condition, found[body])
+                        Some(separating.chosen(this.slot, found[condition], found[body]))
                     }
-                    _ if exact[id] => separating.things.gather(this.slot, condition, gather, found[body]),
-                    _ => separating.gathered(this.slot, condition, (gather, found[body])),
+                    (None, Gather::Sum | Gather::Mean) if !exact[id] => {
+                        separating.apart(this.slot, gather, found[body])
+                    }
+                    _ => None,
                 }
             }
-            _ => separating.things.add(op.with(|id| found[id])),
+            _ => None,
         };
+        let id = id.unwrap_or_else(|| separating.things.again(program, op, |id| found[id], |slot| slot));
         found.push(id);
     }
     separating.things.program(program.outputs.iter().map(|&id| found[id]).collect())
@@ -147,17 +149,16 @@ impl Separating {
         self.things.gather(slot, None, Gather::Sum, body)
     }
 
-    fn gathered(&mut self, slot: Slot, condition: Option<Id>, (gather, body): (Gather, Id)) -> Id {
-        let variable = self.things.slots[slot].clone();
+    /// A sum or mean as one over the flock.
+    fn apart(&mut self, slot: Slot, gather: Gather, body: Id) -> Option<Id> {
+        let variable = &self.things.slots[slot];
         let of_all = match variable.hears {
             Some(Of::Slot(hears)) => self.complete && hears == variable.parent,
             Some(Of::Agent(_)) => false,
             None => variable.parent != FLOCK,
         };
-        let is_sum = condition.is_none() && matches!(gather, Gather::Sum | Gather::Mean);
-        let products = if of_all && is_sum { self.products(body, slot, DEPTH) } else { None };
-        let apart = products.and_then(|products| self.over_the_flock(slot, gather, &products));
-        apart.unwrap_or_else(|| self.things.gather(slot, condition, gather, body))
+        let products = if of_all { self.products(body, slot, DEPTH)? } else { return None };
+        self.over_the_flock(slot, gather, &products)
     }
 
     /// `sin(a + b)` or `cos(a + b)` as such a sum.

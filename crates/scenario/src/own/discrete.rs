@@ -167,11 +167,12 @@ impl<T: Stepped> Stepping<T> {
     /// # Errors
     /// [`RunError`] where it cannot be told who is linked.
     pub fn new(own: Described, state: Vec<T>, zero: &T) -> Result<Self, RunError> {
+        let complete = own.network.is_all_to_all();
         let mut stepping = Stepping {
             radius: own.radius.map(|radius| zero.rational(&radius)),
-            machine: zero.machine(&own.law, own.network.is_all_to_all()),
+            machine: zero.machine(&own.law, complete),
             random: own.random,
-            observed: RefCell::new(Blocks::observables(&own.law, own.network.is_all_to_all())),
+            observed: RefCell::new(Blocks::observables(&own.law, complete)),
             next: vec![zero.clone(); state.len()],
             law: own.law,
             network: own.network,

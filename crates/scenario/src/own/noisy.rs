@@ -60,7 +60,7 @@ impl Follower for Noisy {
     fn go(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         while self.time < until {
             let from = self.time;
-            let end = self.law.next_time().map_or(until, |due| due.clamp(from, until));
+            let end = self.law.held_until(from, until);
             let (steps, length) = steps_to(from, end, self.step);
             for taken in 0..steps {
                 if progress.is_cancelled() {

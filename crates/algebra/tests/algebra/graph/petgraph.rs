@@ -1,6 +1,6 @@
 //! Quantities that are not computed by petgraph against it, whose algorithms are others: all classes of up to six vertices, and random graphs of up to 24.
 
-use algebra::graph::classes::{connected_graphs, graphs};
+use algebra::graph::classes::graphs;
 use algebra::graph::invariants::{distances, is_rooted};
 use algebra::graph::{Graph, components};
 use arithmetic::Unwatched;
@@ -11,8 +11,6 @@ use petgraph::algo::{
     maximal_cliques::maximal_cliques, subgraph_isomorphisms_iter, tarjan_scc,
 };
 use petgraph::graph::{DiGraph, NodeIndex, UnGraph};
-use std::hint::black_box;
-use std::time::{Duration, Instant};
 
 type Theirs = UnGraph<(), ()>;
 
@@ -133,44 +131,5 @@ fn petgraph_agrees_on_directed_graphs() {
                 assert_eq!(*distance, (other < u32::MAX).then_some(other as usize), "{arcs:?}");
             }
         }
-    }
-}
-
-/// Not a test: how long both take, of `notes/graphs.md`.
-#[test]
-#[ignore = "prints times"]
-fn times_of_both() {
-    let timed = |what: &dyn Fn(&Graph) -> usize, list: &[Graph]| -> Duration {
-        let start = Instant::now();
-        for graph in list {
-            black_box(what(graph));
-        }
-        start.elapsed()
-    };
-    let eight = connected_graphs(8, &Unwatched).expect("graphs");
-    let some: Vec<Graph> = eight.iter().step_by(20).cloned().collect();
-    type Measure<'m> = &'m dyn Fn(&Graph) -> usize;
-    let rows: [(&str, &[Graph], Measure, Measure); 5] = [
-        ("building petgraph's graph", &eight, &|graph| graph.order(), &|graph| undirected(graph).edge_count()),
-        ("components", &eight, &|graph| graph.components().len(), &|graph| connected_components(&undirected(graph))),
-        ("bipartite", &eight, &|graph| usize::from(graph.is_bipartite()), &|graph| {
-            usize::from(is_bipartite_undirected(&undirected(graph), NodeIndex::new(0)))
-        }),
-        ("cliques", &eight, &|graph| graph.clique_number(&Unwatched).ok().flatten().unwrap_or(0), &|graph| {
-            all_cliques(graph).unwrap_or(0)
-        }),
-        (
-            "automorphisms",
-            &some,
-            &|graph| graph.automorphism_count(&Unwatched).map_or(0, |n| n.bits() as usize),
-            &automorphisms,
-        ),
-    ];
-    for (what, list, ours, theirs) in rows {
-        let (own, other) = (timed(ours, list), timed(theirs, list));
-        println!(
-            "{what}: {own:.2?} here, {other:.2?} by petgraph, {:.1} times",
-            other.as_secs_f64() / own.as_secs_f64()
-        );
     }
 }

@@ -6,6 +6,7 @@ use super::runs::RunsError;
 use super::starts;
 use crate::page::player::Motion;
 use crate::shown;
+use algebra::graph::Graph;
 use arithmetic::Unwatched;
 use maud::{Markup, html};
 use models::averaging::read::{Model, read_flock};
@@ -32,8 +33,7 @@ pub(super) fn resonance(_: Texts) -> Sketch {
 
 /// A ring of twelve vertices.
 pub(super) fn spectrum(_: Texts) -> Sketch {
-    let edges: Vec<(usize, usize)> = (0..11).map(|k| (k, k + 1)).chain([(0, 11)]).collect();
-    Ok(shown::network(12, &edges, false, 160.0).map(|(drawn, _)| html! { div aria-hidden="true" { (drawn) } }))
+    Ok(network(&Graph::ring(12)))
 }
 
 /// The birds of the page.
@@ -55,8 +55,7 @@ pub(super) fn patterns(_: Texts) -> Sketch {
 
 /// A path, the connected graph with the smallest gap.
 pub(super) fn question(_: Texts) -> Sketch {
-    let edges: Vec<(usize, usize)> = (0..5).map(|k| (k, k + 1)).collect();
-    Ok(shown::network(6, &edges, false, 160.0).map(|(drawn, _)| html! { div aria-hidden="true" { (drawn) } }))
+    Ok(network(&Graph::path(6)))
 }
 
 /// The run of the first example.
@@ -77,6 +76,11 @@ pub(super) fn worst_cases(texts: Texts) -> Sketch {
     let Some(part) = decided.iter().find_map(|found| found.parts.first()) else { return Ok(None) };
     let drawn = tube(&system, part, POINTS as usize, &Unwatched).map_err(failed)?;
     curves(drawn.sections.iter().map(|[_, _, low, high]| vec![*low, *high]).collect())
+}
+
+fn network(graph: &Graph) -> Option<Markup> {
+    let drawn = shown::network(graph.order(), &graph.edges(), false, 160.0);
+    drawn.map(|(drawn, _)| html! { div aria-hidden="true" { (drawn) } })
 }
 
 fn run(path: &str, texts: Texts) -> Sketch {
