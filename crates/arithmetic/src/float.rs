@@ -74,10 +74,10 @@ impl Number for f64 {
         Ok((f64::sinh(*self), f64::cosh(*self)))
     }
 
-    /// By the library, which knows all sides.
+    /// By the library, which knows all sides; `y = -0.0` is 0, so that no angle is `-pi`.
     #[inline]
     fn angle(y: &Self, x: &Self) -> Result<Self, ArithmeticError> {
-        if *x == 0.0 && *y == 0.0 { Err(ArithmeticError::Argument("heading")) } else { Ok(y.atan2(*x)) }
+        if *x == 0.0 && *y == 0.0 { Err(ArithmeticError::Argument("heading")) } else { Ok((y + 0.0).atan2(*x)) }
     }
 }
 

@@ -36,34 +36,28 @@ pub struct Crossing {
     pub state: Vec<f64>,
 }
 
-/// Steps forward until a function falls to zero or `until` is reached. `near(state, moved)` gives the functions that can fall while no
-/// component of the state moves by more than `moved`: they are asked for at the beginning of each part of a step, where `moved` is twice the
-/// largest movement in any part of the step. After a crossing, continue with a new [`Integrator`] from its state.
+/// One step forward, up to `until` at most, and the first crossing in it. `near(state, moved)` gives the functions that can fall while no component of the
+/// state moves by more than `moved`: they are asked for at the beginning of each part of the step, where `moved` is twice the largest movement in any part. After a crossing, continue with
+/// a new [`Integrator`] from its state.
 ///
 /// # Errors
 /// [`IntegrationError`].
-pub fn next_crossing<M: Margin>(
+pub fn step_to_crossing<M: Margin>(
     field: &mut impl VectorField,
     solution: &mut Integrator,
     until: f64,
     near: impl Fn(&[f64], &[f64]) -> Vec<M>,
 ) -> Result<Option<Crossing>, IntegrationError> {
-    while solution.time() < until {
-        solution.step(field, until)?;
-        let (from, to) = (solution.previous_time(), solution.time());
-        let time = |k: usize| if k == PARTS { to } else { from + (to - from) * k as f64 / PARTS as f64 };
-        let nodes: Vec<Vec<f64>> = (0..=PARTS).map(|k| solution.interpolate(field, time(k))).collect();
-        let movement = |c: usize| nodes.windows(2).map(|pair| (pair[1][c] - pair[0][c]).abs()).fold(0.0, f64::max);
-        let moved: Vec<f64> = (0..nodes[0].len()).map(|c| 2.0 * movement(c)).collect();
-        for k in 0..PARTS {
-            let margins = near(&nodes[k], &moved);
-            let crossing = in_part(field, solution, (time(k), time(k + 1)), &nodes[k + 1], &margins);
-            if crossing.is_some() {
-                return Ok(crossing);
-            }
-        }
-    }
-    Ok(None)
+    solution.step(field, until)?;
+    let (from, to) = (solution.previous_time(), solution.time());
+    let time = |k: usize| if k == PARTS { to } else { from + (to - from) * k as f64 / PARTS as f64 };
+    let nodes: Vec<Vec<f64>> = (0..=PARTS).map(|k| solution.interpolate(field, time(k))).collect();
+    let movement = |c: usize| nodes.windows(2).map(|pair| (pair[1][c] - pair[0][c]).abs()).fold(0.0, f64::max);
+    let moved: Vec<f64> = (0..nodes[0].len()).map(|c| 2.0 * movement(c)).collect();
+    Ok((0..PARTS).find_map(|k| {
+        let margins = near(&nodes[k], &moved);
+        in_part(field, solution, (time(k), time(k + 1)), &nodes[k + 1], &margins)
+    }))
 }
 
 /// The first crossing in a part of the last step, whose dense output is known.

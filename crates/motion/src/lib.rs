@@ -40,7 +40,7 @@ mod turn_count;
 pub use cells::{CellError, CellList, first_not_finite, nearest};
 pub use descent::{first_downcrossing, shifted, value_at};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
-pub use event::{Crossing, Margin, next_crossing, root};
+pub use event::{Crossing, Margin, root, step_to_crossing};
 pub use follow_error::FollowError;
 pub use golden::golden;
 pub use individual::{IndividualFlock, IndividualLaw, Moving, Pace, Rates, Sensing, Switch, Turns};

@@ -5,7 +5,7 @@ use super::links::Guard;
 use super::network::Change;
 use super::observables::Observable;
 use arithmetic::{ArithmeticError, Progress};
-use motion::{FollowError, IntegrationError, Integrator, Tolerance, next_crossing};
+use motion::{FollowError, IntegrationError, Integrator, Tolerance, step_to_crossing};
 use std::cell::RefCell;
 
 /// Where the agents are; lists that the model does not have are empty.
@@ -254,8 +254,8 @@ pub(super) struct Continuous<L> {
     law: L,
     solution: Integrator,
     tolerance: Tolerance,
-    /// Switches in a row that took no time worth speaking of.
-    crowd: usize,
+    /// Switches in a row that took no time worth speaking of, and when the last switch was.
+    crowd: (usize, f64),
     /// Steps tried in vain, all steps tried and the time at the last look at the pace.
     pace: (usize, usize, f64),
 }
@@ -273,7 +273,7 @@ impl<L: Law> Continuous<L> {
     /// The law at its start.
     pub fn new(law: L, state: &[f64], tolerance: f64) -> Self {
         let tolerance = Tolerance { relative: tolerance, absolute: tolerance };
-        Continuous { law, solution: Integrator::new(0.0, state, tolerance), tolerance, crowd: 0, pace: (0, 0, 0.0) }
+        Continuous { law, solution: Integrator::new(0.0, state, tolerance), tolerance, crowd: (0, 0.0), pace: (0, 0, 0.0) }
     }
 
     /// Goes on from a state after a change.
@@ -303,7 +303,7 @@ impl<L: Law> Continuous<L> {
         }
     }
 
-    /// Moves without or up to the next switch; whether there was one.
+    /// One step, up to the next switch at most; whether there was one.
     fn step(&mut self, until: f64) -> Result<Option<(f64, Vec<f64>)>, RunError> {
         let failure = RefCell::new(None);
         let law = &self.law;
@@ -314,7 +314,7 @@ impl<L: Law> Continuous<L> {
             }
         };
         let moved = if law.switches() {
-            next_crossing(&mut field, &mut self.solution, until, |state, moved| law.guards(state, moved))
+            step_to_crossing(&mut field, &mut self.solution, until, |state, moved| law.guards(state, moved))
         } else {
             self.solution.step(&mut field, until).map(|()| None)
         };
@@ -334,14 +334,14 @@ impl<L: Law> Follower for Continuous<L> {
             if progress.is_cancelled() {
                 return Ok(false);
             }
-            let before = self.solution.time();
-            let end = self.law.held_until(before, until);
+            let end = self.law.held_until(self.solution.time(), until);
             if let Some((time, state)) = self.step(end)? {
                 let changes = self.law.switch(&state);
                 events.extend(changes.iter().map(|change| Event::new(time, change)));
                 self.restart(time, &state);
-                self.crowd = if time - before > 1e-9 * (1.0 + time) { 0 } else { self.crowd + 1 };
-                if self.crowd > LARGEST_CROWD {
+                let (count, last) = self.crowd;
+                self.crowd = (if time - last > 1e-9 * (1.0 + time) { 0 } else { count + 1 }, time);
+                if self.crowd.0 > LARGEST_CROWD {
                     return Err(FollowError::Sliding(time).into());
                 }
             }

@@ -3,6 +3,7 @@
 use super::code::{Body, Instruction, Register};
 use crate::function::Function;
 use crate::syntax::Relation;
+use arithmetic::Number;
 use motion::sin_cos_of;
 use pulp::{Simd, WithSimd};
 
@@ -131,7 +132,7 @@ fn done<'a>(instruction: Instruction, out: &mut [f64], of: impl Fn(Register) -> 
         Instruction::Root(a) => one(out, of(a), f64::sqrt),
         Instruction::Of(function, a) => function_of(function, out, of(a)),
         Instruction::Angle(y, x) => {
-            two(out, of(y), of(x), |y, x| if y == 0.0 && x == 0.0 { f64::NAN } else { y.atan2(x) })
+            two(out, of(y), of(x), |y, x| f64::angle(&y, &x).unwrap_or(f64::NAN))
         }
         Instruction::Absolute(a) => one(out, of(a), f64::abs),
         Instruction::Larger(a, b) => two(out, of(a), of(b), |a, b| if b.is_nan() | (a < b) { b } else { a }),

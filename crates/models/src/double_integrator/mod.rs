@@ -22,8 +22,8 @@ pub use laws::{
 pub use runs::{
     Alignment, Branch, Choice, Crossing, EnclosedEvent, EnclosedFlock, EnclosedRun, EnclosureError, EnergyLog, Event,
     EventKind, Excess, FixedNetwork, Flock, FlockError, Fork, ForkError, HeadingLaw, HeadingReading, InputError,
-    LinkRule, MOST_GRAZING, Motion, MotionError, Network, Observation, Options, Prefer, Sample, Setup, StartRule,
-    SwitchingFlock, Trial, VelocityLaw, Way, follow, fork, random_flock, random_vectors,
+    LinkRule, LinkedAgents, MOST_GRAZING, Motion, MotionError, Network, Observation, Options, Prefer, Sample, Setup,
+    StartRule, SwitchingFlock, SwitchingMotion, Trial, VelocityLaw, Way, follow, fork, random_flock, random_vectors,
 };
 pub use theory::{
     AnyHeadings, AnyPotentials, PairGradient, TiedRate, equilibria, hessian, linearisation, loop_modes, rate_along,

@@ -119,7 +119,7 @@ impl Expanded {
     }
 
     /// An enclosure of all its numbers at no great cost.
-    fn natural(&self) -> FloatInterval {
+    pub fn natural(&self) -> FloatInterval {
         self.around(self.shape.range(&self.coefficients))
     }
 

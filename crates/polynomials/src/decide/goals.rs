@@ -7,7 +7,7 @@ use crate::function::{Compared, Function, Literal, Side};
 use crate::symbolic::{Extension, Symbolic};
 use arithmetic::{Cancelled, Field, Progress, Sign};
 
-/// Most variables.
+/// Most variables; with more of them only polynomials of degree 2 are looked at, without premises.
 const MOST_VARIABLES: usize = 10;
 
 /// Exponentials and sines of multiples of larger fractions are variables of their own.
@@ -26,9 +26,7 @@ pub(super) fn prove<F: Function>(
     effort: Effort,
     progress: &dyn Progress,
 ) -> Result<Outcome, Cancelled> {
-    if domain.iter().filter(|side| side.as_point().is_none()).count() > MOST_VARIABLES {
-        return Ok(Outcome::Open(Vec::new()));
-    }
+    let many = domain.iter().filter(|side| side.as_point().is_none()).count() > MOST_VARIABLES;
     let symbolic = |grid: i64| {
         let extension = Extension::with_grid(domain.len(), grid);
         let known = |(x, side): (Symbolic, &Side)| side.as_point().map_or_else(|| x.clone(), |q| x.rational(q));
@@ -40,6 +38,9 @@ pub(super) fn prove<F: Function>(
     let (mut extension, mut values) = symbolic(1);
     if (2..=FINEST).contains(&extension.finest()) {
         (extension, values) = symbolic(extension.finest());
+    }
+    if many && !(extension.meanings().is_empty() && extension.divisors().is_empty()) {
+        return Ok(Outcome::Open(Vec::new()));
     }
     let variables = Variables { domain, meanings: extension.meanings() };
     let mut prover = Prover { variables, effort, progress, proof: Proof::default(), degrees: Vec::new() };
@@ -71,8 +72,8 @@ pub(super) fn prove<F: Function>(
         return Ok(Outcome::Proved(prover.proof));
     }
     for (place, literal) in clause.iter().enumerate() {
-        let Some(target) = &cleared[place] else { continue };
-        let others = cleared.iter().zip(clause).enumerate().filter(|(k, _)| *k != place);
+        let Some(target) = cleared[place].as_ref().filter(|p| !many || p.degree() <= 2) else { continue };
+        let others = cleared.iter().zip(clause).enumerate().filter(|(k, _)| *k != place && !many);
         let mut constraints: Vec<(Polynomial, bool)> = Vec::new();
         for (p, other) in others.filter_map(|(_, (p, other))| Some((p.clone()?, other))) {
             match other.compared {

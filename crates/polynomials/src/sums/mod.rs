@@ -93,6 +93,9 @@ impl Problem {
     /// # Errors
     /// [`Cancelled`].
     pub fn search(&self, progress: &dyn Progress) -> Result<Search, Cancelled> {
+        if let Some(found) = self.quadratic() {
+            return Ok(found);
+        }
         let mut tried = Vec::new();
         for attempt in self.attempts() {
             progress.checkpoint()?;
@@ -104,6 +107,32 @@ impl Problem {
         tried.sort_unstable();
         tried.dedup();
         Ok(Search::Nothing(tried))
+    }
+
+    /// A polynomial of degree 2 has one Gram matrix, which nobody needs to guess: with more numbers than floats could propose for. `None` where it is not
+    /// positive semidefinite and constraints may help.
+    fn quadratic(&self) -> Option<Search> {
+        if self.goal.degree() > 2 || !self.relations.is_empty() {
+            return None;
+        }
+        let variables = self.variables();
+        let one = Multivariate::of(rational(1, 1));
+        let place = |k: usize| variables.iter().position(|own| *own == k).map_or(0, |place| place + 1);
+        let mut gram = vec![vec![rational(0, 1); variables.len() + 1]; variables.len() + 1];
+        for (monomial, c) in self.goal.terms() {
+            let mut factors = monomial.iter().enumerate().flat_map(|(k, &e)| (0..e).map(move |_| k)).map(place);
+            let (i, j) = (factors.next().unwrap_or(0), factors.next().unwrap_or(0));
+            // Off the diagonal an entry stands twice.
+            let half = c / rational(2, 1);
+            gram[i][j] += &half;
+            gram[j][i] += half;
+        }
+        let basis = std::iter::once(one.clone()).chain(variables.into_iter().map(Multivariate::x)).collect();
+        let block = Block { factors: Vec::new(), product: one, basis };
+        match self.certificate(&[block], vec![gram], &self.power_of_norm(0)) {
+            Some(found) => Some(Search::Found(Box::new(found))),
+            None => self.constraints.is_empty().then(|| Search::Nothing(vec![2])),
+        }
     }
 
     fn reduced(&self, p: &Polynomial) -> Polynomial {

@@ -49,6 +49,16 @@ fn points_of_equality_are_found_and_proved() {
         let at = found((x().to(3) - c(2, 1)).to(2) + (y() - x()).to(2) * weight, &square()).expect("a point");
         assert!(at.iter().all(|text| contains(text, root)), "{at:?}");
     }
+    // No slopes at the point itself.
+    for tree in [
+        (x().to(3) - c(2, 1)).to(2) + (y() - x()).abs(),
+        (x().to(3) - c(2, 1)).abs() + (y() - x()).abs(),
+        (x().to(3) - c(2, 1)).abs().root() + (y() - x()).abs(),
+        (x().to(3) - c(2, 1)).abs().max((y() - x()).to(2)),
+    ] {
+        let at = found(tree.clone(), &square()).expect("a point");
+        assert!(at.iter().all(|text| contains(text, root)), "{tree:?}: {at:?}");
+    }
     let at = found((x().call("cos") - y()).to(2) + (y() - x()).to(2), &sides(&[(0, 1), (0, 1)])).expect("a point");
     assert!(at.iter().all(|text| contains(text, 0.739_085_133_215_160_6)), "{at:?}");
     // The root of a polynomial that is no square as it is written.
@@ -85,6 +95,9 @@ fn no_point_is_said_where_there_is_none() {
         (cube().to(2) * (y().to(2) + c(1, 1)) + nano(1) * y().to(2) + nano(1), square()),
         ((x() - y()).abs() + cube().abs() + nano(1), square()),
         ((x().to(2) - c(2, 1)).to(2).root() + nano(1), square()),
+        ((x() - y()).abs() + cube().to(2) + (x() - y() - nano(1)).abs(), square()),
+        (cube().abs().max((x() - y()).abs()) + (x() + y()).abs(), square()),
+        ((x() - y()).abs().root() + cube().abs() / cube().abs(), square()),
         (x().max(y()).to(2) + (x() + c(1, 1)).to(2) + (y() + c(1, 1)).to(2), square()),
     ];
     for (tree, domain) in none {

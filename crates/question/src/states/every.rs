@@ -17,7 +17,6 @@ use algebra::graph::AnyGraph;
 use algebra::graph::Graph;
 use arithmetic::{ArithmeticError, Field, Probe, Progress, Ring, rational};
 use expressions::{Bodies, Comparison, Relation};
-use num_traits::ToPrimitive;
 use std::sync::Arc;
 
 /// Agents of flocks in which counterexamples are looked for, and states of each.
@@ -304,15 +303,7 @@ impl<'a> Sizes<'a> {
         let mut ratios = Vec::new();
         for agents in [3u32, 5] {
             let instance = self.member(agents, None)?.instance;
-            let mut state: Vec<f64> = instance.sides.iter().map(|side| side.middle().to_f64().unwrap_or(0.0)).collect();
-            for (k, place) in instance.free().into_iter().enumerate() {
-                let side = &instance.sides[place];
-                let moved = (1.0 + 0.7 * k as f64).sin();
-                state[place] = match side.floats() {
-                    (lo, hi) if lo.is_finite() && hi.is_finite() => lo + (hi - lo) * (0.5 + 0.49 * moved),
-                    _ => state[place] + moved,
-                };
-            }
+            let state = instance.somewhere();
             let value = |comparison: &Comparison, state: &[f64], agents: u32| {
                 let (time, state) = state.split_last()?;
                 comparison.value(time, state, &expressions::Everyone(agents as usize)).ok()

@@ -3,8 +3,9 @@
 use super::instance::{Instance, Links, filled, trail_of, value_of};
 use arithmetic::identity::{Identity, IdentityOutcome, Sides, test_identity};
 use arithmetic::random::generator;
-use arithmetic::{ArithmeticError, Field, Probe, Rational, Ring, rational};
+use arithmetic::{ArithmeticError, Field, Probe, Rational, Ring, rational, simplest_between};
 use expressions::Comparison;
+use num_traits::Signed;
 
 /// Points of a test.
 const CASES: u64 = 8;
@@ -70,9 +71,10 @@ pub(super) fn sum_over_pairs(
 ) -> Option<(Rational, u64)> {
     let agents = instance.of_agent.len();
     let functions = comparison.functions(agents).saturating_mul(2 * pairs.len() as u64 + 1);
-    let others = agents.saturating_sub(1).max(1) as i64;
     let free = instance.free();
-    [rational(1, 1), rational(1, others)].into_iter().find_map(|factor| {
+    let others = agents.saturating_sub(1).max(1) as i64;
+    let usual = || vec![rational(1, 1), rational(1, others)];
+    factor(instance, comparison, pairs).map_or_else(usual, |own| vec![own]).into_iter().find_map(|factor| {
         let bits = agree(free.len(), functions, |numbers| {
             let state = filled(&instance.sides, &free, numbers);
             let known = trail_of(comparison, &instance.links, &state)?;
@@ -103,4 +105,17 @@ pub(super) fn sum_over_pairs(
         });
         bits.map(|bits| (factor.clone(), bits))
     })
+}
+
+/// The simplest positive number near the factor in floats, which only propose; sums inside sums run over those whom an agent hears, so that it may be any number of
+/// that many agents.
+fn factor(instance: &Instance, comparison: &Comparison, pairs: &[((usize, usize), Links)]) -> Option<Rational> {
+    const NEAR: f64 = 1e-9;
+    let state = instance.somewhere();
+    let value = |links: &Links| value_of(comparison, links, &state).ok();
+    let parts: Vec<f64> = pairs.iter().map(|(_, links)| value(links)).collect::<Option<_>>()?;
+    let ratio = value(&instance.links)? / parts.iter().sum::<f64>();
+    let end = |x: f64| Rational::from_float(x);
+    let factor = simplest_between(&end(ratio * (1.0 - NEAR))?, &end(ratio * (1.0 + NEAR))?);
+    factor.is_positive().then_some(factor)
 }

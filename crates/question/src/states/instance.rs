@@ -167,6 +167,20 @@ impl Instance {
         (0..self.sides.len()).filter(|&place| self.sides[place].as_point().is_none()).collect()
     }
 
+    /// A state in floats without symmetries.
+    pub fn somewhere(&self) -> Vec<f64> {
+        let mut state: Vec<f64> = self.sides.iter().map(|side| side.middle().to_f64().unwrap_or(0.0)).collect();
+        for (k, place) in self.free().into_iter().enumerate() {
+            let side = &self.sides[place];
+            let moved = (1.0 + 0.7 * k as f64).sin();
+            state[place] = match side.floats() {
+                (lo, hi) if lo.is_finite() && hi.is_finite() => lo + (hi - lo) * (0.5 + 0.49 * moved),
+                _ => state[place] + moved,
+            };
+        }
+        state
+    }
+
     /// The whole state, where nothing is left open.
     pub fn point(&self) -> Option<Vec<Rational>> {
         self.sides.iter().map(|side| side.as_point().cloned()).collect()

@@ -17,6 +17,11 @@ pub(crate) trait Scalar: Sized {
 
     /// The root of a number that is not negative; `None` where it is not found.
     fn root(self, precision: u32) -> Option<Number>;
+
+    /// An enclosure in which nothing of the start is left, where the number is a polynomial in it.
+    fn boxed(&self) -> Option<Interval> {
+        None
+    }
 }
 
 impl Scalar for Rational {
@@ -59,6 +64,10 @@ impl Scalar for Expanded {
 
     fn root(self, precision: u32) -> Option<Number> {
         Scalar::root(between_floats(&self.range()), precision)
+    }
+
+    fn boxed(&self) -> Option<Interval> {
+        Some(between_floats(&self.natural()))
     }
 }
 

@@ -22,7 +22,8 @@ use curve::OnCurve;
 use exact::Holds;
 use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
 use models::double_integrator::{
-    Coordinates, EnclosedFlock, FixedNetwork, HeadingDifference, Pair, Potential, State, linked_within,
+    Coordinates, EnclosedFlock, EnclosedRun, EnclosureError, FixedNetwork, HeadingDifference, Pair, State,
+    SwitchingMotion, linked_within,
 };
 use models::oscillator::{Neighbours, Orientation, Steering};
 use modes::ModalPlatoon;
@@ -75,6 +76,9 @@ type Enclosed = (Vec<Expanded>, Option<Rc<Vec<Pair>>>);
 
 /// Most sections of a tube.
 const MOST_SECTIONS: usize = 50_000;
+
+/// Why a motion has no closed form.
+const SWITCHED: &str = "links switch at a distance, and a motion that they switch has no closed form";
 
 /// Most agents.
 const MOST_AGENTS: usize = 16;
@@ -147,7 +151,7 @@ impl<'c> MotionSubject<'c> {
                 let start = [relative(deviations), relative(rates), swing].concat();
                 self.small(deviations.len()).ok().and_then(|()| ClosedForm::of(&law, &start))
             }
-            ExactMotion::Own(own) => {
+            ExactMotion::Own(own) if own.radius().is_none() => {
                 self.small(own.agents()).ok().and_then(|()| ClosedForm::of(own.as_ref(), &own.start))
             }
             _ => None,
@@ -192,7 +196,12 @@ impl<'c> MotionSubject<'c> {
                     return self.turning(&start, HeadingLaw { potential, edges: pairs }, *reading, until);
                 }
                 if let Some(radius) = radius {
-                    return Ok(self.switching(&start, potential, radius, until));
+                    let square = radius * radius;
+                    let flock = EnclosedFlock { potential: potential.clone(), threshold: Some(square.clone()) };
+                    let links = linked_within(&start.positions, &point(&square), Coordinates::Cartesian).edges();
+                    let mut steps = Vec::new();
+                    let run = flock.run(&start, &[], until, |from, step| steps.push((from, step.clone())));
+                    return Ok(Tube::of_switches(links, steps, run, until));
                 }
                 let law = FixedNetwork { potential, edges: pairs };
                 let mut tube = self.followed(law, &Expanded::of_start(&start.to_list()), until)?;
@@ -229,7 +238,12 @@ impl<'c> MotionSubject<'c> {
                         *number = point(lo).hull(&point(hi));
                     }
                 }
-                self.followed(own.as_ref(), &Expanded::of_start(&state), until)
+                let start = Expanded::of_start(&state);
+                let Some(radius) = own.radius() else { return self.followed(own.as_ref(), &start, until) };
+                let motion = SwitchingMotion::new(own.as_ref(), Some(&(radius * radius)));
+                let mut steps = Vec::new();
+                let run = motion.run(&Set::of_numbers(&start), until, |from, step| steps.push((from, step.clone())));
+                Ok(Tube::of_switches(motion.links(&state).edges(), steps, run, until))
             }
             ExactMotion::Platoon { deviations, rates, platoon, swing, .. } => {
                 self.small(deviations.len())?;
@@ -372,17 +386,19 @@ impl<'c> MotionSubject<'c> {
         tube.sections.iter_mut().for_each(|section| section.pairs = Some(pairs.clone()));
         Ok(tube)
     }
+}
 
-    /// Velocity alignment with links that switch at a distance.
-    fn switching(&self, start: &State<FloatInterval>, potential: &Potential, radius: &Rational, until: f64) -> Tube {
-        let flock = EnclosedFlock { potential: potential.clone(), threshold: Some(radius * radius) };
-        let mut steps: Vec<(f64, Step)> = Vec::new();
-        let run = flock.run(start, &[], until, |from, step| steps.push((from, step.clone())));
+impl Tube {
+    /// Of agents whose links switch at a distance, with the links at the start.
+    fn of_switches<E>(
+        mut links: Vec<Pair>,
+        steps: Vec<(f64, Step)>,
+        run: Result<EnclosedRun<E>, EnclosureError>,
+        until: f64,
+    ) -> Self {
         let failure = run.as_ref().err().map(ToString::to_string);
         let mut events: Vec<_> = run.as_ref().map(|run| run.events.clone()).unwrap_or_default();
         events.reverse();
-        let square = point(&(radius * radius));
-        let mut links = linked_within(&start.positions, &square, Coordinates::Cartesian).edges();
         let mut current = Rc::new(links.clone());
         // Without the events of a run that failed the links are only known where there are none to change.
         let known = failure.is_none();
@@ -519,8 +535,9 @@ impl Timeline for MotionSubject<'_> {
         match &self.motion {
             _ if !self.wide.is_empty() => "it is about all starts of a box, which have no closed form together",
             ExactMotion::Velocities { radius: Some(_), .. } | ExactMotion::Particles { radius: Some(_), .. } => {
-                "links switch at a distance, and a motion that they switch has no closed form"
+                SWITCHED
             }
+            ExactMotion::Own(own) if own.radius().is_some() => SWITCHED,
             _ => "the motion has no closed form with rational exponents and frequencies",
         }
     }

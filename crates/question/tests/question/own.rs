@@ -51,12 +51,12 @@ fn numbers_of_its_start_may_be_intervals() {
 fn what_is_not_enclosed_says_so() {
     let noisy =
         PAIR.replace("continuous", "discrete").replace("law.rates", "law.next").replace("/2\"", "/2 + normal(1)\"");
-    let within = PAIR.replace("[state]", "[graph]\nkind = \"within\"\nradius = 2\n[state]");
+    let nearest = PAIR.replace("[state]", "[graph]\nkind = \"nearest\"\nnearest = 1\n[state]");
     // Without its noise the law would be enclosed, and the property true.
     let shaken =
         PAIR.replace("[state]", "[law.noise]\nv = \"1\"\n[state]").replace("until = 4", "until = 4\nstep = \"1/100\"");
-    let shaken = (shaken, "laws with noise are not enclosed");
-    for (scenario, why) in [(noisy, "noise"), (within, "do not depend on the distances"), shaken] {
+    for (scenario, why) in [(noisy, "noise"), (nearest, "to the nearest"), (shaken, "laws with noise are not enclosed")]
+    {
         let answer = answered(&scenario, "n = 1", "always[0, 1](min_distance > 0)", "1 < 0");
         assert_eq!(answer.verdict, Verdict::Undecided);
         assert!(answer.why.contains(why), "{}", answer.why);
@@ -244,4 +244,90 @@ fn long_rationals_are_enclosed() {
     let [above, below] = [271, 270].map(|last| format!("always[0, 100](x[1] <= 99994845321{last}/100000000000000)"));
     let answer = answered(text, "n = 1", &above, &below);
     assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{}", answer.why);
+}
+
+/// Two agents with links up to the distance 2, of which the second one flies away. While they are linked their relative velocity `w` decays as `exp(-2t)`: from
+/// `w = 4` and the distance 1 they are 2 apart at `t = log(2)/2 = 0.3466`, where `w = 2`, and `2 + 2 (t - 0.3466)` later, 3.3069 at `t = 1`.
+fn parting(speed: &str) -> String {
+    format!(
+        "model = \"own\"\n[law]\nstate = {{ x = \"vector\", v = \"vector\" }}\n[law.rates]\nx = \"v\"\nv = \"sum(j, v[j] - v)\"\n\
+         [law.observables]\nheard = \"sum(i, sum(j, 1))\"\n[graph]\nkind = \"within\"\nradius = 2\n\
+         [state]\nx = [[0, 0], [1, 0]]\nv = [[0, 0], [\"{speed}\", 0]]\n[run]\nuntil = 1\n"
+    )
+}
+
+/// The same of the built-in law.
+fn built_in() -> String {
+    "model = \"velocity-alignment\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\npositions = [[0, 0], [1, 0]]\n\
+     velocities = [[0, 0], [4, 0]]\n[law]\npotential = \"none\"\n[run]\nuntil = 1\n"
+        .to_string()
+}
+
+/// With a link that stayed, the last distance would be 2.73; without links, 5.
+#[test]
+fn links_by_distance_end_where_the_distance_does() {
+    for (property, verdict) in [
+        ("always[0, 1](min_distance <= 3307/1000)", Verdict::Holds),
+        ("always[0, 1](min_distance <= 3306/1000)", Verdict::False),
+        ("eventually[0, 1](min_distance >= 3306/1000)", Verdict::Holds),
+        ("always[0, 34/100](components = 1)", Verdict::Holds),
+        ("always[0, 36/100](components = 1)", Verdict::False),
+        ("always[35/100, 1](components = 2)", Verdict::Holds),
+        ("always[34/100, 1](components = 2)", Verdict::False),
+        ("always[0, 1](disagreement <= initial(disagreement))", Verdict::Holds),
+    ] {
+        for scenario in [parting("4"), built_in()] {
+            let answer = answered(&scenario, "n = 1", property, "1 < 0");
+            assert_eq!(answer.verdict, verdict, "{property}: {}", answer.why);
+        }
+    }
+    for (property, verdict) in [
+        ("always[0, 1](0 <= heard <= 2)", Verdict::Holds),
+        ("always[0, 34/100](heard = 2) and always[35/100, 1](heard = 0)", Verdict::Holds),
+        ("always[0, 1](heard = 2)", Verdict::False),
+        ("always[0, 1](v[2].1 + v[1].1 >= 4 - 1/1000000)", Verdict::Holds),
+    ] {
+        let answer = answered(&parting("4"), "n = 1", property, "1 < 0");
+        assert_eq!(answer.verdict, verdict, "{property}: {}", answer.why);
+    }
+}
+
+/// All starts of a box cross at times of their own, from 0.3346 to 0.3596; at `t = 1` they are 3.2167 to 3.3974 apart.
+#[test]
+fn links_by_distance_switch_for_all_starts_of_a_box() {
+    let family = "\"state.v[2][1]\" = \"[39/10, 41/10]\"";
+    for (property, verdict) in [
+        ("always[0, 1](min_distance <= 341/100)", Verdict::Holds),
+        ("always[0, 1](min_distance <= 339/100)", Verdict::False),
+        ("eventually[0, 1](min_distance >= 32/10)", Verdict::Holds),
+        ("eventually[0, 1](min_distance >= 33/10)", Verdict::False),
+        ("always[0, 33/100](components = 1) and always[37/100, 1](components = 2)", Verdict::Holds),
+        ("always[34/100, 1](components = 2)", Verdict::False),
+    ] {
+        let answer = answered(&parting("4"), family, property, "1 < 0");
+        assert_eq!(answer.verdict, verdict, "{property}: {}", answer.why);
+    }
+}
+
+/// What only touches the radius, or begins at it, is not decided; and an agent that comes from outside gets its link.
+#[test]
+fn touching_the_radius_stays_open() {
+    let swing = |state: &str| {
+        format!(
+            "model = \"own\"\n[law]\ndimension = 1\nstate = {{ x = \"vector\", v = \"vector\" }}\n[law.rates]\nx = \"v\"\n\
+             v = \"-x + sum(j, v[j] - v)*0\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\n{state}\n[run]\nuntil = 3\n"
+        )
+    };
+    // |x_2 - x_1| = 2 sin(t).
+    let open = answered(&swing("x = [[0], [0]]\nv = [[0], [2]]"), "n = 1", "always[0, 3](components = 1)", "1 < 0");
+    assert_eq!(open.verdict, Verdict::Undecided, "{}", open.why);
+    assert!(open.why.contains("at the threshold"), "{}", open.why);
+    let begun =
+        answered(&parting("4").replace("[1, 0]]\nv", "[2, 0]]\nv"), "n = 1", "always[0, 1](components = 2)", "1 < 0");
+    assert_eq!(begun.verdict, Verdict::Undecided, "{}", begun.why);
+    // 5/2 cos(t) comes to 2 at t = 0.6435.
+    let near = swing("x = [[0], [\"5/2\"]]\nv = [[0], [0]]");
+    let found =
+        answered(&near, "n = 1", "always[0, 64/100](components = 2) and always[65/100, 2](components = 1)", "1 < 0");
+    assert_eq!(found.verdict, Verdict::Holds, "{}", found.why);
 }

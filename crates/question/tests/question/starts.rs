@@ -170,6 +170,35 @@ fn smallest_cases_of_rates() {
     fails(&all, still, "min_distance > initial(min_distance)");
 }
 
+/// Two agents start in one place: 0 is the smallest distance that there is, whatever the motion does. With other velocities they part at once.
+#[test]
+fn what_is_never_negative_is_not_below_nothing() {
+    let fluctuation = "fluctuation = \"sum(i, norm2(v[i] - mean(k, v[k])))\"";
+    let from = |velocities: &str| {
+        let rates = "x = \"v\"\nv = \"sum(j, (v[j] - v)/(1 + norm2(x[j] - x)))\"";
+        let start = format!("x = [[0, 0], [0, 0], [0, 2]]\nv = {velocities}");
+        own("x = \"vector\", v = \"vector\"", rates, fluctuation, &start)
+    };
+    let third = "\"state.v[3][1]\" = \"[0, 1/10]\"";
+    for velocities in ["[[1, 0], [1, 0], [0, 0]]", "[[1, 0], [0, 0], [0, 0]]"] {
+        let flock = from(velocities);
+        holds(&flock, third, "min_distance >= initial(min_distance)");
+        holds(&flock, third, "min_distance >= -initial(min_distance)");
+        holds(&flock, third, "fluctuation >= 0 and disagreement >= initial(min_distance)");
+        fails(&flock, third, "min_distance >= initial(min_distance) + 1/1000000");
+        fails(&flock, third, "min_distance > initial(min_distance)");
+        fails(&flock, third, "min_distance < initial(min_distance)");
+    }
+    fails(&from("[[1, 0], [0, 0], [0, 0]]"), third, "min_distance <= initial(min_distance)");
+    // One start.
+    let flock = from("[[1, 0], [0, 0], [0, 0]]");
+    holds(&flock, "n = 1", "min_distance >= initial(min_distance)");
+    fails(&flock, "n = 1", "min_distance <= initial(min_distance)");
+    // In an interval around the place of another one the first distance is not always 0.
+    let beside = "\"state.x[1][1]\" = \"[0, 1/10]\"";
+    fails(&from("[[-1, 0], [0, 0], [0, 0]]"), beside, "min_distance > 0");
+}
+
 /// Time itself is one more number: `x' = t` grows, `x' = t - 1/2` does not.
 #[test]
 fn laws_that_depend_on_time() {

@@ -281,3 +281,39 @@ fn statements_without_values_do_not_hold() {
     let found = numbers(still, "continuous", "agents = \"any\"", "sum(i, max(j, h[j])) >= 1/0", "sum(i, h[i]) > 0");
     assert_ne!(found.verdict, Verdict::Holds, "{}", found.why);
 }
+
+/// Inside a sum a mean runs over those whom that agent hears: with everybody linked `N/(N - 1)` times the distance from the mean of all. So the factor of the sum over
+/// pairs is a number of its own for each size.
+#[test]
+fn means_inside_sums_are_sums_over_pairs() {
+    let law = |dimension: u32| {
+        format!(
+            "[law]\ndimension = {dimension}\nstate = {{ x = \"vector\", v = \"vector\" }}\n[law.rates]\nx = \"v\"\n\
+             v = \"sum(j, (v[j] - v)/(1 + norm2(x[j] - x)))\"\n"
+        )
+    };
+    let spread = "sum(i, norm2(v[i] - mean(k, v[k])))";
+    for dimension in 1..=3 {
+        let holds = |property: &str| {
+            let found = answer_of(&law(dimension), "agents = 3\nx = \"any\"\nv = \"any\"", property, "1 < 0");
+            assert_eq!(found.verdict, Verdict::Holds, "{property}: {}", found.why);
+        };
+        holds(&format!("rate({spread}) <= 0"));
+        holds("rate(sum(i, sum(j, norm2(v[i] - v[j])))) <= 0");
+    }
+    let six = "agents = 6\nx = \"any\"\nv = \"any\"";
+    let found = answer_of(&law(2), six, &format!("rate({spread}) <= 0"), "1 < 0");
+    assert_eq!(found.verdict, Verdict::Holds, "{}", found.why);
+    // Planted: nearly the same, and false far apart; another sign; one agent that does not hear the others.
+    for property in [
+        format!("rate({spread}) <= -1/1000000*{spread}"),
+        format!("rate({spread}) >= 0"),
+        format!("rate({spread}) <= 1/1000000*sum(i, dot(x[i], v[i]))"),
+    ] {
+        let found = answer_of(&law(2), "agents = 3\nx = \"any\"\nv = \"any\"", &property, "1 < 0");
+        assert_eq!(found.verdict, Verdict::False, "{property}: {}", found.why);
+    }
+    let arcs = "graph = \"arcs:3:1-2,2-1,1-3\"\nx = \"any\"\nv = \"any\"";
+    let found = answer_of(&law(2), arcs, &format!("rate({spread}) <= 0"), "1 < 0");
+    assert_ne!(found.verdict, Verdict::Holds, "{}", found.why);
+}

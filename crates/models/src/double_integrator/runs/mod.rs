@@ -16,7 +16,9 @@ mod switching;
 mod threshold;
 
 pub use closed_loop::follow;
-pub use enclosed::{Crossing, EnclosedEvent, EnclosedFlock, EnclosedRun, EnclosureError, FixedNetwork};
+pub use enclosed::{
+    Crossing, EnclosedEvent, EnclosedFlock, EnclosedRun, EnclosureError, FixedNetwork, LinkedAgents, SwitchingMotion,
+};
 pub use energy_log::{EnergyLog, Excess};
 pub use flock::{FlockError, SwitchingFlock};
 pub use fork::{Branch, Fork, ForkError, MOST_GRAZING, Way, fork};

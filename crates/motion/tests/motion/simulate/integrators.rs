@@ -1,6 +1,6 @@
 //! Integrators and events against known solutions.
 
-use motion::{IntegrationError, Integrator, Margin, Rk4, Tolerance, VectorField, integrate, next_crossing};
+use motion::{IntegrationError, Integrator, Margin, Rk4, Tolerance, VectorField, integrate, step_to_crossing};
 
 fn oscillator() -> impl VectorField {
     |_: f64, y: &[f64], rate: &mut [f64]| {
@@ -98,7 +98,9 @@ fn crossings(level: f64, below: bool, until: f64, tolerance: Tolerance) -> Vec<f
             [watched, other].into_iter().filter(can).collect::<Vec<Side>>()
         }
     };
-    while let Some(crossing) = next_crossing(&mut oscillator(), &mut solution, until, near(watched)).expect("smooth") {
+    while solution.time() < until {
+        let crossing = step_to_crossing(&mut oscillator(), &mut solution, until, near(watched)).expect("smooth");
+        let Some(crossing) = crossing else { continue };
         found.push(crossing.time);
         watched.scale = -watched.scale;
         solution = Integrator::new(crossing.time, &crossing.state, tolerance);

@@ -10,13 +10,18 @@ use crate::names::Quantity;
 use crate::number::Number as Known;
 use crate::subject::measured::{Scalar, index_of, measured};
 use crate::timeline::{Measured, Moment};
-use arithmetic::{Complex, Field, Number, Rational, Ring, Sign, rational};
+use arithmetic::{Complex, Field, Interval, Number, Rational, Ring, Sign, rational};
 use expressions::Variable;
-use models::double_integrator::Pair;
+use models::double_integrator::{LinkedAgents, Pair};
 use models::oscillator::{Neighbours, Orientation, Steering};
-use scenario::{ExactMotion, Law, Links, Measurable, Model, Rows, Sensing, View, measure};
+use polynomials::Side;
+use scenario::{ExactMotion, Law, Links, Measurable, Model, OwnMotion, Rows, Sensing, View, measure};
 use std::borrow::Cow;
+use std::cmp::Ordering;
 use std::rc::Rc;
+
+/// Links that may be there or not, of which all networks are looked at.
+const MOST_OPEN: usize = 3;
 
 /// The states at all times of a piece, or at an instant.
 pub(super) struct At<'m, 'c, T> {
@@ -29,10 +34,30 @@ pub(super) struct At<'m, 'c, T> {
 }
 
 impl<T: Measurable + Number> At<'_, '_, T> {
-    /// The square of the distance of two agents in the plane.
+    /// The square of the distance of two agents, whose places stand in the plane at the beginning of the state, or where a law of one's own has them.
     fn square(&self, i: usize, j: usize) -> T {
-        let part = |k: usize| (self.state[2 * i + k].clone() - &self.state[2 * j + k]).square();
-        part(0) + part(1)
+        let (width, places) = match self.motion {
+            ExactMotion::Own(own) => (own.width(), [i, j].map(|agent| LinkedAgents::place(own.as_ref(), agent))),
+            _ => (2, [i, j].map(|agent| 2 * agent)),
+        };
+        let part = |k: usize| (self.state[places[0] + k].clone() - &self.state[places[1] + k]).square();
+        (1..width).fold(part(0), |sum, k| sum + part(k))
+    }
+
+    /// The links in force: those that are known, or else those that the distances admit.
+    fn links_within(&self, agents: usize, radius: &Rational) -> Links<'_> {
+        match &self.pairs {
+            Some(pairs) => Links::These(agents, Cow::Borrowed(pairs.as_slice())),
+            None => Links::Between(agents, self.possible(agents, radius)),
+        }
+    }
+
+    /// The pairs that are linked for certain, and those that may be.
+    fn possible(&self, agents: usize, radius: &Rational) -> [Vec<Pair>; 2] {
+        [
+            self.near(agents, radius, |sign| sign == Some(Sign::Negative)),
+            self.near(agents, radius, |sign| sign != Some(Sign::Positive)),
+        ]
     }
 
     /// So many numbers of each agent, which begin at `offset`.
@@ -62,13 +87,9 @@ impl<T: Measurable + Number> At<'_, '_, T> {
             ExactMotion::Velocities { positions, potential, pairs, radius, headings, .. } => {
                 let agents = positions.len();
                 let links = match (&self.pairs, radius) {
-                    (Some(pairs), _) => Links::These(agents, Cow::Borrowed(pairs.as_slice())),
+                    (Some(pairs), None) => Links::These(agents, Cow::Borrowed(pairs.as_slice())),
                     (None, None) => Links::These(agents, Cow::Borrowed(pairs)),
-                    (None, Some(radius)) => {
-                        let must = self.near(agents, radius, |sign| sign == Some(Sign::Negative));
-                        let may = self.near(agents, radius, |sign| sign != Some(Sign::Positive));
-                        Links::Between(agents, [must, may])
-                    }
+                    (_, Some(radius)) => self.links_within(agents, radius),
                 };
                 let model = if headings.is_some() { Model::Headings } else { Model::Velocities };
                 View {
@@ -134,11 +155,81 @@ impl<T: Measurable + Number> At<'_, '_, T> {
                     velocities: rows(own.velocity()),
                     phasors: angles.iter().flat_map(turned).collect(),
                     orders,
-                    ..View::new(Model::Own, own.links())
+                    ..View::new(
+                        Model::Own,
+                        own.radius().map_or_else(|| own.links(), |radius| self.links_within(agents, radius)),
+                    )
                 }
             }
             ExactMotion::Other(_) => return None,
         })
+    }
+}
+
+impl<T: Scalar + Measurable + Number> At<'_, '_, T> {
+    /// What was measured on polynomials in the start, where it may have either sign or be 0, within what is measured on a box around the states. On a box what cancels
+    /// does not cancel, but squares, roots and sums of them are not negative, and of numbers of the start that are given their differences are exact.
+    fn within_box(&self, found: Measured, boxed: impl FnOnce(&At<Interval>) -> Option<Measured>) -> Measured {
+        let Measured::Number(Known::Enclosed(own, None)) = &found else { return found };
+        let may_vanish = !own.lo().is_positive() && !own.hi().is_negative();
+        let boxes = || self.state.iter().map(Scalar::boxed).collect::<Option<Vec<Interval>>>();
+        let Some(state) = may_vanish.then(boxes).flatten() else {
+            return found;
+        };
+        let state = self.starts().unwrap_or(state);
+        let at = At { subject: self.subject, motion: self.motion, holds: self.holds, state, pairs: self.pairs.clone() };
+        match boxed(&at) {
+            Some(Measured::Number(number)) => {
+                let other = number.enclosure(BITS);
+                let (lo, hi) = (own.lo().max(other.lo()).clone(), own.hi().min(other.hi()).clone());
+                match lo.cmp(&hi) {
+                    Ordering::Less => Measured::Number(Known::interval(Interval::between(lo, hi, BITS))),
+                    Ordering::Equal if lo.is_zero() => Measured::Number(Known::integer(0)),
+                    _ => found,
+                }
+            }
+            _ => found,
+        }
+    }
+
+    /// What the numbers of the state range over at time 0, from the rational ends of the start.
+    fn starts(&self) -> Option<Vec<Interval>> {
+        // With numbers in intervals everything holds at time 0 only.
+        if self.holds != Holds::All || self.subject.wide.is_empty() {
+            return None;
+        }
+        let ends = |side: &Side| Some(Interval::hull_of_rationals(side.lo.as_ref()?, side.hi.as_ref()?, BITS));
+        let starts: Vec<Interval> = self.subject.starts()?.iter().map(ends).collect::<Option<_>>()?;
+        (starts.len() == self.state.len()).then_some(starts)
+    }
+
+    /// The networks that may be in force where links depend on the distances; the one there is otherwise.
+    fn networks(&self, own: &OwnMotion) -> Result<Vec<Vec<Pair>>, Failure> {
+        let Some(radius) = own.radius().filter(|_| self.pairs.is_none()) else {
+            return Ok(vec![self.pairs.as_deref().cloned().unwrap_or_default()]);
+        };
+        let [must, may] = self.possible(own.agents(), radius);
+        let open: Vec<Pair> = may.into_iter().filter(|pair| !must.contains(pair)).collect();
+        if open.len() > MOST_OPEN {
+            return Err(Failure::open(format!("{} links may switch there at once", open.len()), None));
+        }
+        let with = |choice: usize| {
+            let chosen = open.iter().enumerate().filter(|(k, _)| choice >> k & 1 == 1).map(|(_, pair)| *pair);
+            must.iter().copied().chain(chosen).collect()
+        };
+        Ok((0..1usize << open.len()).map(with).collect())
+    }
+
+    /// A number of a law of one's own on a network.
+    fn own_on(&self, own: &OwnMotion, name: &str) -> Result<Known, Failure> {
+        let unmeasured = |error| Failure::open(format!("`{name}` cannot be measured on the enclosure: {error}"), None);
+        let found = own.number(name, &self.state).ok_or_else(|| Failure::open("there is no such number", None))?;
+        let found = Measured::Number(found.map_err(unmeasured)?.number());
+        let found = self.within_box(found, |at| Some(Measured::Number(own.number(name, &at.state)?.ok()?.number())));
+        match found {
+            Measured::Number(number) => Ok(number),
+            Measured::Truth(_) => Err(Failure::open("it is no number", None)),
+        }
     }
 }
 
@@ -164,7 +255,11 @@ impl<T: Scalar + Measurable + Number> Moment for At<'_, '_, T> {
         let view = self.view(index).ok_or_else(not_here)?;
         let unmeasured = |error| Failure::open(format!("it cannot be measured on the enclosure: {error}"), None);
         let found = measure(quantity.name, &view).map_err(unmeasured)?;
-        measured(found.ok_or_else(not_here)?, index, BITS)
+        let found = measured(found.ok_or_else(not_here)?, index, BITS)?;
+        Ok(self.within_box(found, |at| {
+            let amount = measure(quantity.name, &at.view(index)?).ok()??;
+            measured(amount, index, BITS).ok()
+        }))
     }
 
     fn own(&self, name: &str, precision: u32) -> Result<Measured, Failure> {
@@ -175,8 +270,14 @@ impl<T: Scalar + Measurable + Number> Moment for At<'_, '_, T> {
         if let Some(exact) = self.subject.own_at_start(name, self.holds, precision) {
             return Ok(Measured::Number(exact));
         }
-        let unmeasured = |error| Failure::open(format!("`{name}` cannot be measured on the enclosure: {error}"), None);
-        let found = own.number(name, &self.state).ok_or_else(|| Failure::open("there is no such number", None))?;
-        Ok(Measured::Number(found.map_err(unmeasured)?.number()))
+        let mut all: Option<Known> = None;
+        for pairs in self.networks(own)? {
+            let number = self.own_on(&own.with_links(&pairs), name)?;
+            all = Some(match all {
+                None => number,
+                Some(all) => Known::interval(all.enclosure(BITS).hull(&number.enclosure(BITS))),
+            });
+        }
+        all.map(Measured::Number).ok_or_else(|| Failure::open("there is no network", None))
     }
 }

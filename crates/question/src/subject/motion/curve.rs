@@ -47,7 +47,7 @@ impl Formulas for At<'_, '_, Symbolic> {
 
     fn own(&self, name: &str) -> Option<Symbolic> {
         let ExactMotion::Own(own) = self.motion else { return None };
-        own.number(name, &self.state)?.ok()
+        own.with_links(self.pairs.as_deref().map_or(&[], Vec::as_slice)).number(name, &self.state)?.ok()
     }
 }
 
@@ -142,7 +142,7 @@ impl<'c> MotionSubject<'c> {
                 let steering = Steering { frequency: frequency.clone(), orientation, spacing: spacing.clone() };
                 ParticleLaw { steering, drift, network }.rate(time, state)
             }
-            ExactMotion::Own(own) => own.rate(time, state),
+            ExactMotion::Own(own) => own.with_links(pairs).rate(time, state),
             ExactMotion::Platoon { platoon, swing, .. } => {
                 PlatoonLaw { platoon, frequency: &swing.1 }.rate(time, state)
             }
@@ -152,7 +152,7 @@ impl<'c> MotionSubject<'c> {
     }
 
     /// What the numbers of the start range over, where the state has no others.
-    fn starts(&self) -> Option<Vec<Side>> {
+    pub(super) fn starts(&self) -> Option<Vec<Side>> {
         let mut sides: Vec<Side>;
         match &self.motion {
             ExactMotion::Velocities { positions, velocities, headings: None, .. } => {

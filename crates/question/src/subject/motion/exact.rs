@@ -75,7 +75,7 @@ impl MotionSubject<'_> {
             return None;
         }
         let start: Vec<PreciseNumber> = own.start.iter().map(|x| PreciseNumber::exact(x.clone(), precision)).collect();
-        Some(own.number(name, &start)?.ok()?.number)
+        Some(own.at_start()?.number(name, &start)?.ok()?.number)
     }
 
     /// What of the start is rational.
