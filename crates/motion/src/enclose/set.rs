@@ -89,7 +89,7 @@ impl Set {
     }
 
     /// A set around it in variables of its own, the longest edges of a parallelepiped, where the rest has become a large part of a set that is not tiny.
-    pub(super) fn renewed(&self) -> Option<Self> {
+    pub fn renewed(&self) -> Option<Self> {
         let radius = |p: &Vec<f64>| Bound::total(p[1..].iter().copied()).value();
         let own = self.polynomials.iter().map(radius).fold(0.0, f64::max);
         let size = self.polynomials.iter().fold(1.0, |most: f64, p| most.max(p[0].abs()));

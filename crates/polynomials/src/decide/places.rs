@@ -4,7 +4,7 @@ use super::Extended;
 use super::attained::least;
 use super::exact::{self, Exact};
 use super::local::{Signs, polish};
-use crate::function::{Function, Literal, Side};
+use crate::function::{Compared, Function, Literal, Side};
 use arithmetic::{
     ArithmeticError, Dual, Field, Number, PreciseNumber, Rational, Series, Sign, Signed, decimal, rational,
     simplest_between,
@@ -140,15 +140,19 @@ pub(super) fn vanishes<F: Function>(function: &F, places: &[Place]) -> bool {
 
 /// Whether a function has a value near a point, by an enclosure.
 pub(super) fn has_value<F: Function>(function: &F, places: &[Place]) -> bool {
-    let boxed: Option<Vec<Extended>> = places.iter().map(Place::enclosure).collect();
-    boxed.is_some_and(|boxed| function.value(&boxed).is_ok_and(|value| value.defined && !value.is_empty()))
+    enclosed(function, places).is_some_and(|value| !value.is_empty())
+}
+
+/// Encloses a function at a point, where it has a value all around it.
+fn enclosed<F: Function>(function: &F, places: &[Place]) -> Option<Extended> {
+    let boxed: Vec<Extended> = places.iter().map(Place::enclosure).collect::<Option<_>>()?;
+    function.value(&boxed).ok().filter(|value| value.defined)
 }
 
 /// The sign of a function at a point, exactly; by an enclosure where the point is enclosed.
 fn sign<F: Function>(function: &F, places: &[Place]) -> Option<Sign> {
     if places.iter().any(Place::is_enclosed) {
-        let boxed: Vec<Extended> = places.iter().map(Place::enclosure).collect::<Option<_>>()?;
-        return function.value(&boxed).ok().filter(|value| value.defined)?.sign();
+        return enclosed(function, places)?.sign();
     }
     exact::computed(|one| function.value(&exactly(places, one)?).ok()?.sign(), |_| true)
 }
@@ -156,7 +160,12 @@ fn sign<F: Function>(function: &F, places: &[Place]) -> Option<Sign> {
 /// The truth of a clause at a point.
 pub(super) fn truth<F: Function>(clause: &[Literal<F>], places: &[Place]) -> Signs {
     let signs: Vec<Option<Sign>> = clause.iter().map(|literal| sign(&literal.function, places)).collect();
-    let own = |(sign, literal): (&Option<Sign>, &Literal<F>)| sign.map(|sign| literal.compared.admits(sign));
+    // What is enclosed from 0 on is not negative, whatever its sign.
+    let not_below = |function: &F| enclosed(function, places).is_some_and(|value| !value.is_empty() && value.lo >= 0.0);
+    let own = |(sign, literal): (&Option<Sign>, &Literal<F>)| match (sign, literal.compared) {
+        (None, Compared::NotNegative) => not_below(&literal.function).then_some(true),
+        (sign, compared) => sign.map(|sign| compared.admits(sign)),
+    };
     let truths: Vec<Option<bool>> = signs.iter().zip(clause).map(own).collect();
     if truths.contains(&Some(true)) {
         Signs::Holds { zero: signs.contains(&Some(Sign::Zero)) }

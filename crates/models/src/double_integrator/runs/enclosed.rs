@@ -345,6 +345,8 @@ impl<'l, L: LinkedAgents> SwitchingMotion<'l, L> {
             let monotone = |&(i, j): &Pair| self.is_monotone((i, j), &around, &rate, graph.has_edge(i, j));
             let shift: IntervalVector = rate.iter().map(|f| span * *f).collect();
             let Some(end) = moved(set, &start, &shift) else { continue };
+            // The next step would take a set around it, which has to be beyond the threshold, too.
+            let end = end.renewed().unwrap_or(end);
             pair = crossing.first().copied().or(pair);
             let next = switched(graph, |pair| crossing.contains(&pair));
             // A time in which nothing may cross would only be followed by another one.

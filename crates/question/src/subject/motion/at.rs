@@ -167,15 +167,12 @@ impl<T: Measurable + Number> At<'_, '_, T> {
 }
 
 impl<T: Scalar + Measurable + Number> At<'_, '_, T> {
-    /// What was measured on polynomials in the start, where it may have either sign or be 0, within what is measured on a box around the states. On a box what cancels
+    /// What was measured on polynomials in the start, within what is measured on a box around the states. On a box what cancels
     /// does not cancel, but squares, roots and sums of them are not negative, and of numbers of the start that are given their differences are exact.
     fn within_box(&self, found: Measured, boxed: impl FnOnce(&At<Interval>) -> Option<Measured>) -> Measured {
         let Measured::Number(Known::Enclosed(own, None)) = &found else { return found };
-        let may_vanish = !own.lo().is_positive() && !own.hi().is_negative();
-        let boxes = || self.state.iter().map(Scalar::boxed).collect::<Option<Vec<Interval>>>();
-        let Some(state) = may_vanish.then(boxes).flatten() else {
-            return found;
-        };
+        let boxes = self.state.iter().map(Scalar::boxed).collect::<Option<Vec<Interval>>>();
+        let Some(state) = boxes else { return found };
         let state = self.starts().unwrap_or(state);
         let at = At { subject: self.subject, motion: self.motion, holds: self.holds, state, pairs: self.pairs.clone() };
         match boxed(&at) {
@@ -184,7 +181,7 @@ impl<T: Scalar + Measurable + Number> At<'_, '_, T> {
                 let (lo, hi) = (own.lo().max(other.lo()).clone(), own.hi().min(other.hi()).clone());
                 match lo.cmp(&hi) {
                     Ordering::Less => Measured::Number(Known::interval(Interval::between(lo, hi, BITS))),
-                    Ordering::Equal if lo.is_zero() => Measured::Number(Known::integer(0)),
+                    Ordering::Equal => Measured::Number(Known::Exact(lo.to_rational())),
                     _ => found,
                 }
             }
@@ -256,6 +253,10 @@ impl<T: Scalar + Measurable + Number> Moment for At<'_, '_, T> {
         let unmeasured = |error| Failure::open(format!("it cannot be measured on the enclosure: {error}"), None);
         let found = measure(quantity.name, &view).map_err(unmeasured)?;
         let found = measured(found.ok_or_else(not_here)?, index, BITS)?;
+        let may_vanish = |own: &Interval| !own.lo().is_positive() && !own.hi().is_negative();
+        if !matches!(&found, Measured::Number(Known::Enclosed(own, None)) if may_vanish(own)) {
+            return Ok(found);
+        }
         Ok(self.within_box(found, |at| {
             let amount = measure(quantity.name, &at.view(index)?).ok()??;
             measured(amount, index, BITS).ok()
