@@ -27,7 +27,7 @@ mod program;
 mod syntax;
 
 pub use arithmetic::{nearest_ids, nearest_name};
-pub use blocks::Blocks;
+pub use blocks::{Blocks, Heading};
 pub use bodies::Bodies;
 pub use compile::{Clauses, Comparison};
 pub use evaluate::{Evaluator, Everyone, Fault, Hearing};

@@ -1,6 +1,7 @@
 //! Links that depend on the positions: which there are, what holds them until the next switch, and the switch.
 
 use super::network::{Change, Network, Pair, Rule};
+use super::own;
 use motion::{CellList, Margin, nearest};
 use std::f64::consts::PI;
 
@@ -14,6 +15,8 @@ pub(super) enum Guard {
     Rank { agent: usize, inner: usize, outer: usize, width: usize, slack: f64 },
     /// The component of the state, less another one and an offset, is in `(-pi, pi]`.
     HalfTurn { component: usize, less: Option<usize>, offset: f64, slack: f64 },
+    /// The heading of the vector at two places of the state, which goes on from a direction, is in `(-pi, pi]` and not far from it.
+    Heading { places: [usize; 2], direction: f64, slack: f64 },
 }
 
 impl Margin for Guard {
@@ -29,6 +32,7 @@ impl Margin for Guard {
             Guard::HalfTurn { component, less, offset, slack } => {
                 slack + PI - (at(component) - less.map_or(0.0, at) - offset).abs()
             }
+            Guard::Heading { places, direction, slack } => slack + own::margin(direction, places.map(at)),
         }
     }
 }

@@ -260,7 +260,7 @@ pub(super) struct Continuous<L> {
     pace: (usize, usize, f64),
 }
 
-/// So many switches in no time are taken for a sliding motion.
+/// So many switches in no time are taken for a sliding motion; more in a state of many numbers, where each may switch once.
 const LARGEST_CROWD: usize = 1000;
 
 /// The pace of the steps is looked at after so many tries.
@@ -273,7 +273,13 @@ impl<L: Law> Continuous<L> {
     /// The law at its start.
     pub fn new(law: L, state: &[f64], tolerance: f64) -> Self {
         let tolerance = Tolerance { relative: tolerance, absolute: tolerance };
-        Continuous { law, solution: Integrator::new(0.0, state, tolerance), tolerance, crowd: (0, 0.0), pace: (0, 0, 0.0) }
+        Continuous {
+            law,
+            solution: Integrator::new(0.0, state, tolerance),
+            tolerance,
+            crowd: (0, 0.0),
+            pace: (0, 0, 0.0),
+        }
     }
 
     /// Goes on from a state after a change.
@@ -341,7 +347,7 @@ impl<L: Law> Follower for Continuous<L> {
                 self.restart(time, &state);
                 let (count, last) = self.crowd;
                 self.crowd = (if time - last > 1e-9 * (1.0 + time) { 0 } else { count + 1 }, time);
-                if self.crowd.0 > LARGEST_CROWD {
+                if self.crowd.0 > LARGEST_CROWD.max(4 * state.len()) {
                     return Err(FollowError::Sliding(time).into());
                 }
             }

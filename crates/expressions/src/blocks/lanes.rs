@@ -131,9 +131,7 @@ fn done<'a>(instruction: Instruction, out: &mut [f64], of: impl Fn(Register) -> 
         Instruction::Quotient(a, b) => two(out, of(a), of(b), |a, b| if b == 0.0 { f64::NAN } else { a / b }),
         Instruction::Root(a) => one(out, of(a), f64::sqrt),
         Instruction::Of(function, a) => function_of(function, out, of(a)),
-        Instruction::Angle(y, x) => {
-            two(out, of(y), of(x), |y, x| f64::angle(&y, &x).unwrap_or(f64::NAN))
-        }
+        Instruction::Angle(y, x) => two(out, of(y), of(x), |y, x| f64::angle(&y, &x).unwrap_or(f64::NAN)),
         Instruction::Absolute(a) => one(out, of(a), f64::abs),
         Instruction::Larger(a, b) => two(out, of(a), of(b), |a, b| if b.is_nan() | (a < b) { b } else { a }),
         Instruction::Smaller(a, b) => two(out, of(a), of(b), |a, b| if b.is_nan() | (a > b) { b } else { a }),

@@ -9,6 +9,7 @@
 mod ahead;
 mod code;
 mod fuse;
+mod held;
 mod lanes;
 mod part;
 mod run;
@@ -17,6 +18,7 @@ mod separate;
 use crate::evaluate::{Evaluator, Fault, Hearing};
 use crate::law::Law;
 use crate::program::Program;
+pub use held::Heading;
 use part::Part;
 
 /// A program for blocks with its working space; used again and again, it allocates little.
@@ -28,8 +30,9 @@ pub struct Blocks {
     /// The numbers of the first part, and those of the rest.
     ahead: Vec<f64>,
     outputs: Vec<f64>,
-    /// Lists of the law; those behind them are computed ahead.
+    /// Lists of the law; behind them are those of directions that are held, and then what is computed ahead.
     lists: usize,
+    headings: Vec<Heading>,
     /// What computes single numbers, where one has no value.
     slow: Evaluator<f64>,
 }
@@ -45,12 +48,46 @@ impl Blocks {
         Blocks::new(&law.observed, law, law.observing(&0.0), (false, complete))
     }
 
+    /// The same rates with headings that go on smoothly from directions that are held ([`Self::hold`]), which have to be set first.
+    pub fn held_rates(law: &Law, complete: bool) -> Self {
+        let (program, headings) = held::held(&law.rates, law.lists.len());
+        let lists = law.lists.len() + held::LISTS * headings.len();
+        Blocks { headings, ..Blocks::of(&program, law, law.evaluator(&0.0), (true, complete, lists)) }
+    }
+
     fn new(program: &Program, law: &Law, slow: Evaluator<f64>, (of_agents, complete): (bool, bool)) -> Self {
-        let lists = law.lists.len();
-        let divided = ahead::divided(&separate::separated(program, complete), lists);
+        Blocks::of(program, law, slow, (of_agents, complete, law.lists.len()))
+    }
+
+    /// `behind`: so many lists are known before anything is computed ahead.
+    fn of(
+        program: &Program,
+        law: &Law,
+        slow: Evaluator<f64>,
+        (of_agents, complete, behind): (bool, bool, usize),
+    ) -> Self {
+        let divided = ahead::divided(&separate::separated(program, complete), behind);
         let first = divided.first.map(|program| Part::new(&program, law, true));
         let rest = Part::new(&divided.rest, law, of_agents);
-        Blocks { first, rest, ahead: Vec::new(), outputs: Vec::new(), lists, slow }
+        let (ahead, outputs, headings) = (Vec::new(), Vec::new(), Vec::new());
+        Blocks { first, rest, ahead, outputs, lists: law.lists.len(), headings, slow }
+    }
+
+    /// The headings that are held.
+    pub fn headings(&self) -> &[Heading] {
+        &self.headings
+    }
+
+    /// Holds directions in radians: of each heading one for each agent.
+    pub fn hold(&mut self, directions: &[Vec<f64>]) {
+        for part in self.first.iter_mut().chain([&mut self.rest]) {
+            part.set_parameters(|list, numbers| {
+                let Some(k) = list.checked_sub(self.lists) else { return };
+                let Some(held) = directions.get(k / held::LISTS) else { return };
+                let of = [|b: f64| b, f64::cos, f64::sin][k % held::LISTS];
+                numbers.iter_mut().zip(held).for_each(|(to, b)| *to = of(*b));
+            });
+        }
     }
 
     /// Sets the numbers that were drawn for this step: of each list one for each agent.
@@ -69,7 +106,7 @@ impl Blocks {
     fn look_ahead(&mut self, time: f64, state: &[f64], hearing: &dyn Hearing) {
         let Some(first) = &mut self.first else { return };
         first.agents(time, state, hearing, &mut self.ahead);
-        let (width, lists) = (first.width(), self.lists);
+        let (width, lists) = (first.width(), self.lists + held::LISTS * self.headings.len());
         self.rest.set_parameters(|list, numbers| {
             if let Some(k) = list.checked_sub(lists) {
                 numbers.iter_mut().zip(self.ahead.chunks_exact(width)).for_each(|(to, row)| *to = row[k]);
@@ -99,7 +136,7 @@ impl Blocks {
         if open.is_empty() {
             return Ok(());
         }
-        // The slow way decides what is missing and why.
+        // The slow way decides what is missing and why, with headings in `(-pi, pi]`.
         law.write_rates_of(open.into_iter(), &mut self.slow, (&time, state), hearing, rates)
     }
 

@@ -428,3 +428,32 @@ fn random_expressions_as_by_a_walk_through_the_tree() {
     }
     assert!(compared > 4000, "{compared}");
 }
+
+/// Where a whole turn makes no difference no heading is held.
+#[test]
+fn headings_are_held_where_they_jump() {
+    let held = |rate: &str| {
+        let law = second_order(&[], &format!("vector({rate}, 0)"), &[]).compile(4).unwrap();
+        Blocks::held_rates(&law, false).headings().len()
+    };
+    for smooth in [
+        "sum(j, sin(heading(v[j]) - heading(v)))",
+        "cos(3*heading(v) + x.1)",
+        "sum(j, sin(sum(k, heading(v[k]) - heading(v[j]))))",
+        "heading(vector(v.2, v.1))",
+    ] {
+        assert_eq!(held(smooth), 0, "{smooth}");
+    }
+    for jumps in [
+        "heading(v)",
+        "sin(heading(v)/2)",
+        "sin(x.1*heading(v))",
+        "sin(mean(j, heading(v[j])))",
+        "if(heading(v) < 1, 1, 2)",
+        "sum(j, if(abs(heading(v[j])) < 1, 1, 0))",
+        "sin(if(x.1 < 1, 1, 2)*heading(v))",
+        "max(j, heading(v[j]))",
+    ] {
+        assert_eq!(held(jumps), 1, "{jumps}");
+    }
+}

@@ -1,5 +1,6 @@
 //! A law of one's own in continuous time.
 
+use super::headings::Headings;
 use super::measured::{Heard, frame, in_words, observe};
 use super::read::Described;
 use crate::error::Problem;
@@ -20,6 +21,7 @@ pub(super) struct Moving {
     law: Arc<expressions::Law>,
     network: Network,
     rates: RefCell<Blocks>,
+    headings: Headings,
     observed: RefCell<Blocks>,
     declaration: Vec<String>,
     /// What had no value last.
@@ -31,6 +33,7 @@ impl Moving {
         let complete = own.network.is_all_to_all();
         let (rates, observed) = (Blocks::rates(&own.law, complete), Blocks::observables(&own.law, complete));
         Moving {
+            headings: Headings::of(&rates, own.law.agents()),
             rates: RefCell::new(rates),
             observed: RefCell::new(observed),
             law: own.law,
@@ -64,6 +67,15 @@ impl Moving {
         rates: &mut [f64],
     ) -> Result<(), Fault> {
         self.rates.borrow_mut().write_rates(&self.law, (time, state), hearing, rates)
+    }
+
+    /// With headings that are held from a state on, and jumps that are located; otherwise steps go over them.
+    pub fn located(mut self, state: &[f64]) -> Self {
+        let mut rates = Blocks::held_rates(&self.law, self.network.is_all_to_all());
+        self.headings = Headings::of(&rates, self.law.agents());
+        self.headings.settle(state, &mut rates);
+        self.rates = RefCell::new(rates);
+        self
     }
 
     /// In fixed steps, each stage with the links of its positions.
@@ -110,15 +122,18 @@ impl Law for Moving {
     }
 
     fn switches(&self) -> bool {
-        self.network.switches()
+        !self.headings.is_empty() || self.network.switches()
     }
 
     fn guards(&self, state: &[f64], moved: &[f64]) -> Vec<Guard> {
-        self.network.guards(state, moved)
+        let mut guards = self.network.guards(state, moved);
+        guards.extend(self.headings.guards(state, moved));
+        guards
     }
 
     fn switch(&mut self, state: &[f64]) -> Vec<Change> {
-        self.network.switch(state)
+        self.headings.go_on(state, self.rates.get_mut());
+        if self.network.switches() { self.network.switch(state) } else { Vec::new() }
     }
 
     fn next_time(&self) -> Option<f64> {
@@ -130,6 +145,7 @@ impl Law for Moving {
     }
 
     fn settle(&mut self, state: &[f64]) {
+        self.headings.settle(state, self.rates.get_mut());
         if !self.network.switches() {
             return;
         }
@@ -160,7 +176,9 @@ impl Law for Moving {
     }
 
     fn declaration(&self) -> Vec<String> {
-        self.declaration.clone()
+        let jumps = "headings are in (-pi, pi]; where one passes pi it jumps, which is located";
+        let jumps = (!self.headings.is_empty()).then(|| jumps.to_string());
+        self.declaration.iter().cloned().chain(jumps).collect()
     }
 
     fn remarks(&self) -> Vec<String> {

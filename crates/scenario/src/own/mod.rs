@@ -4,6 +4,7 @@ mod continuous;
 mod discrete;
 mod enclosed;
 mod exact;
+mod headings;
 mod measured;
 mod noisy;
 mod read;
@@ -12,5 +13,6 @@ mod start;
 
 pub use enclosed::OwnMotion;
 pub use exact::{OwnFlock, OwnSteps};
+pub(super) use headings::margin;
 pub(super) use read::describe;
 pub use read::{law_problem, own_law, read_law};

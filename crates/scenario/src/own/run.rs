@@ -58,7 +58,7 @@ fn simulation(mut own: Described, source: &Source, tolerance: f64) -> Result<Bui
     moving.start(&state).map_err(at_start)?;
     let simulation: Box<dyn Simulation> = match fixed {
         Some(step) => Box::new(moving.stepped(state, step)),
-        None => Box::new(Continuous::new(moving, &state, tolerance)),
+        None => Box::new(Continuous::new(moving.located(&state), &state, tolerance)),
     };
     Ok((simulation, None))
 }

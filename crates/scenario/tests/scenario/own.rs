@@ -84,6 +84,60 @@ fn fixed_steps_follow_networks_that_are_replaced() {
     assert_alike(&noisy, &located, &[("x", "x")], 1e-2);
 }
 
+/// Where a heading passes pi it jumps, here and in the built-in law.
+#[test]
+fn headings_that_pass_pi_jump_where_those_of_the_built_in_law_do() {
+    let file =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/laws/heading_alignment.toml"));
+    let file = file.expect("a law of the gallery");
+    let law = &file[file.find("[law]").expect("a law")..file.find("[state]").expect("a start")];
+    let starts = [
+        ("[[0, 0], [2, 0], [1, 2]]", "[[-1, \"1/10\"], [-1, \"-3/2\"], [\"-1/2\", 1]]"),
+        ("[[0, 0], [\"3/2\", 0]]", "[[-1, \"1/20\"], [-1, \"-1/2\"]]"),
+        ("[[0, 0], [2, 0], [0, 2], [2, 2]]", "[[-1, 1], [-1, -1], [\"-3/2\", \"1/9\"], [\"-1/3\", \"-1/7\"]]"),
+    ];
+    let mut jumps = 0;
+    for (places, moving) in starts {
+        for graph in ["kind = \"complete\"", "kind = \"path\"", "kind = \"within\"\nradius = 3"] {
+            let common = format!(
+                "[graph]\n{graph}\n[run]\nuntil = 6\nsamples = [1, 3, 6]\nrows = 60\ntolerance = 1e-12\n[state]\n"
+            );
+            let own = run(&format!("model = \"own\"\n{common}x = {places}\nv = {moving}\n{law}"));
+            let built_in = run(&format!(
+                "model = \"heading-alignment\"\n{common}positions = {places}\nvelocities = {moving}\n[law]\npotential = \"inverse-square-log\"\n"
+            ));
+            assert_alike(&own, &built_in, &[("x", "positions"), ("v", "velocities")], 1e-9);
+            let ways: Vec<Vec<f64>> = own.rows.iter().map(|row| part(row, "v")).collect();
+            let crosses = |a: &[f64], b: &[f64]| a[0] < 0.0 && b[0] < 0.0 && a[1] * b[1] < 0.0;
+            jumps += ways
+                .windows(2)
+                .map(|two| two[0].chunks(2).zip(two[1].chunks(2)).filter(|(a, b)| crosses(a, b)).count())
+                .sum::<usize>();
+        }
+    }
+    assert!(jumps > 5, "{jumps}");
+}
+
+/// `w` gathers the heading of a velocity that turns at rate 1 on a state without positions: `t²/2` up to pi, less a whole turn after it.
+#[test]
+fn headings_jump_on_networks_without_positions_and_all_at_once() {
+    let law = |starts: &str, agents: usize| {
+        let zeros = vec!["0"; agents].join(", ");
+        format!(
+            "model = \"own\"\n[graph]\nkind = \"empty\"\n[run]\nuntil = 6\nsamples = [3, 6]\nrows = 2\ntolerance = 1e-11\n[state]\nv = [{starts}]\nw = [{zeros}]\n\
+             [law]\nstate = {{ v = \"vector\", w = \"number\" }}\n[law.rates]\nv = \"vector(-v.2, v.1)\"\nw = \"heading(v)\"\n"
+        )
+    };
+    // Agents that pass pi one after the other in no time are no motion that slides along a jump.
+    let many: Vec<String> = (0..1500).map(|k| format!("[1, {}e-14]", 100 * k)).collect();
+    for (starts, agents) in [("[1, 0], [1, 0]".to_string(), 2), (many.join(", "), many.len())] {
+        let found = run(&law(&starts, agents));
+        let w = part(found.samples().last().expect("an end"), "w");
+        let expected = 18.0 - std::f64::consts::TAU * (6.0 - std::f64::consts::PI);
+        assert!(w.iter().all(|w| (w - expected).abs() < 1e-8), "{} for {expected}", w[0]);
+    }
+}
+
 /// Three arcs among three agents are not all pairs.
 #[test]
 fn phases_on_directed_networks_as_the_built_in_law() {
