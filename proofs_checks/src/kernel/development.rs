@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 162] = sources![
+const SOURCES: [(&str, &str); 166] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -84,9 +84,12 @@ const SOURCES: [(&str, &str); 162] = sources![
     "tanner2_switching",
     "tanner2_distance",
     "tanner2_filippov",
+    "tanner1_jumps",
+    "tanner2_appendix",
     "tanner2_limits",
     "tanner2_lasting",
     "tanner_angle",
+    "tanner1_swing",
     "tanner1_smooth",
     "tanner2_energies",
     "tanner2_collision",
@@ -149,6 +152,7 @@ const SOURCES: [(&str, &str); 162] = sources![
     "audit_formations",
     "audit_growth",
     "audit_tanner_states",
+    "audit_solutions",
     "audit_independent_chazelle",
     "audit_independent_angle",
     "audit_independent_paley",
