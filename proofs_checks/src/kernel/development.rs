@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 166] = sources![
+const SOURCES: [(&str, &str); 169] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -56,6 +56,8 @@ const SOURCES: [(&str, &str); 166] = sources![
     "paley_patterns",
     "paley_composite",
     "paley_fish",
+    "paley_isolated",
+    "paley_settling",
     "paley_headings",
     "paley_releq",
     "paley_bal",
@@ -153,6 +155,7 @@ const SOURCES: [(&str, &str); 166] = sources![
     "audit_growth",
     "audit_tanner_states",
     "audit_solutions",
+    "audit_settling",
     "audit_independent_chazelle",
     "audit_independent_angle",
     "audit_independent_paley",
