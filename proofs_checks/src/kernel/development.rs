@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 162] = sources![
+const SOURCES: [(&str, &str); 169] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -56,6 +56,8 @@ const SOURCES: [(&str, &str); 162] = sources![
     "paley_patterns",
     "paley_composite",
     "paley_fish",
+    "paley_isolated",
+    "paley_settling",
     "paley_headings",
     "paley_releq",
     "paley_bal",
@@ -84,9 +86,12 @@ const SOURCES: [(&str, &str); 162] = sources![
     "tanner2_switching",
     "tanner2_distance",
     "tanner2_filippov",
+    "tanner1_jumps",
+    "tanner2_appendix",
     "tanner2_limits",
     "tanner2_lasting",
     "tanner_angle",
+    "tanner1_swing",
     "tanner1_smooth",
     "tanner2_energies",
     "tanner2_collision",
@@ -149,6 +154,8 @@ const SOURCES: [(&str, &str); 162] = sources![
     "audit_formations",
     "audit_growth",
     "audit_tanner_states",
+    "audit_solutions",
+    "audit_settling",
     "audit_independent_chazelle",
     "audit_independent_angle",
     "audit_independent_paley",
