@@ -371,14 +371,8 @@ impl<T: Number> Gathered<T> {
             (Gathered::Empty, Ok(value)) => Gathered::Number(value.clone()),
             (Gathered::Number(all), Ok(value)) => match gather {
                 Gather::Sum | Gather::Mean | Gather::Count => Gathered::Number(all + value),
-                Gather::Largest | Gather::Smallest => {
-                    let wanted = if gather == Gather::Largest { Sign::Negative } else { Sign::Positive };
-                    match (all.clone() - value).sign() {
-                        None => Gathered::Missing(ArithmeticError::UNDECIDED_SIGN),
-                        Some(sign) if sign == wanted => Gathered::Number(value.clone()),
-                        Some(_) => Gathered::Number(all),
-                    }
-                }
+                Gather::Largest => all.larger(value).map_or_else(Gathered::Missing, Gathered::Number),
+                Gather::Smallest => all.smaller(value).map_or_else(Gathered::Missing, Gathered::Number),
             },
         };
     }

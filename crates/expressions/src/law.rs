@@ -124,6 +124,18 @@ pub struct Law {
     pub(crate) observed: Arc<Program>,
     /// Names of the observables with how many numbers each has.
     pub(crate) observables: Vec<(String, usize)>,
+    pub(crate) open: Vec<OpenParameter>,
+}
+
+/// A parameter whose numbers are read behind the state, so that they may be other ones each time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenParameter {
+    /// Its name.
+    pub name: String,
+    /// Where its numbers begin.
+    pub start: usize,
+    /// What the text has: one number for all agents, or one for each.
+    pub values: Vec<Rational>,
 }
 
 impl LawText {
@@ -132,7 +144,15 @@ impl LawText {
     /// # Errors
     /// [`LawError`], with the place.
     pub fn compile(&self, agents: usize) -> Result<Law, LawError> {
-        Compiler::new(self, agents)?.law()
+        self.compile_open(agents, &[])
+    }
+
+    /// The same with some parameters left open: their numbers stand behind those of the agents in every state, in this order, and have no rate.
+    ///
+    /// # Errors
+    /// [`LawError`], with the place.
+    pub fn compile_open(&self, agents: usize, open: &[&str]) -> Result<Law, LawError> {
+        Compiler::new(self, agents)?.law(open)
     }
 }
 
@@ -152,9 +172,14 @@ impl Law {
         self.variables.first().filter(|_| self.placed)
     }
 
-    /// Numbers of a state.
+    /// Numbers of a state, without those of open parameters.
     pub fn size(&self) -> usize {
         self.variables.iter().map(|variable| variable.width * self.agents).sum()
+    }
+
+    /// The parameters that were left open.
+    pub fn open(&self) -> &[OpenParameter] {
+        &self.open
     }
 
     /// The observables with how many numbers each has.
@@ -240,7 +265,7 @@ impl Law {
         evaluator.agents(agents, moment, hearing, |agent, output, value| self.put(agent, output, value, rates))
     }
 
-    /// The rates, or the next state, of a state.
+    /// The rates, or the next state, of a state; zeros for open parameters.
     ///
     /// # Errors
     /// [`Fault`] where a number has no value.

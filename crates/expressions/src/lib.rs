@@ -31,7 +31,7 @@ pub use blocks::{Blocks, Heading};
 pub use bodies::Bodies;
 pub use compile::{Clauses, Comparison};
 pub use evaluate::{Evaluator, Everyone, Fault, Hearing};
-pub use law::{Asked, Drawn, Kind, Law, LawError, LawText, Parameter, Time, Variable};
+pub use law::{Asked, Drawn, Kind, Law, LawError, LawText, OpenParameter, Parameter, Time, Variable};
 pub use problem::Problem;
 pub use program::Program;
 pub use syntax::{KEYWORDS, Located, Node, NodeKind, Relation, parse_domain, parse_property};

@@ -6,6 +6,7 @@ use arithmetic::{Rational, rational};
 use expressions::Law;
 use models::averaging::Start;
 use models::averaging::read::{Model, flock_of};
+use motion::sets::Range;
 use scenario::{ConfigError, ExactMotion, OwnFlock, Path, Scenario, Source, Step, WithLaw, own_law, with_law};
 use serde_json::Value as Json;
 use std::sync::Arc;
@@ -125,6 +126,28 @@ impl ScenarioFile {
         if is_there { Ok(()) } else { Err(self.no_place(name)) }
     }
 
+    /// Whether the number at a place may range over an interval; of averaging flocks that is told later.
+    pub fn check_wide(&self, name: &str) -> Result<(), String> {
+        let File::Motion { source, .. } = &self.file else { return Ok(()) };
+        let (list, ..) = self.wide_place(source, name)?;
+        if self.is_discrete() {
+            return Ok(());
+        }
+        let (motion, _) = self.motion(&Bindings::default())?;
+        match uncarried(&motion, &list) {
+            true => Err(format!("`{name}` is a single number in this model; {MAY_BE_WIDE}")),
+            false => Ok(()),
+        }
+    }
+
+    /// What of the start or the law is at a place that ranges over an interval.
+    fn wide_place(&self, source: &Source, name: &str) -> Result<(List, usize, usize), String> {
+        let path = self.place(name)?;
+        let is_law = matches!(path.steps(), [Step::Key(law), ..] if law == "law");
+        let place = if is_law { self.constant(source, &path) } else { start_place(&path) };
+        place.ok_or_else(|| unmoved(name))
+    }
+
     /// The flock with the numbers that are bound.
     pub fn flock(&self, bindings: &Bindings) -> Result<Start, String> {
         let File::Flock(json) = &self.file else { return Err(self.problem(&"it is a motion in TOML")) };
@@ -157,27 +180,65 @@ impl ScenarioFile {
     /// The flock under a law of one's own in discrete time, where it is one, with the intervals of its start; or why it is not followed.
     pub fn steps(&self, bindings: &Bindings) -> Result<Option<Result<OwnFlock, String>>, String> {
         let (source, wide) = self.bound(bindings, None)?;
-        let found = OwnFlock::of(&source).map_err(|error| self.refused(&error))?;
-        let widened = |mut flock: OwnFlock| {
-            for (list, agent, coordinate, lo, hi) in wide {
-                let is_there = matches!(&list, List::Own(part) if flock.widen(part, agent, coordinate, [lo, hi]));
-                if !is_there {
-                    return Err("only numbers of the state may range over an interval".to_string());
-                }
+        let found = OwnFlock::of_open(&source, &open_parameters(&wide)).map_err(|error| self.refused(&error))?;
+        let Some(Ok(mut flock)) = found else { return Ok(found.map(|flock| flock.map_err(str::to_string))) };
+        for (list, agent, coordinate, lo, hi) in wide {
+            if !flock.widen(list.part(), agent, coordinate, [lo, hi]) {
+                return Err(self.problem(&format!("`{}` has no such number", list.part())));
             }
-            Ok(flock)
-        };
-        Ok(found.map(|flock| flock.map_err(str::to_string).and_then(widened)))
+        }
+        Ok(Some(Ok(flock)))
     }
 
     /// The motion with the numbers that are bound, and those that are intervals.
     pub fn motion(&self, bindings: &Bindings) -> Result<(ExactMotion, Wide), String> {
         let (source, wide) = self.bound(bindings, None)?;
-        Ok((ExactMotion::of(&source).map_err(|error| self.refused(&error))?, wide))
+        let motion = ExactMotion::of_open(&source, &open_parameters(&wide)).map_err(|error| self.refused(&error))?;
+        // What a file may not say at an end of an interval is not asked either.
+        if wide.iter().any(|(list, ..)| matches!(list, List::Constant { .. })) {
+            for end in [|range: &Range| range.lo.clone(), |range: &Range| range.hi.clone()] {
+                let (source, _) = self.bound_at(bindings, None, end)?;
+                ExactMotion::of(&source).map_err(|error| self.refused(&error))?;
+            }
+        }
+        Ok((motion, wide))
+    }
+
+    /// `law.f[2]` as the number of a law and its entry from 0; `law.parameters.K` of a law of one's own as `K`.
+    fn constant(&self, source: &Source, path: &Path) -> Option<(List, usize, usize)> {
+        let (keys, entry) = match path.steps().split_last()? {
+            (Step::Index(entry), keys) => (keys, Some(*entry)),
+            _ => (path.steps(), None),
+        };
+        let keys: Vec<&str> = keys
+            .iter()
+            .skip(1)
+            .map(|step| if let Step::Key(key) = step { Some(key.as_str()) } else { None })
+            .collect::<Option<_>>()?;
+        let name = match (&self.own, &keys[..]) {
+            (Some(_), ["parameters", name]) => (*name).to_string(),
+            (Some(_), _) | (None, []) => return None,
+            (None, keys) => keys.join("."),
+        };
+        // A list of one number is that of all cars.
+        let second = Path::parse(&format!("law.{name}[2]"));
+        let is_alone = second.is_none_or(|second| source.with([(&second, rational(1, 1))]).is_err());
+        let listed = entry.is_some() && (self.own.is_some() || !is_alone);
+        Some((List::Constant { name, listed }, entry.unwrap_or(0), 0))
     }
 
     /// The scenario with the numbers that are bound and one more, and the intervals among them, which have their middles in it.
     fn bound(&self, bindings: &Bindings, further: Option<(Path, Rational)>) -> Result<(Source, Wide), String> {
+        self.bound_at(bindings, further, Range::centre)
+    }
+
+    /// The same with another number of each interval in it.
+    fn bound_at(
+        &self,
+        bindings: &Bindings,
+        further: Option<(Path, Rational)>,
+        of: impl Fn(&Range) -> Rational,
+    ) -> Result<(Source, Wide), String> {
         let File::Motion { source, is_drawn } = &self.file else {
             return Err("an averaging flock is exact".to_string());
         };
@@ -195,11 +256,8 @@ impl ScenarioFile {
                     let Some(range) = value.ends() else {
                         return Err(format!("`{name}` should be a number or an interval, not `{}`", value.text()));
                     };
-                    let path = self.place(name)?;
-                    let (list, agent, coordinate) = start_place(&path).ok_or_else(|| {
-                        format!("`{name}`: only positions, velocities and phases of [state] may range over an interval")
-                    })?;
-                    numbers.push((path, range.centre()));
+                    let (list, agent, coordinate) = self.wide_place(source, name)?;
+                    numbers.push((self.place(name)?, of(&range)));
                     wide.push((list, agent, coordinate, range.lo, range.hi));
                 }
                 _ => {}
@@ -209,6 +267,44 @@ impl ScenarioFile {
         let numbers = numbers.iter().map(|(path, number)| (path, number.clone()));
         Ok((source.with(numbers).map_err(|error| self.problem(&error))?, wide))
     }
+}
+
+/// What may range over an interval.
+const MAY_BE_WIDE: &str = "intervals are for numbers of [state], and of [law] for omega0, K0, K1, drift, beacon, f, g, spacing, leader.amplitude, leader.frequency and the parameters of laws of one's own";
+
+/// Why the number in that place is a single one.
+fn unmoved(name: &str) -> String {
+    match name {
+        "graph.radius" => "`graph.radius`: a radius is a single number, since who is linked is decided for one; list several, \"graph.radius\" = [\"1\", \"2\"]".to_string(),
+        _ => format!("`{name}` is a single number; {MAY_BE_WIDE}"),
+    }
+}
+
+/// The parameters of a law of one's own that range over intervals.
+fn open_parameters(wide: &Wide) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for (list, ..) in wide {
+        if let List::Constant { name, .. } = list
+            && !names.contains(&name.as_str())
+        {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// Whether it is a number of a law that the enclosure of this motion does not carry as an interval.
+fn uncarried(motion: &ExactMotion, list: &List) -> bool {
+    let List::Constant { name, .. } = list else { return false };
+    let carried: &[&str] = match motion {
+        ExactMotion::Phases { .. } => &["omega0", "K1"],
+        ExactMotion::Particles { .. } => &["omega0", "K0", "K1", "drift", "beacon"],
+        ExactMotion::Platoon { .. } => &["f", "g", "spacing", "leader.amplitude", "leader.frequency"],
+        ExactMotion::Velocities { .. } => &[],
+        // Those of laws of one's own were looked up, and of a motion that is not enclosed the reason says more.
+        ExactMotion::Own(_) | ExactMotion::Other(_) => return false,
+    };
+    !carried.contains(&name.as_str())
 }
 
 /// `state.velocities[2][1]` as list, agent and coordinate from 0.

@@ -240,6 +240,18 @@ impl ExactMotion {
         Scenario::of_description(source, description, true)?;
         Ok(exact)
     }
+
+    /// The same, where the numbers of some parameters of a law of one's own stand behind its state ([`expressions::LawText::compile_open`]).
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn of_open(source: &Source, open: &[&str]) -> Result<Self, ConfigError> {
+        let motion = ExactMotion::of(source)?;
+        Ok(match motion {
+            ExactMotion::Own(_) if !open.is_empty() => own::describe_open(source, open)?.exact(),
+            _ => motion,
+        })
+    }
 }
 
 /// A model with its start and the times that are asked for, checked and ready to run.

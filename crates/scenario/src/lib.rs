@@ -67,7 +67,7 @@ pub use exact::ExactMotion;
 pub use law_file::{WithLaw, named_files, with_graph, with_law};
 pub use model::Model;
 pub use observables::{Found, Observable, QUANTITIES, Quantity, Value, measure, observables_as_markdown};
-pub use own::{OwnFlock, OwnMotion, OwnSteps, law_problem, own_law, read_law};
+pub use own::{AffineFunction, AffineNumber, OwnFlock, OwnMotion, OwnSteps, law_problem, own_law, read_law};
 pub use path::{Path, Step};
 pub use run::{End, Outcome, Row};
 pub use simulation::{Event, Frame, Part};

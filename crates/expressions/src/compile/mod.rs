@@ -9,7 +9,7 @@ mod statement;
 
 pub use statement::{Clauses, Comparison};
 
-use super::law::{Drawn, Kind, Law, LawError, LawText, Parameter, Time, Variable};
+use super::law::{Drawn, Kind, Law, LawError, LawText, OpenParameter, Parameter, Time, Variable};
 use super::problem::Problem;
 use super::program::{FLOCK, Gather, Id, OWN, Of, Op, Program, Slot, Things};
 use super::syntax::{KEYWORDS, Node, NodeKind, parse_property};
@@ -98,6 +98,7 @@ pub(crate) struct Compiler<'a> {
     variables: Vec<Variable>,
     definitions: HashMap<&'a str, Definition<'a>>,
     lists: Vec<Vec<Rational>>,
+    open: Vec<OpenParameter>,
     /// What is drawn for every step, with where it is written: the table, the key and the byte.
     drawn: Vec<(Drawn, (&'static str, &'a str, usize))>,
     things: Things,
@@ -126,6 +127,7 @@ impl<'a> Compiler<'a> {
             variables: Vec::new(),
             definitions: HashMap::new(),
             lists: Vec::new(),
+            open: Vec::new(),
             drawn: Vec::new(),
             things: Things::new(),
             changes: HashMap::new(),
@@ -238,10 +240,11 @@ impl<'a> Compiler<'a> {
         parse_property(text).or_else(|(at, problem)| self.refuse(at, problem))
     }
 
-    /// The whole law.
-    pub fn law(mut self) -> Made<Law> {
+    /// The whole law, with some parameters left open.
+    pub fn law(mut self, open: &[&str]) -> Made<Law> {
         let text = self.text;
         self.list_parameters();
+        self.leave_open(open)?;
         let (outputs, targets) = self.of_agents("rates", &text.rates)?;
         let rates = Arc::new(self.things.program(outputs));
         let noise = if text.noise.is_empty() { None } else { Some(self.noise()?) };
@@ -260,7 +263,32 @@ impl<'a> Compiler<'a> {
             targets,
             observed,
             observables,
+            open: self.open,
         })
+    }
+
+    /// The numbers of open parameters stand behind those of the agents.
+    fn leave_open(&mut self, names: &[&str]) -> Made<()> {
+        let mut start = self.variables.iter().map(|variable| variable.width * self.agents).sum();
+        for name in names {
+            let Some((_, parameter)) = self.text.parameters.iter().find(|(known, _)| known == name) else {
+                let known = self.text.parameters.iter().map(|(name, _)| name.as_str());
+                return self.refuse_entry("parameters", name, Problem::unknown("parameter", name, known));
+            };
+            let values = match parameter {
+                Parameter::One(q) => vec![q.clone()],
+                Parameter::Each(list) => list.clone(),
+            };
+            let count = values.len();
+            self.open.push(OpenParameter { name: (*name).to_string(), start, values });
+            start += count;
+        }
+        Ok(())
+    }
+
+    /// Whether a number of the state is one of an open parameter, by where its list begins.
+    fn is_open(&self, start: usize) -> bool {
+        self.open.iter().any(|open| open.start == start)
     }
 
     /// The lists of all parameters: those that are drawn come after them.

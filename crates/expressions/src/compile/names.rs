@@ -111,12 +111,18 @@ impl<'a> Compiler<'a> {
         scope: &Scope,
     ) -> Made<Value> {
         if let Some((_, parameter)) = self.text.parameters.iter().find(|(known, _)| known == base) {
+            let open = self.open.iter().find(|open| open.name == base).map(|open| open.start);
+            let read = |start, of| Op::State { start, stride: 1, component: 0, of };
             return match parameter {
-                Parameter::One(q) if index.is_none() && component.is_none() => {
-                    Ok(Value::Number(self.things.number(q.clone())))
-                }
+                Parameter::One(q) if index.is_none() && component.is_none() => Ok(Value::Number(match open {
+                    Some(start) => self.things.add(read(start, Of::Agent(0))),
+                    None => self.things.number(q.clone()),
+                })),
                 Parameter::Each(list) if component.is_none() => {
                     let of = self.agent(node, base, index, scope)?;
+                    if let Some(start) = open {
+                        return Ok(Value::Number(self.things.add(read(start, of))));
+                    }
                     let known = self.lists.iter().position(|known| known == list).unwrap_or_default();
                     Ok(Value::Number(self.things.add(Op::Parameter(known, of))))
                 }

@@ -78,6 +78,7 @@ impl<'a> Compiler<'a> {
         Ok(match &op {
             Op::Number(_) | Op::Pi | Op::Agents | Op::Parameter(..) => zero,
             Op::Time => self.things.integer(1),
+            Op::State { start, .. } if self.is_open(*start) => zero,
             Op::State { start, component, of, .. } => self.of_state(*start, *component, *of)?,
             Op::Negated(a) => self.negated(of(self, a)),
             Op::Sum(a, b) => self.things.add(Op::Sum(of(self, a), of(self, b))),
@@ -211,6 +212,7 @@ impl<'a> Compiler<'a> {
                 let why = "the change over a step of what depends on `t` is not there yet";
                 return self.refuse(node.at, Problem::Other(why.to_string()));
             }
+            Op::State { start, .. } if self.is_open(*start) => return Ok(id),
             Op::State { start, component, of, .. } => return self.of_state(*start, *component, *of),
             Op::Gathered(number, place) => {
                 let this = self.things.loops[*number].clone();

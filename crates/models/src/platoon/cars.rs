@@ -117,6 +117,13 @@ impl<T> Platoon<T> {
         }
     }
 
+    /// The same cars with other gains, `f` and `g` of each follower; nothing where there are more or fewer.
+    pub fn with_gains<S>(&self, gains: Vec<[S; 2]>) -> Option<Platoon<S>> {
+        let gains: Vec<Gains<S>> = gains.into_iter().map(|[f, g]| Gains { f, g }).collect();
+        let (positions, velocities) = (self.positions.clone(), self.velocities.clone());
+        (gains.len() == self.gains.len()).then_some(Platoon { positions, velocities, gains })
+    }
+
     /// The same platoon with gains in another scalar.
     pub fn map<S>(&self, convert: impl Fn(&T) -> S) -> Platoon<S>
     where

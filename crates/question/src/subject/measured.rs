@@ -8,7 +8,7 @@ use crate::timeline::Measured;
 use arithmetic::{Dyadic, FloatInterval, Interval, Number as _, PreciseNumber, Rational};
 use motion::enclose::Expanded;
 use num_traits::ToPrimitive;
-use scenario::Amount;
+use scenario::{AffineNumber, Amount};
 
 /// A scalar in which observables are measured for questions.
 pub(crate) trait Scalar: Sized {
@@ -41,6 +41,16 @@ impl Scalar for PreciseNumber {
 
     fn root(self, precision: u32) -> Option<Number> {
         self.number.sqrt(precision).ok()
+    }
+}
+
+impl Scalar for AffineNumber {
+    fn number(self) -> Number {
+        self.plain().number
+    }
+
+    fn root(self, precision: u32) -> Option<Number> {
+        Scalar::root(self.plain(), precision)
     }
 }
 

@@ -3,6 +3,7 @@
 
 mod at;
 mod closed;
+mod constants;
 mod curve;
 mod exact;
 mod laws;
@@ -18,6 +19,7 @@ use crate::truth::Doubt;
 use arithmetic::{FloatInterval, Number, Progress, Rational, Ring, rational};
 use at::At;
 use closed::ClosedForm;
+use constants::names_of;
 use curve::OnCurve;
 use exact::Holds;
 use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
@@ -25,7 +27,7 @@ use models::double_integrator::{
     Coordinates, EnclosedFlock, EnclosedRun, EnclosureError, FixedNetwork, HeadingDifference, Pair, State,
     SwitchingMotion, linked_within,
 };
-use models::oscillator::{Neighbours, Orientation, Steering};
+use models::oscillator::Neighbours;
 use modes::ModalPlatoon;
 use motion::System;
 use motion::enclose::{Expanded, Flow, IntervalVector, Set, Step};
@@ -40,6 +42,8 @@ pub(crate) struct MotionSubject<'c> {
     motion: ExactMotion,
     /// Numbers of the start that are intervals: list, agent and coordinate, from 0.
     wide: Vec<(Start, usize, usize, Rational, Rational)>,
+    /// Those among them that are numbers of a built-in law, by their names and entries.
+    constants: Vec<(String, Option<usize>)>,
     progress: &'c dyn Progress,
     tube: RefCell<Rc<Tube>>,
     modal: OnceCell<Option<ModalPlatoon>>,
@@ -89,9 +93,12 @@ impl<'c> MotionSubject<'c> {
         wide: Vec<(Start, usize, usize, Rational, Rational)>,
         progress: &'c dyn Progress,
     ) -> Self {
+        // Open parameters of laws of one's own are numbers of their states.
+        let constants = if matches!(motion, ExactMotion::Own(_)) { Vec::new() } else { names_of(&wide) };
         MotionSubject {
             motion,
             wide,
+            constants,
             progress,
             tube: RefCell::default(),
             modal: OnceCell::new(),
@@ -127,7 +134,7 @@ impl<'c> MotionSubject<'c> {
                     let values = if *list == Start::Positions { deviations } else { rates };
                     values.get(agent).map_or(point(&rational(0, 1)), |x| self.start(list, agent, 0, x))
                 };
-                let narrow = self.wide.iter().all(|(list, ..)| *list != Start::Positions);
+                let narrow = self.wide.iter().all(|(list, ..)| *list == Start::Velocities);
                 narrow.then(|| ModalPlatoon::new(start, platoon, swing)).flatten()
             }
             _ => None,
@@ -145,7 +152,7 @@ impl<'c> MotionSubject<'c> {
                 self.small(positions.len()).ok().and_then(|()| ClosedForm::of(&law, &start))
             }
             ExactMotion::Platoon { deviations, rates, platoon, swing, .. } => {
-                let law = PlatoonLaw { platoon, frequency: &swing.1 };
+                let law = PlatoonLaw { platoon, frequency: &swing.1, constants: self.constants() };
                 let relative = |list: &[Rational]| list.iter().map(|x| x - &list[0]).collect::<Vec<_>>();
                 let swing = vec![swing.0.clone(), rational(0, 1)];
                 let start = [relative(deviations), relative(rates), swing].concat();
@@ -211,19 +218,21 @@ impl<'c> MotionSubject<'c> {
             }
             ExactMotion::Phases { phases, frequency, gain, network } => {
                 self.small(phases.len())?;
-                let state = phasors(&Expanded::of_start(&self.angles(phases)))?;
-                let law = PhaseLaw { frequency, gain, network };
-                self.followed(law, &state, until)
+                let start = Expanded::of_start(&[self.angles(phases), self.ranges()].concat());
+                let (angles, still) = start.split_at(phases.len());
+                let law = PhaseLaw { frequency, gain, network, constants: self.constants() };
+                self.followed(law, &[&phasors(angles)?, still].concat(), until)
             }
             ExactMotion::Particles { positions, phases, frequency, gain, spacing, drift, network, radius } => {
                 self.small(phases.len())?;
                 let places = self.vectors(&Start::Positions, positions).concat();
-                let start = Expanded::of_start(&[places, self.angles(phases)].concat());
-                let (places, angles) = start.split_at(2 * positions.len());
-                let state = [places, &phasors(angles)?].concat();
-                let orientation = Orientation::Laplacian(gain.clone());
-                let steering = Steering { frequency: frequency.clone(), orientation, spacing: spacing.clone() };
-                let tube = self.followed(ParticleLaw { steering, drift, network }, &state, until)?;
+                let start = Expanded::of_start(&[places, self.angles(phases), self.ranges()].concat());
+                let (places, rest) = start.split_at(2 * positions.len());
+                let (angles, still) = rest.split_at(phases.len());
+                let state = [places, &phasors(angles)?, still].concat();
+                let steering = (frequency, gain, spacing);
+                let law = ParticleLaw { steering, drift, network, constants: self.constants() };
+                let tube = self.followed(law, &state, until)?;
                 Ok(match radius {
                     Some(radius) => while_linked(tube, network, &(radius * radius)),
                     None => tube,
@@ -245,7 +254,7 @@ impl<'c> MotionSubject<'c> {
                 let run = motion.run(&Set::of_numbers(&start), until, |from, step| steps.push((from, step.clone())));
                 Ok(Tube::of_switches(motion.links(&state).edges(), steps, run, until))
             }
-            ExactMotion::Platoon { deviations, rates, platoon, swing, .. } => {
+            ExactMotion::Platoon { deviations, rates, platoon, spacing, swing } => {
                 self.small(deviations.len())?;
                 let list = |list: &Start, values: &[Rational]| -> IntervalVector {
                     values.iter().enumerate().map(|(agent, x)| self.start(list, agent, 0, x)).collect()
@@ -256,7 +265,11 @@ impl<'c> MotionSubject<'c> {
                 let mut state = list(&Start::Positions, deviations);
                 state.extend(list(&Start::Velocities, rates));
                 state.extend([point(&swing.0), point(&rational(0, 1))]);
-                self.followed(PlatoonLaw { platoon, frequency: &swing.1 }, &Expanded::of_start(&state), until)
+                state.extend(self.ranges());
+                let mut state = Expanded::of_start(&state);
+                self.constants().set_out(spacing, &mut state, deviations.len());
+                let law = PlatoonLaw { platoon, frequency: &swing.1, constants: self.constants() };
+                self.followed(law, &state, until)
             }
         }
     }

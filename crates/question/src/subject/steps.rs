@@ -6,11 +6,11 @@ use crate::number::Number;
 use crate::subject::measured::measured;
 use crate::timeline::{Covered, Measured, Moment, Piece, Steps};
 use crate::truth::Doubt;
-use arithmetic::{Dyadic, PreciseNumber, Progress, Rational};
+use arithmetic::{Dyadic, Progress, Rational};
 use expressions::Asked;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
-use scenario::{Links, Model, OwnFlock, OwnSteps, Rows, RunError, View};
+use scenario::{AffineNumber, Links, Model, OwnFlock, OwnSteps, Rows, RunError, View};
 use std::cell::RefCell;
 
 /// Most steps that are taken.
@@ -40,20 +40,12 @@ struct Followed {
 
 #[derive(Clone)]
 struct State {
-    positions: Vec<Vec<PreciseNumber>>,
-    velocities: Vec<Vec<PreciseNumber>>,
+    positions: Vec<Vec<AffineNumber>>,
+    velocities: Vec<Vec<AffineNumber>>,
     links: (usize, Vec<(usize, usize)>),
-    numbers: Vec<PreciseNumber>,
+    numbers: Vec<AffineNumber>,
     /// Those of the observables, or why one has no value.
     observed: Vec<Result<Number, String>>,
-}
-
-/// The number itself, where it is known.
-fn exact(x: &PreciseNumber) -> Option<&Rational> {
-    match &x.number {
-        Number::Exact(q) => Some(q),
-        _ => None,
-    }
 }
 
 impl State {
@@ -74,7 +66,7 @@ impl State {
     }
 
     fn is_exact(&self) -> bool {
-        self.numbers.iter().all(|x| exact(x).is_some())
+        self.numbers.iter().all(AffineNumber::is_exact)
     }
 
     /// Whether every number is exact or in an interval narrower than `2^-bits`.
@@ -82,7 +74,7 @@ impl State {
         let least = Dyadic::new(1.into(), -i64::from(bits));
         let narrow = |x: &Number| matches!(x, Number::Exact(_)) || x.enclosure(bits).width() <= least;
         let observed = |x: &Result<Number, String>| x.as_ref().map_or_else(|_| self.is_exact(), narrow);
-        self.observed.iter().all(observed) && self.numbers.iter().all(|x| narrow(&x.number))
+        self.observed.iter().all(observed) && self.numbers.iter().all(|x| x.is_exact() || narrow(&x.plain().number))
     }
 }
 
@@ -104,9 +96,7 @@ impl Followed {
             let is_autonomous = flock.is_autonomous();
             flock.step().map_err(open)?;
             // What is enclosed may change by less than the enclosures tell.
-            let stays = |(now, before): (&PreciseNumber, &PreciseNumber)| {
-                exact(now).is_some_and(|now| Some(now) == exact(before))
-            };
+            let stays = |(now, before): (&AffineNumber, &AffineNumber)| now.is_same(before);
             if flock.state().iter().zip(&before).all(stays) && is_autonomous {
                 *rest = Some(states.len() - 1);
             } else {
@@ -230,7 +220,7 @@ impl Moment for At<'_, '_> {
             Some(Asked::Observed(_)) if law.observes_time() && is_past_rest => {
                 return Err(Failure::open(format!("`{name}` depends on the time"), None));
             }
-            Some(Asked::State(place)) => state.numbers.get(place).map(|x| x.number.clone()),
+            Some(Asked::State(place)) => state.numbers.get(place).map(|x| x.plain().number),
             Some(Asked::Observed(place)) => {
                 let number = state.observed.get(place).cloned().transpose();
                 number.map_err(|why| Failure::open(why, None))?

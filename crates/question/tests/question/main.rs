@@ -3,6 +3,7 @@
 extern crate flockproof_question as question;
 
 mod bad_input;
+mod constants;
 mod decisions;
 mod digraphs;
 mod exact_facts;

@@ -164,6 +164,49 @@ fn starts_of_steps_may_be_intervals() {
     assert_eq!(near.verdict, Verdict::False, "{}", near.why);
 }
 
+/// Hegselmann and Krause from a box of starts: the network is the same for all, so that each opinion is an affine function of the start, also where one start is at
+/// exactly the radius; a millionth beyond it the groups are three.
+#[test]
+fn opinions_from_a_box_are_decided_for_ever() {
+    let text = OPINIONS.replace("[state]", "[law.observables]\nspread = \"max(i, x[i]) - min(i, x[i])\"\n[state]");
+    let property = "eventually[0, 10](always[0, inf](components = 2)) and always[20, inf](min_distance = 0)";
+    let place = "\"state.x[1]\" = \"[0, 1/5]\"";
+    let answer = answered(&text, place, property, "always[0, inf](components > 2)");
+    assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{}", answer.why);
+    assert_eq!(answer.cases, 1);
+    let answer = answered(&text, "\"state.x[1]\" = \"[-1/1000000, 1/5]\"", property, "1 < 0");
+    assert_eq!(answer.verdict, Verdict::False, "{}", answer.why);
+    // In the end the lower group is at 1151/1280 + 19/96 x_1.
+    for (bound, verdict) in [("938803", Verdict::Holds), ("938802", Verdict::False)] {
+        let answer = answered(&text, place, &format!("always[10, inf](x[1] <= {bound}/1000000)"), "1 < 0");
+        assert_eq!(answer.verdict, verdict, "{bound}: {}", answer.why);
+    }
+}
+
+/// Averages contract, for all starts at once: the differences of three fall to a quarter with each step.
+#[test]
+fn averages_contract_from_a_box() {
+    let start = "[\"0\", \"1/2\", \"1\", \"3/2\", \"9/4\", \"3\", \"17/5\", \"4\", \"5\"]";
+    let text = OPINIONS
+        .replace("(x + sum(j, x[j])) / (1 + count(j))", "x + mean(j, x[j] - x)/2")
+        .replace("kind = \"within\"\nradius = 1\n", "kind = \"complete\"\n")
+        .replace(start, "[0, 1, 3]")
+        .replace("[state]", "[law.observables]\nspread = \"max(i, x[i]) - min(i, x[i])\"\n[state]");
+    let place = "\"state.x[1]\" = \"[-1, 1]\"";
+    // 4/4^11 from -1, the largest spread, and 2/4^11 from 1.
+    for (property, verdict) in [
+        ("always[11, 11](spread <= 1/1048576)", Verdict::Holds),
+        ("always[11, 11](spread < 1/1048576)", Verdict::False),
+        ("always[11, 11](spread >= 1/2097152)", Verdict::Holds),
+        ("always[11, 11](spread > 1/2097152)", Verdict::False),
+        ("eventually[0, 20](spread < 1/1000000000)", Verdict::Holds),
+        ("always[0, 12](x[2] <= initial(x[2]) + 2/3)", Verdict::Holds),
+    ] {
+        let answer = answered(&text, place, property, "1 < 0");
+        assert_eq!(answer.verdict, verdict, "{property}: {}", answer.why);
+    }
+}
+
 const OPINIONS: &str = "model = \"own\"\n[law]\ntime = \"discrete\"\ndimension = 1\nstate = { x = \"number\" }\n\
     [law.next]\nx = \"(x + sum(j, x[j])) / (1 + count(j))\"\n[graph]\nkind = \"within\"\nradius = 1\n\
     [state]\nx = [\"0\", \"1/2\", \"1\", \"3/2\", \"9/4\", \"3\", \"17/5\", \"4\", \"5\"]\n[run]\nuntil = 10\n";

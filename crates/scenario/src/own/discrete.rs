@@ -1,5 +1,6 @@
 //! A law of one's own in discrete time, over floats, exact rationals, or numbers that are exact where they can be and enclosed elsewhere.
 
+use super::affine::AffineNumber;
 use super::measured::{Heard, frame, in_words, observe};
 use super::read::Described;
 use crate::error::RunError;
@@ -8,7 +9,7 @@ use crate::observables::Observable;
 use crate::simulation::{Event, Frame, Simulation};
 use crate::start::float;
 use arithmetic::random::{normal, uniform};
-use arithmetic::{ArithmeticError, Number, PreciseNumber, Progress, Rational, RealNumber, Sign};
+use arithmetic::{ArithmeticError, Dyadic, Number, Progress, Rational, RealNumber, Ring, Sign};
 use expressions::{Blocks, Drawn, Evaluator, Fault, Hearing, Law};
 use num_traits::ToPrimitive;
 use rand_chacha::ChaCha8Rng;
@@ -16,7 +17,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 /// Rationals with more bits in numerator or denominator are not followed further: under a law that squares, each step doubles them.
-const MOST_BITS: u64 = 1 << 20;
+pub(super) const MOST_BITS: u64 = 1 << 20;
 
 /// A scalar over which laws are followed step by step.
 pub(super) trait Stepped: Number {
@@ -32,6 +33,12 @@ pub(super) trait Stepped: Number {
     /// How far the number may be from that float, beyond its rounding.
     fn spread(&self) -> f64 {
         0.0
+    }
+
+    /// Whether two places are farther apart than the radius; nothing where it cannot be told.
+    fn is_beyond(own: &[Self], other: &[Self], radius: &Self) -> Option<bool> {
+        let square = square(own, other)?;
+        Some((square - radius.square()).sign()? == Sign::Positive)
     }
 
     /// Whether the number has more digits than are followed.
@@ -104,36 +111,61 @@ impl Stepped for Rational {
     }
 }
 
-impl Stepped for PreciseNumber {
-    type Machine = Evaluator<PreciseNumber>;
+impl Stepped for AffineNumber {
+    type Machine = Evaluator<AffineNumber>;
 
-    fn machine(&self, law: &Law, _: bool) -> Evaluator<PreciseNumber> {
+    fn machine(&self, law: &Law, _: bool) -> Evaluator<AffineNumber> {
         law.evaluator(self)
     }
 
     fn rounded(&self) -> f64 {
-        match &self.number {
+        let plain = self.plain();
+        match &plain.number {
             RealNumber::Exact(q) => float(q),
-            other => other.enclosure(self.precision).midpoint(64).lo().to_f64(),
+            other => other.enclosure(plain.precision).midpoint(64).lo().to_f64(),
         }
     }
 
     fn spread(&self) -> f64 {
-        match &self.number {
+        let plain = self.plain();
+        match &plain.number {
             RealNumber::Exact(_) => 0.0,
-            other => other.enclosure(self.precision).width().to_f64(),
+            other => other.enclosure(plain.precision).width().to_f64(),
         }
     }
 
+    /// Exactly on a line, also where some starts are at the radius itself.
+    fn is_beyond(own: &[Self], other: &[Self], radius: &Self) -> Option<bool> {
+        let ends = match (own, other) {
+            ([own], [other]) => (own.clone() - other).ends(),
+            _ => None,
+        };
+        let Some(([lo, hi], radius)) = ends.zip(radius.exact()) else {
+            let difference = (square(own, other)? - radius.square()).plain().number;
+            let is_near = *difference.enclosure(radius.plain().precision).hi() <= Dyadic::zero();
+            return if is_near { Some(false) } else { Some(difference.sign()? == Sign::Positive) };
+        };
+        if lo > *radius || hi < -radius.clone() {
+            return Some(true);
+        }
+        (lo >= -radius.clone() && hi <= *radius).then_some(false)
+    }
+
     fn write(
-        machine: &mut Evaluator<PreciseNumber>,
+        machine: &mut Evaluator<AffineNumber>,
         law: &Law,
-        moment: (&PreciseNumber, &[PreciseNumber]),
+        moment: (&AffineNumber, &[AffineNumber]),
         hearing: &dyn Hearing,
-        next: &mut [PreciseNumber],
+        next: &mut [AffineNumber],
     ) -> Result<(), Fault> {
         law.write_rates(machine, moment, hearing, next)
     }
+}
+
+/// The square of the distance of two places; nothing where there are none.
+fn square<T: Ring>(own: &[T], other: &[T]) -> Option<T> {
+    let products = own.iter().zip(other).map(|(x, y)| (x.clone() - y).square());
+    products.reduce(|sum, square| sum + square)
 }
 
 /// The law with its state.
@@ -173,7 +205,8 @@ impl<T: Stepped> Stepping<T> {
             machine: zero.machine(&own.law, complete),
             random: own.random,
             observed: RefCell::new(Blocks::observables(&own.law, complete)),
-            next: vec![zero.clone(); state.len()],
+            // What stands behind the state stays as it is.
+            next: state.clone(),
             law: own.law,
             network: own.network,
             step: own.step,
@@ -257,8 +290,7 @@ impl<T: Stepped> Stepping<T> {
     }
 
     fn square(&self, (i, j): Pair) -> Option<T> {
-        let products = self.place(i).iter().zip(self.place(j)).map(|(x, y)| (x.clone() - y).square());
-        products.reduce(|sum, square| sum + square)
+        square(self.place(i), self.place(j))
     }
 
     /// The links of the places, or those that are due; what has changed.
@@ -278,10 +310,9 @@ impl<T: Stepped> Stepping<T> {
         Ok(self.network.exchange(pairs))
     }
 
-    /// The sign of a number on which links depend.
-    fn told(&self, number: &T, what: impl Fn() -> String) -> Result<Sign, RunError> {
-        let untold = || RunError::Own { time: self.time().to_f64().unwrap_or(f64::NAN), fault: what() };
-        number.sign().ok_or_else(untold)
+    /// Why it is not known who is linked.
+    fn untold(&self, what: &str) -> RunError {
+        RunError::Own { time: self.time().to_f64().unwrap_or(f64::NAN), fault: what.to_string() }
     }
 
     /// Floats propose who may be near, the scalar decides: at most the radius.
@@ -292,10 +323,18 @@ impl<T: Stepped> Stepping<T> {
         let spread = self.state.iter().fold(0.0, |most: f64, x| most.max(x.spread()));
         let mut pairs = Vec::new();
         for pair in self.network.within(&floats, radius + 1e-9 * far + 4.0 * spread) {
-            let Some(square) = self.square(pair) else { continue };
-            let (i, j) = (pair.0 + 1, pair.1 + 1);
-            let what = || format!("whether agents {i} and {j} are within the radius of each other cannot be told");
-            if self.told(&(square - exact.square()), what)? != Sign::Positive {
+            let (own, other) = (self.place(pair.0), self.place(pair.1));
+            if own.is_empty() {
+                continue;
+            }
+            let is_beyond = T::is_beyond(own, other, exact).ok_or_else(|| {
+                self.untold(&format!(
+                    "whether agents {} and {} are within the radius of each other cannot be told",
+                    pair.0 + 1,
+                    pair.1 + 1
+                ))
+            })?;
+            if !is_beyond {
                 pairs.push(pair);
             }
         }
@@ -315,7 +354,8 @@ impl<T: Stepped> Stepping<T> {
                 for k in 1..rest.len() {
                     let (i, j, of) = (rest[k].1 + 1, rest[nearest].1 + 1, agent + 1);
                     let what = || format!("which of agents {i} and {j} is nearer to agent {of} cannot be told");
-                    if self.told(&(rest[k].0.clone() - &rest[nearest].0), what)? == Sign::Negative {
+                    let sign = (rest[k].0.clone() - &rest[nearest].0).sign();
+                    if sign.ok_or_else(|| self.untold(&what()))? == Sign::Negative {
                         nearest = k;
                     }
                 }

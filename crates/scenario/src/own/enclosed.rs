@@ -104,10 +104,9 @@ impl OwnMotion {
         (0..self.agents()).map(row).collect()
     }
 
-    /// Where a number of an agent stands in the state, all from 0.
+    /// Where a number of an agent, or of an open parameter, stands in the state, all from 0.
     pub fn place(&self, part: &str, agent: usize, coordinate: usize) -> Option<usize> {
-        let part = self.part(part).filter(|part| agent < self.agents() && coordinate < part.width)?;
-        Some(part.start + agent * part.width + coordinate)
+        place(&self.law, part, agent, coordinate)
     }
 
     /// A number of the flock by its name in a property, at a state: of the state itself, or an observable of the law; nothing where there is none of that name.
@@ -131,6 +130,15 @@ impl OwnMotion {
     pub fn links(&self) -> Links<'_> {
         self.network.shown()
     }
+}
+
+/// Where a number of an agent, or of an open parameter, stands in the state of a law, all from 0.
+pub(super) fn place(law: &Law, part: &str, agent: usize, coordinate: usize) -> Option<usize> {
+    if let Some(open) = law.open().iter().find(|open| open.name == part) {
+        return (agent < open.values.len() && coordinate == 0).then_some(open.start + agent);
+    }
+    let part = law.variables().iter().find(|variable| variable.name == part)?;
+    (agent < law.agents() && coordinate < part.width).then_some(part.start + agent * part.width + coordinate)
 }
 
 impl System for OwnMotion {

@@ -1,11 +1,13 @@
 //! A law of one's own in discrete time, step by step, for what is decided: on rational numbers where it has no other functions, else enclosed.
 
-use super::discrete::{Stepped, Stepping};
-use super::read::{Described, describe};
+use super::affine::{AffineNumber, start_of};
+use super::discrete::{MOST_BITS, Stepping};
+use super::enclosed::place;
+use super::read::{Described, describe_open};
 use crate::error::{ConfigError, RunError};
 use crate::source::{Entry, Source};
 use crate::view::Links;
-use arithmetic::{Interval, PreciseNumber, Rational, RealNumber, rational};
+use arithmetic::{Field, PreciseNumber, Rational, RealNumber, rational};
 use expressions::{Fault, Kind, Law, Variable};
 
 /// A flock under a law in discrete time at its start; its steps are of length 1.
@@ -21,10 +23,18 @@ impl OwnFlock {
     /// # Errors
     /// [`ConfigError`].
     pub fn of(source: &Source) -> Result<Option<Result<Self, &'static str>>, ConfigError> {
+        OwnFlock::of_open(source, &[])
+    }
+
+    /// The same, where the numbers of some parameters stand behind the state ([`expressions::LawText::compile_open`]).
+    ///
+    /// # Errors
+    /// [`ConfigError`].
+    pub fn of_open(source: &Source, open: &[&str]) -> Result<Option<Result<Self, &'static str>>, ConfigError> {
         if !OwnFlock::is_of(source) {
             return Ok(None);
         }
-        let described = describe(source)?;
+        let described = describe_open(source, open)?;
         Ok(Some(if !described.law.drawn().is_empty() {
             Err("laws with noise are not enclosed")
         } else if described.step != rational(1, 1) {
@@ -48,13 +58,11 @@ impl OwnFlock {
         &self.described.law
     }
 
-    /// Lets a number of the start lie anywhere between two others; agents and coordinates count from 0. Whether there is such a number.
+    /// Lets a number of the start, or of an open parameter, lie anywhere between two others; agents and coordinates count from 0. Whether there is such a number.
     pub fn widen(&mut self, part: &str, agent: usize, coordinate: usize, ends: [Rational; 2]) -> bool {
-        let law = &self.described.law;
-        let part = law.variables().iter().find(|variable| variable.name == part);
-        let Some(part) = part.filter(|part| agent < law.agents() && coordinate < part.width) else { return false };
-        self.wide.push((part.start + agent * part.width + coordinate, ends));
-        true
+        let place = place(&self.described.law, part, agent, coordinate);
+        self.wide.extend(place.map(|place| (place, ends)));
+        place.is_some()
     }
 
     /// Whether all numbers of the start are known exactly.
@@ -67,20 +75,16 @@ impl OwnFlock {
     /// # Errors
     /// [`RunError`] where it cannot be told who is linked.
     pub fn start(&self, bits: u32) -> Result<OwnSteps, RunError> {
-        let exact = |q: &Rational| PreciseNumber::exact(q.clone(), bits);
-        let mut state: Vec<PreciseNumber> = self.described.state.iter().map(exact).collect();
-        for (place, [lo, hi]) in &self.wide {
-            let [lo, hi] = [lo, hi].map(|end| Interval::from_rational(end, bits));
-            state[*place].number = RealNumber::interval(lo.hull(&hi));
-        }
-        let stepping = Stepping::new(self.described.clone(), state, &exact(&rational(0, 1)))?;
+        let state = start_of(&self.described.state, &self.wide, bits);
+        let zero = AffineNumber::Plain(PreciseNumber::exact(rational(0, 1), bits));
+        let stepping = Stepping::new(self.described.clone(), state, &zero)?;
         Ok(OwnSteps { stepping })
     }
 }
 
 /// A flock under a law in discrete time after some steps: numbers are exact where they are rational by their making, and enclosed elsewhere.
 pub struct OwnSteps {
-    stepping: Stepping<PreciseNumber>,
+    stepping: Stepping<AffineNumber>,
 }
 
 impl OwnSteps {
@@ -94,28 +98,35 @@ impl OwnSteps {
 
     /// Goes on with enclosures of all numbers where an exact one has more digits than exact runs follow, or all together have more bits: exact numbers under a law that squares grow without use.
     pub fn enclose_beyond(&mut self, bits: u64) {
-        let length = |x: &PreciseNumber| match &x.number {
-            RealNumber::Exact(q) => (q.numer().bits() + q.denom().bits(), q.is_too_long()),
-            _ => (0, false),
+        let length = |x: &AffineNumber| match x {
+            AffineNumber::Affine(f) => f.bits(),
+            AffineNumber::Plain(PreciseNumber { number: RealNumber::Exact(q), .. }) => {
+                (q.numer().bits() + q.denom().bits(), q.numer().bits().max(q.denom().bits()))
+            }
+            AffineNumber::Plain(_) => (0, 0),
         };
-        let lengths = self.state().iter().map(length);
-        let (together, any) = lengths.fold((0, false), |(sum, any), (own, long)| (sum + own, any || long));
-        if together > bits || any {
-            self.stepping.change(|x| x.number = RealNumber::interval(x.number.enclosure(x.precision)));
+        let (together, most) =
+            self.state().iter().map(length).fold((0, 0), |(sum, most), (own, long)| (sum + own, most.max(long)));
+        if together > bits || most > MOST_BITS {
+            self.stepping.change(|x| {
+                let plain = x.plain();
+                let number = RealNumber::interval(plain.number.enclosure(plain.precision));
+                *x = AffineNumber::Plain(PreciseNumber { number, ..plain });
+            });
         }
     }
 
     /// The whole state.
-    pub fn state(&self) -> &[PreciseNumber] {
+    pub fn state(&self) -> &[AffineNumber] {
         self.stepping.state()
     }
 
     /// The numbers of the observables, each with a value or why it has none, or why it cannot be told which one.
     pub fn observed(&self) -> Vec<Result<RealNumber, Fault>> {
         let Some(like) = self.state().first() else { return Vec::new() };
-        let time = PreciseNumber::exact(self.stepping.time(), like.precision);
+        let time = like.rational(&self.stepping.time());
         let all = self.stepping.observed(&time, self.state());
-        all.into_iter().map(|number| number.map(|x| x.number)).collect()
+        all.into_iter().map(|number| number.map(|x| x.plain().number)).collect()
     }
 
     /// Whether a state that stays as it is in a step stays so for ever: neither the law nor the network depends on the time from now on.
@@ -124,7 +135,7 @@ impl OwnSteps {
     }
 
     /// The rows of a part of the state.
-    fn rows(&self, part: Option<&Variable>) -> Vec<Vec<PreciseNumber>> {
+    fn rows(&self, part: Option<&Variable>) -> Vec<Vec<AffineNumber>> {
         let agents = self.stepping.law().agents();
         let row =
             |part: &Variable, agent: usize| self.state()[part.start + agent * part.width..][..part.width].to_vec();
@@ -132,12 +143,12 @@ impl OwnSteps {
     }
 
     /// Where the agents are.
-    pub fn positions(&self) -> Vec<Vec<PreciseNumber>> {
+    pub fn positions(&self) -> Vec<Vec<AffineNumber>> {
         self.rows(self.stepping.law().position())
     }
 
     /// The part `v` of the state, where it is no angle.
-    pub fn velocities(&self) -> Vec<Vec<PreciseNumber>> {
+    pub fn velocities(&self) -> Vec<Vec<AffineNumber>> {
         let law = self.stepping.law();
         self.rows(law.variables().iter().find(|part| part.name == "v" && part.kind != Kind::Angle))
     }

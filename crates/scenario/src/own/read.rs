@@ -119,6 +119,11 @@ fn law_text(section: &Section) -> Result<(LawText, Rational), ConfigError> {
 
 /// Everything but how it is run.
 pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
+    describe_open(source, &[])
+}
+
+/// The same with the numbers of some parameters behind the state.
+pub(crate) fn describe_open(source: &Source, open: &[&str]) -> Result<Described, ConfigError> {
     let section = source.needed("law")?;
     let (text, step) = law_text(&section)?;
     let rates = if text.time == Time::Discrete { "next" } else { "rates" };
@@ -135,7 +140,7 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
         default: Some(NetworkKind::AllToAll),
     };
     let network = Network::read(source, agents, can)?;
-    let law = text.compile(agents).map_err(|error| refused(&section, rates, error))?;
+    let law = text.compile_open(agents, open).map_err(|error| refused(&section, rates, error))?;
     let network = network.of_width(law.position().map_or(2, |position| position.width));
     let state = laid_out(&law, &parts);
     let radius = network.exact_radius().cloned();
@@ -176,6 +181,7 @@ fn texts(section: &Section, key: &'static str) -> Result<Vec<(String, String)>, 
 /// The numbers in the order of the law's state.
 fn laid_out(law: &Law, parts: &[(String, Vec<Vec<Rational>>)]) -> Vec<Rational> {
     let mut state = vec![rational(0, 1); law.size()];
+    state.extend(law.open().iter().flat_map(|parameter| parameter.values.iter().cloned()));
     for variable in law.variables() {
         let rows = parts.iter().find(|(name, _)| *name == variable.name).map(|(_, rows)| rows);
         for (agent, row) in rows.into_iter().flatten().enumerate() {

@@ -10,10 +10,10 @@ use crate::names::Quantity;
 use crate::number::Number as Known;
 use crate::subject::measured::{Scalar, index_of, measured};
 use crate::timeline::{Measured, Moment};
-use arithmetic::{Complex, Field, Interval, Number, Rational, Ring, Sign, rational};
+use arithmetic::{Complex, Interval, Number, Rational, Ring, Sign};
 use expressions::Variable;
 use models::double_integrator::{LinkedAgents, Pair};
-use models::oscillator::{Neighbours, Orientation, Steering};
+use models::oscillator::{Neighbours, Spacing};
 use polynomials::Side;
 use scenario::{ExactMotion, Law, Links, Measurable, Model, OwnMotion, Rows, Sensing, View, measure};
 use std::borrow::Cow;
@@ -82,7 +82,7 @@ impl<T: Measurable + Number> At<'_, '_, T> {
 
     /// The states as they are measured, with so many moments of phases; nothing of motions that are not enclosed.
     pub fn view(&self, orders: usize) -> Option<View<'_, T>> {
-        let orders = orders as u32;
+        let (orders, constants) = (orders as u32, self.subject.constants());
         Some(match self.motion {
             ExactMotion::Velocities { positions, potential, pairs, radius, headings, .. } => {
                 let agents = positions.len();
@@ -104,18 +104,16 @@ impl<T: Measurable + Number> At<'_, '_, T> {
                 phasors: phasors_of(&self.numbers(0, 2 * phases.len())),
                 orders,
                 sensing: Sensing::These(Cow::Borrowed(network)),
-                law: Law::Turning(aligned(frequency, gain, self.state.first()?), None),
+                law: Law::Turning(constants.steering((frequency, gain, &Spacing::None), &self.state)?, None),
                 ..View::new(Model::Phase, arcs(network))
             },
             ExactMotion::Particles { positions, frequency, gain, spacing, drift, network, .. } => {
                 let agents = positions.len();
                 let phasors = phasors_of(&self.numbers(2 * agents, 2 * agents));
                 let velocities = phasors.clone();
-                let moved = move |z: &Complex<T>| {
-                    vec![z.re.clone() + z.re.rational(&drift[0]), z.im.clone() + z.im.rational(&drift[1])]
-                };
-                let like = self.state.first()?;
-                let steering = Steering { spacing: spacing.over(like), ..aligned(frequency, gain, like) };
+                let [x, y] = constants.vector("drift", [&drift[0], &drift[1]], &self.state)?;
+                let moved = move |z: &Complex<T>| vec![z.re.clone() + &x, z.im.clone() + &y];
+                let steering = constants.steering((frequency, gain, spacing), &self.state)?;
                 View {
                     positions: self.rows(agents, 2, 0),
                     velocities: Rows::of(agents, move || velocities.iter().map(moved).collect()),
@@ -130,12 +128,12 @@ impl<T: Measurable + Number> At<'_, '_, T> {
                 let cars = platoon.followers() + 1;
                 let (mut deviations, mut speeds) = (self.numbers(0, cars), self.numbers(cars, cars));
                 // The leader with its swing.
-                let w = deviations[0].rational(&swing.1);
+                let w = constants.number("leader.frequency", &swing.1, &self.state)?;
+                let spacing = constants.number("spacing", spacing, &self.state)?;
                 deviations[0] = deviations[0].clone() + &self.state[2 * cars];
                 speeds[0] = speeds[0].clone() - self.state[2 * cars + 1].clone() * w;
-                let place = |(y, k): (&T, i64)| vec![y.clone() - y.rational(&(spacing * rational(k, 1)))];
+                let place = |(y, k): (&T, i64)| vec![y.clone() - spacing.clone() * y.integer(k)];
                 let places: Vec<Vec<T>> = deviations.iter().zip(0..).map(place).collect();
-                let spacing = deviations[0].rational(spacing);
                 View {
                     positions: Rows::of(cars, move || places),
                     velocities: Rows::of(cars, move || speeds.into_iter().map(|u| vec![u]).collect()),
@@ -228,11 +226,6 @@ impl<T: Scalar + Measurable + Number> At<'_, '_, T> {
             Measured::Truth(_) => Err(Failure::open("it is no number", None)),
         }
     }
-}
-
-fn aligned<T: Field>(frequency: &Rational, gain: &Rational, like: &T) -> Steering<T> {
-    let orientation = Orientation::Laplacian(gain.clone());
-    Steering { frequency: frequency.clone(), orientation, spacing: models::oscillator::Spacing::None }.over(like)
 }
 
 fn arcs(network: &Neighbours) -> Links<'_> {

@@ -10,7 +10,6 @@ use crate::subject::measured::index_of;
 use crate::timeline::{Curve, Field, Formulas, Piece};
 use arithmetic::{Field as _, FloatInterval, Rational, Ring};
 use models::double_integrator::{FixedNetwork, Pair};
-use models::oscillator::{Orientation, Steering};
 use motion::System;
 use motion::enclose::Expanded;
 use num_traits::Zero;
@@ -135,16 +134,15 @@ impl<'c> MotionSubject<'c> {
             }
             ExactMotion::Velocities { potential, .. } => HeadingLaw { potential, edges: pairs }.rate(time, state),
             ExactMotion::Phases { frequency, gain, network, .. } => {
-                PhaseLaw { frequency, gain, network }.rate(time, state)
+                PhaseLaw { frequency, gain, network, constants: self.constants() }.rate(time, state)
             }
             ExactMotion::Particles { frequency, gain, spacing, drift, network, .. } => {
-                let orientation = Orientation::Laplacian(gain.clone());
-                let steering = Steering { frequency: frequency.clone(), orientation, spacing: spacing.clone() };
-                ParticleLaw { steering, drift, network }.rate(time, state)
+                let (steering, constants) = ((frequency, gain, spacing), self.constants());
+                ParticleLaw { steering, drift, network, constants }.rate(time, state)
             }
             ExactMotion::Own(own) => own.with_links(pairs).rate(time, state),
             ExactMotion::Platoon { platoon, swing, .. } => {
-                PlatoonLaw { platoon, frequency: &swing.1 }.rate(time, state)
+                PlatoonLaw { platoon, frequency: &swing.1, constants: self.constants() }.rate(time, state)
             }
             ExactMotion::Other(_) => return None,
         };

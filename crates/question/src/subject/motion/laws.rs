@@ -1,10 +1,11 @@
 //! The laws that are enclosed, over any scalar.
 
+use super::constants::Constants;
 use arithmetic::{ArithmeticError, Complex, Number, Rational, Ring};
 use models::double_integrator::{
     Coordinates, Pair, Potential, State as Flock, gyroscopic, heading_rate, potential_gradients,
 };
-use models::oscillator::{Neighbours, State, Steering, laplacian_control};
+use models::oscillator::{Neighbours, Spacing, State, laplacian_control};
 use models::platoon::Platoon;
 use motion::System;
 
@@ -13,19 +14,23 @@ pub(super) struct PhaseLaw<'a> {
     pub frequency: &'a Rational,
     pub gain: &'a Rational,
     pub network: &'a Neighbours,
+    pub constants: Constants<'a>,
 }
 
 impl System for PhaseLaw<'_> {
-    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
-        let Some(like) = state.first() else { return Ok(Vec::new()) };
+    fn rate<T: Number>(&self, _: &T, list: &[T]) -> Result<Vec<T>, ArithmeticError> {
+        let (state, still) = self.constants.split(list);
+        let numbers = self.constants.number("omega0", self.frequency, list);
+        let Some((frequency, gain)) = numbers.zip(self.constants.number("K1", self.gain, list)) else {
+            return Ok(Vec::new());
+        };
         let phasors = phasors_of(state);
-        let (frequency, gain) = (like.rational(self.frequency), like.rational(self.gain));
         let control = laplacian_control(&gain, self.network, &phasors)?;
         let turned = phasors.into_iter().zip(control).flat_map(|(z, u)| {
             let rate = u + &frequency;
             [-(z.im * &rate), z.re * rate]
         });
-        Ok(turned.collect())
+        Ok(turned.chain(still.iter().map(Ring::zero)).collect())
     }
 }
 
@@ -57,22 +62,29 @@ pub(super) fn phasors_of<T: Ring>(state: &[T]) -> Vec<Complex<T>> {
 
 /// Steered particles: positions, then phasors.
 pub(super) struct ParticleLaw<'a> {
-    pub steering: Steering<Rational>,
+    /// `omega_0`, `K_1` and the spacing control.
+    pub steering: (&'a Rational, &'a Rational, &'a Spacing<Rational>),
     pub drift: &'a [Rational; 2],
     pub network: &'a Neighbours,
+    pub constants: Constants<'a>,
 }
 
 impl System for ParticleLaw<'_> {
-    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
-        let Some(like) = state.first() else { return Ok(Vec::new()) };
+    fn rate<T: Number>(&self, _: &T, list: &[T]) -> Result<Vec<T>, ArithmeticError> {
+        let (state, still) = self.constants.split(list);
+        let drift = self.constants.vector("drift", [&self.drift[0], &self.drift[1]], list);
+        let Some((steering, [x, y])) = self.constants.steering(self.steering, list).zip(drift) else {
+            return Ok(Vec::new());
+        };
         let mut positions = phasors_of(state);
         let phasors = positions.split_off(positions.len() / 2);
         let state = State { positions, phasors };
-        let turning = self.steering.over(like).turning(self.network, None, &state)?;
-        let drift = Complex::new(like.rational(&self.drift[0]), like.rational(&self.drift[1]));
+        let turning = steering.turning(self.network, None, &state)?;
+        let drift = Complex::new(x, y);
         let moving = state.moving(&turning, &vec![drift; turning.len()]);
         let rates = moving.positions.into_iter().chain(moving.phasors);
-        Ok(rates.flat_map(|z| [z.re.derivative, z.im.derivative]).collect())
+        let rates = rates.flat_map(|z| [z.re.derivative, z.im.derivative]);
+        Ok(rates.chain(still.iter().map(Ring::zero)).collect())
     }
 }
 
@@ -80,20 +92,23 @@ impl System for ParticleLaw<'_> {
 pub(super) struct PlatoonLaw<'a> {
     pub platoon: &'a Platoon<Rational>,
     pub frequency: &'a Rational,
+    pub constants: Constants<'a>,
 }
 
 impl System for PlatoonLaw<'_> {
-    fn rate<T: Number>(&self, _: &T, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+    fn rate<T: Number>(&self, _: &T, list: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let cars = self.platoon.followers() + 1;
-        let (Some(swing), Some(like)) = (state.get(2 * cars..), state.first()) else { return Ok(Vec::new()) };
-        let w = like.rational(self.frequency);
+        let (state, still) = self.constants.split(list);
+        let numbers = self.constants.platoon(self.platoon, list);
+        let numbers = numbers.zip(self.constants.number("leader.frequency", self.frequency, list));
+        let (Some(swing), Some((platoon, w))) = (state.get(2 * cars..), numbers) else { return Ok(Vec::new()) };
         let swing_rate = [-(swing[1].clone() * &w), swing[0].clone() * &w];
         let place = state[0].clone() + &swing[0];
         let speed = state[cars].clone() + &swing_rate[0];
         let (positions, velocities) = (&state[1..cars], &state[cars + 1..2 * cars]);
-        let platoon = self.platoon.map(|q| like.rational(q));
         let forces = platoon.accelerations((&place, &speed), positions, velocities);
         let rates = state[cars..2 * cars].iter().cloned();
-        Ok(rates.chain([like.zero()]).chain(forces).chain(swing_rate).collect())
+        let still = still.iter().map(Ring::zero);
+        Ok(rates.chain([w.zero()]).chain(forces).chain(swing_rate).chain(still).collect())
     }
 }

@@ -12,6 +12,11 @@ pub(crate) enum Start {
     Phases,
     /// A part of the state of a law of one's own.
     Own(String),
+    /// A number of the law, or a list of which one entry is meant.
+    Constant {
+        name: String,
+        listed: bool,
+    },
 }
 
 impl Start {
@@ -22,6 +27,7 @@ impl Start {
             Start::Velocities => "velocities",
             Start::Phases => "phases",
             Start::Own(part) => part,
+            Start::Constant { name, .. } => name,
         }
     }
 }
