@@ -71,6 +71,8 @@ function checkLinks() {
 /** A tab that reports errors and requests of the page that it shows; from the file system, or from a server. */
 async function reporter(context, server) {
   const tab = await context.newPage();
+  // As a last resort, on machines that do other work too.
+  tab.setDefaultTimeout(120000);
   let page = "";
   const own = server ? (url) => url.startsWith(server) || url.startsWith("data:") : (url) => /^(file|data):/.test(url);
   tab.on("console", (message) => expect(message.type() !== "error", `${page}: ${message.text()}`));
