@@ -28,13 +28,13 @@ from ._numbers import (
     number_text,
 )
 from ._progress import Progress, callback
-from ._shown import Shown
+from ._shown import Shown, table
 
 Pair = tuple[int, int]
 
 
 @dataclass(frozen=True)
-class Switch:
+class Switch(Shown):
     """A change of the network: the first time with the new one, and the edges (birds from 1) that came and went."""
 
     t: int
@@ -44,6 +44,16 @@ class Switch:
     def __repr__(self) -> str:
         edges = [f"+{i}-{j}" for i, j in self.gained] + [f"-{i}-{j}" for i, j in self.lost]
         return f"t = {_shortened(self.t)}: {' '.join(edges)}"
+
+    def _cells(self) -> list[str]:
+        return [_shortened(self.t), *(", ".join(f"{i}–{j}" for i, j in pairs) for pairs in (self.gained, self.lost))]
+
+    def _repr_html_(self) -> str:
+        return table(_SWITCH, [self._cells()])
+
+
+#: The head of a table of switches.
+_SWITCH = ("t", "gained", "lost")
 
 
 def _shortened(t: int) -> str:
@@ -158,15 +168,9 @@ def _text(
 def _html(switches: Sequence[Switch], flocks: Sequence[Sequence[int]], why: str) -> str:
     from html import escape
 
-    def edges(pairs: Sequence[Pair]) -> str:
-        return ", ".join(f"{i}–{j}" for i, j in pairs)
-
-    rows = "".join(
-        f"<tr><td>{_shortened(s.t)}</td><td>{edges(s.gained)}</td><td>{edges(s.lost)}</td></tr>" for s in switches[:50]
-    )
+    shown = table(_SWITCH, [switch._cells() for switch in switches[:50]])
     birds = " ".join(escape(str(list(flock))) for flock in flocks)
-    table = f"<table><tr><th>t</th><th>gained</th><th>lost</th></tr>{rows}</table>"
-    return f"{table}<p>flocks {birds}<br>{escape(why)}</p>"
+    return f"{shown}<p>flocks {birds}<br>{escape(why)}</p>"
 
 
 class Flock(Shown):

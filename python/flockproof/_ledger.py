@@ -168,7 +168,7 @@ def ledger() -> Claims:
 
 
 @dataclass(frozen=True)
-class Evidence:
+class Evidence(Shown):
     """One piece of evidence.
 
     Attributes
@@ -194,6 +194,18 @@ class Evidence:
     detail: str
     cases: int | None
     error_bound: str | None
+
+    def _cells(self) -> tuple[str, str, str, str]:
+        return self.grade, ", ".join(map(str, self.clauses)), self.part, self.detail
+
+    def _repr_html_(self) -> str:
+        known = (("scope", self.scope), ("cases", self.cases), ("bound of the error", self.error_bound))
+        told = "".join(f"<br>{escape(name)}: {escape(str(value))}" for name, value in known if value is not None)
+        return table(_EVIDENCE, [self._cells()]) + f"<p>{told.removeprefix('<br>')}</p>" * bool(told)
+
+
+#: The head of a table of evidence.
+_EVIDENCE = ("grade", "clauses", "part", "what was done")
 
 
 @dataclass(frozen=True)
@@ -243,11 +255,11 @@ class Entry(Shown):
         return "\n".join([*lines, f"  controls {self.controls.refuted}/{self.controls.total}"])
 
     def _repr_html_(self) -> str:
-        rows = [(e.grade, ", ".join(map(str, e.clauses)), e.part, e.detail) for e in self.evidence]
+        rows = [e._cells() for e in self.evidence]
         head = _heading(self)
         told = "".join(f"<br>{escape(text)}" for text in (self.counterexample, self.corrected, self.why) if text)
         controls = f"<p>controls {self.controls.refuted}/{self.controls.total}</p>"
-        return head + told + table(("grade", "clauses", "part", "what was done"), rows) + controls
+        return head + told + table(_EVIDENCE, rows) + controls
 
 
 def _entry(found: dict[str, Any], derivation: str) -> Entry:

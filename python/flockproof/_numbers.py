@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextvars import ContextVar
+from decimal import Decimal
 from fractions import Fraction
 from math import lcm
-from typing import Any, SupportsIndex, TypeAlias, cast, overload
+from typing import Any, Protocol, SupportsIndex, TypeAlias, cast, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -14,8 +15,21 @@ import numpy.typing as npt
 from . import _native
 from ._shown import latex
 
+
+class Ratio(Protocol):
+    """What calls itself rational: numbers of NumPy, SymPy and gmpy2, for instance."""
+
+    @property
+    def numerator(self) -> Any:
+        """An integer."""
+
+    @property
+    def denominator(self) -> Any:
+        """An integer that is not 0."""
+
+
 #: What is accepted as a number: exact ones, and floats, which stand for the exact value of the double.
-Number: TypeAlias = Any
+Number: TypeAlias = int | Fraction | Decimal | str | float | np.integer[Any] | np.floating[Any] | Ratio
 
 
 class Known(Fraction):
@@ -82,11 +96,10 @@ def exact(value: Number, name: str = "value") -> Fraction:
     >>> exact("-0.1"), exact(0.1) == exact("0.1")
     (Fraction(-1, 10), False)
     """
-    kind = type(value)
-    if kind is Fraction or kind is Known:
-        result: Fraction = value
-        return result
-    if kind is int and value.bit_length() < SHORT:
+    # Those that are looked at most often, and no classes of somebody's that are derived from them.
+    if type(value) is Fraction or type(value) is Known:
+        return value
+    if type(value) is int and value.bit_length() < SHORT:
         return Fraction(value)
     if is_float(value):
         float_seen(f"{value!r} is a float")
@@ -105,7 +118,7 @@ def floats_among(**values: object) -> tuple[str, ...]:
     if all(type(value) is int or type(value) is str for value in values.values()):
         return ()
     sentences = tuple(
-        f"{name} = {value!r} is a float and stands for its exact value {exact(value)}"
+        f"{name} = {value!r} is a float and stands for its exact value {exact(cast(Number, value))}"
         for name, value in values.items()
         if is_float(value) and not isinstance(value, (Fraction, Enclosure))
     ) + tuple(
@@ -271,26 +284,26 @@ class Enclosure:
     def __neg__(self) -> Enclosure:
         return 0 - self
 
-    def __add__(self, other: Number) -> Enclosure:
+    def __add__(self, other: Number | Enclosure) -> Enclosure:
         return self._joined(other, lambda lo, hi: [self.lo + lo, self.hi + hi])
 
     __radd__ = __add__
 
-    def __sub__(self, other: Number) -> Enclosure:
+    def __sub__(self, other: Number | Enclosure) -> Enclosure:
         return self._joined(other, lambda lo, hi: [self.lo - hi, self.hi - lo])
 
-    def __rsub__(self, other: Number) -> Enclosure:
+    def __rsub__(self, other: Number | Enclosure) -> Enclosure:
         return self._joined(other, lambda lo, hi: [lo - self.hi, hi - self.lo])
 
-    def __mul__(self, other: Number) -> Enclosure:
+    def __mul__(self, other: Number | Enclosure) -> Enclosure:
         return self._joined(other, lambda lo, hi: [x * y for x in (self.lo, self.hi) for y in (lo, hi)])
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Number) -> Enclosure:
+    def __truediv__(self, other: Number | Enclosure) -> Enclosure:
         return self._joined(other, lambda lo, hi: _quotients((self.lo, self.hi), (lo, hi)))
 
-    def __rtruediv__(self, other: Number) -> Enclosure:
+    def __rtruediv__(self, other: Number | Enclosure) -> Enclosure:
         return self._joined(other, lambda lo, hi: _quotients((lo, hi), (self.lo, self.hi)))
 
     def __pos__(self) -> Enclosure:
@@ -322,16 +335,16 @@ class Enclosure:
             raise Undecided(f"{self} is too wide to compare with {other}: ask for more digits")
         return answer
 
-    def __lt__(self, other: Number) -> bool:
+    def __lt__(self, other: Number | Enclosure) -> bool:
         return self._compared(other, lambda lo, hi: True if self.hi < lo else False if self.lo >= hi else None)
 
-    def __le__(self, other: Number) -> bool:
+    def __le__(self, other: Number | Enclosure) -> bool:
         return self._compared(other, lambda lo, hi: True if self.hi <= lo else False if self.lo > hi else None)
 
-    def __gt__(self, other: Number) -> bool:
+    def __gt__(self, other: Number | Enclosure) -> bool:
         return self._compared(other, lambda lo, hi: True if self.lo > hi else False if self.hi <= lo else None)
 
-    def __ge__(self, other: Number) -> bool:
+    def __ge__(self, other: Number | Enclosure) -> bool:
         return self._compared(other, lambda lo, hi: True if self.lo >= hi else False if self.hi < lo else None)
 
     def _texts(self) -> tuple[str, str]:

@@ -30,7 +30,7 @@ from ._numbers import (
     read_decimal,
 )
 from ._progress import Progress, callback
-from ._shown import ROWS, latex, table, told
+from ._shown import ROWS, Shown, latex, table, told
 
 
 @dataclass(frozen=True)
@@ -263,8 +263,9 @@ def peak(
 
 def _listed(gains: Number | Iterable[Number]) -> list[Any]:
     """One gain, or one for each follower."""
-    one = isinstance(gains, str) or not isinstance(gains, Iterable)
-    return [gains] if one else list(gains)
+    if isinstance(gains, str) or not isinstance(gains, Iterable):
+        return [gains]
+    return list(gains)
 
 
 def system_peak(a: Any, b: Any, c: Any, d: Any = None, digits: int = 15) -> Peak:
@@ -464,7 +465,7 @@ def spectrum(
 
 
 @dataclass(frozen=True)
-class Prefix:
+class Prefix(Shown):
     """A product P(t) ... P(1).
 
     Attributes
@@ -493,6 +494,17 @@ class Prefix:
 
     def __hash__(self) -> int:
         return hash((self.t, self.tau_1, self.tau_2_squared, self.footprint.tobytes()))
+
+    def _cells(self) -> tuple[str, str, str, str]:
+        above = int(self.footprint.sum())
+        return str(self.t), f"{_float(self.tau_1):.10g}", f"{float(self.tau_2):.10g}", str(above)
+
+    def _repr_html_(self) -> str:
+        return table(_PREFIX, [self._cells()])
+
+
+#: The head of a table of products.
+_PREFIX = ("factors", "tau_1", "tau_2", "entries above 0")
 
 
 @dataclass(frozen=True)
@@ -575,19 +587,10 @@ class Ergodicity:
     def _repr_html_(self) -> str:
         rows, columns = self.product.shape
         head = f"{len(self.prefixes)} factors, product {rows} x {columns}"
-        shown = [
-            (
-                str(prefix.t),
-                f"{_float(prefix.tau_1):.10g}",
-                f"{float(prefix.tau_2):.10g}",
-                str(int(prefix.footprint.sum())),
-            )
-            for prefix in self.prefixes[:ROWS]
-        ]
+        shown = [prefix._cells() for prefix in self.prefixes[:ROWS]]
         more = [f"{len(self.prefixes) - ROWS} more factors"] if len(self.prefixes) > ROWS else []
         seen = [f"V_{k} = {set(s.members)} from T_{k} = {s.time}" for k, s in enumerate(self.stabilisers, 1)]
-        names = ("factors", "tau_1", "tau_2", "entries above 0")
-        return told(head, (*self.from_floats, *self.changed[:20], *more, *seen)) + table(names, shown)
+        return told(head, (*self.from_floats, *self.changed[:20], *more, *seen)) + table(_PREFIX, shown)
 
     def _repr_latex_(self) -> str | None:
         return self.product._repr_latex_()

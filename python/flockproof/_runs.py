@@ -29,7 +29,7 @@ Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Event:
+class Event(Shown):
     """A link that came or went.
 
     Attributes
@@ -45,6 +45,14 @@ class Event:
     t: float
     kind: str
     pair: tuple[int, int]
+
+    def _repr_html_(self) -> str:
+        i, j = self.pair
+        return table(("t", "link", "agents"), [(f"{self.t:.10g}", _CHANGE.get(self.kind, self.kind), f"{i}, {j}")])
+
+
+#: What became of a link.
+_CHANGE = {"link": "came", "unlink": "went"}
 
 
 @dataclass(frozen=True, eq=False)

@@ -230,22 +230,22 @@ class Exact:
                 return cast("Exact", NotImplemented)
         return Exact._between(ends(other), self.doubt or other.doubt)
 
-    def __add__(self, other: Number) -> Exact:
+    def __add__(self, other: Number | Enclosure | Exact) -> Exact:
         return self._joined(other, lambda y: [self.lo + y.lo, self.hi + y.hi])
 
-    def __sub__(self, other: Number) -> Exact:
+    def __sub__(self, other: Number | Enclosure | Exact) -> Exact:
         return self._joined(other, lambda y: [self.lo - y.hi, self.hi - y.lo])
 
-    def __rsub__(self, other: Number) -> Exact:
+    def __rsub__(self, other: Number | Enclosure | Exact) -> Exact:
         return self._joined(other, lambda y: [y.lo - self.hi, y.hi - self.lo])
 
-    def __mul__(self, other: Number) -> Exact:
+    def __mul__(self, other: Number | Enclosure | Exact) -> Exact:
         return self._joined(other, lambda y: [a * b for a in (self.lo, self.hi) for b in (y.lo, y.hi)])
 
-    def __truediv__(self, other: Number) -> Exact:
+    def __truediv__(self, other: Number | Enclosure | Exact) -> Exact:
         return self._joined(other, lambda y: _quotients(self, y))
 
-    def __rtruediv__(self, other: Number) -> Exact:
+    def __rtruediv__(self, other: Number | Enclosure | Exact) -> Exact:
         return self._joined(other, lambda y: _quotients(y, self))
 
     __radd__ = __add__
@@ -278,16 +278,16 @@ class Exact:
         grade = "simulated" if doubt else "certified" if wide else "exact"
         return Truth(answer(other), grade, f"{self} {word} {other}", doubt)
 
-    def __lt__(self, other: Number) -> Truth:
+    def __lt__(self, other: Number | Enclosure | Exact) -> Truth:
         return self._compared(other, "<", lambda y: True if self.hi < y.lo else False if self.lo >= y.hi else None)
 
-    def __le__(self, other: Number) -> Truth:
+    def __le__(self, other: Number | Enclosure | Exact) -> Truth:
         return self._compared(other, "<=", lambda y: True if self.hi <= y.lo else False if self.lo > y.hi else None)
 
-    def __gt__(self, other: Number) -> Truth:
+    def __gt__(self, other: Number | Enclosure | Exact) -> Truth:
         return self._compared(other, ">", lambda y: True if self.lo > y.hi else False if self.hi <= y.lo else None)
 
-    def __ge__(self, other: Number) -> Truth:
+    def __ge__(self, other: Number | Enclosure | Exact) -> Truth:
         return self._compared(other, ">=", lambda y: True if self.lo >= y.hi else False if self.hi < y.lo else None)
 
     def _equal(self, y: Exact) -> bool | None:

@@ -299,6 +299,27 @@ def test_parts_of_results_show_themselves() -> None:
         assert latex.count(r" \\" + "\n") == html.count("<tr>")
 
 
+def test_the_smallest_parts_show_themselves() -> None:
+    settled = flockproof.Flock([0, "5/2"], ["1/8", 0]).settle()
+    event = flockproof.Event(1.5, "unlink", (2, 4))
+    prefix = flockproof.ergodicity([[["1/2", "1/2"], ["0", "1"]]]).prefixes[0]
+    evidence = flockproof.Evidence("identity", (1, 2), "all", "a < b", "computed", 64, "2^-190")
+    for found, words in (
+        (event, "<td>1.5</td><td>went</td><td>2, 4</td>"),
+        (settled.switches[0], "<td>12</td><td>1–2</td><td></td>"),
+        (prefix, "<td>1</td><td>0.5</td><td>0.7071067812</td><td>3</td>"),
+        (evidence, "<td>identity</td><td>1, 2</td><td>a &lt; b</td><td>computed</td>"),
+    ):
+        html, latex = found._repr_html_(), found._repr_latex_()
+        assert words in html and html.count("<table>") == html.count("</table>") == 1
+        assert latex.count(r" \\" + "\n") == html.count("<tr>") == 2
+    # As a row of the whole.
+    assert settled.switches[0]._repr_html_().removesuffix("</table>") in settled._repr_html_()
+    assert "cases: 64<br>bound of the error: 2^-190" in evidence._repr_html_()
+    bare = flockproof.Evidence("text", (), None, "a", "b", None, None)
+    assert bare._repr_html_().endswith("</table>")
+
+
 def test_a_reach_shows_its_checks() -> None:
     found = flockproof.reach(
         {

@@ -9,7 +9,7 @@
 import { chromium } from "playwright-core";
 import fs from "node:fs";
 import path from "node:path";
-import { execFileSync, spawn } from "node:child_process";
+import { execFile, spawn } from "node:child_process";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
@@ -68,15 +68,38 @@ function checkLinks() {
   console.log(`${pages.length} pages, ${count} links`);
 }
 
-/** A page that reports errors and requests; from the file system, or from a server. */
-async function open(context, page, server) {
+/** A tab that reports errors and requests of the page that it shows; from the file system, or from a server. */
+async function reporter(context, server) {
   const tab = await context.newPage();
+  // As a last resort, on machines that do other work too.
+  tab.setDefaultTimeout(120000);
+  let page = "";
   const own = server ? (url) => url.startsWith(server) || url.startsWith("data:") : (url) => /^(file|data):/.test(url);
   tab.on("console", (message) => expect(message.type() !== "error", `${page}: ${message.text()}`));
   tab.on("pageerror", (error) => expect(false, `${page}: ${error}`));
   tab.on("request", (request) => expect(own(request.url()), `${page}: asks for ${request.url()}`));
-  await tab.goto(server ? server + page : address(page));
+  const show = (next) => { page = next; return tab.goto(server ? server + page : address(page)); };
+  return { tab, show };
+}
+
+async function open(context, page, server) {
+  const { tab, show } = await reporter(context, server);
+  await show(page);
   return tab;
+}
+
+/** Shows the pages one after the other in a few tabs, and does the same with each. A new tab takes longer than a page. */
+async function each(context, list, check, server) {
+  const left = [...list];
+  const work = async () => {
+    const { tab, show } = await reporter(context, server);
+    for (let page = left.shift(); page !== undefined; page = left.shift()) {
+      await show(page);
+      await check(tab, page);
+    }
+    await tab.close();
+  };
+  await Promise.all([work(), work()]);
 }
 
 /** How wide a page is in its window, and what is to blame. */
@@ -98,9 +121,35 @@ function scrolled(tab) {
   });
 }
 
+/**
+ * Marks three of the elements with text that look alike: colour, size and weight of the letters, and all that lies behind them. Contrast
+ * depends on nothing else, and to look for what lies behind each of the 20000 signs of the formulas of the list takes axe a minute.
+ */
+function markLooks() {
+  const known = new Map([[null, ""]]), seen = new Map();
+  const behind = (e) => {
+    if (!known.has(e)) {
+      const s = getComputedStyle(e), clear = /^rgba\(.*, 0\)$/.test(s.backgroundColor) && s.backgroundImage === "none";
+      const own = [clear ? "" : s.backgroundColor + s.backgroundImage, s.opacity === "1" ? "" : s.opacity, s.position === "static" ? "" : s.position];
+      known.set(e, behind(e.parentElement) + own.join(""));
+    }
+    return known.get(e);
+  };
+  for (const e of document.body.querySelectorAll("*")) {
+    const text = [...e.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.nodeValue.trim() !== "");
+    if (!(text || e.matches("input, select, textarea, button")) || !e.checkVisibility()) continue;
+    const s = getComputedStyle(e);
+    const look = [behind(e), s.color, s.fontSize, s.fontWeight, s.textShadow, s.visibility, e.matches(":disabled"), e.tagName === "A"].join("|");
+    seen.set(look, (seen.get(look) ?? 0) + 1);
+    if (seen.get(look) <= 3) e.setAttribute("data-look", "");
+  }
+}
+
 /** What axe finds. */
 async function checkAxe(tab, name) {
   await tab.evaluate(axe);
+  await tab.evaluate(markLooks);
+  await tab.evaluate(() => window.axe.configure({ rules: [{ id: "color-contrast", selector: "[data-look]" }] }));
   const found = await tab.evaluate(async () => (await window.axe.run({ resultTypes: ["violations"] })).violations);
   for (const violation of found) {
     const node = violation.nodes[0];
@@ -110,27 +159,23 @@ async function checkAxe(tab, name) {
 
 async function checkNarrow(browser) {
   const context = await browser.newContext({ viewport: { width: 320, height: 640 } });
-  for (const page of pages) {
-    const tab = await open(context, page);
+  await each(context, pages, async (tab, page) => {
     const [wide, who] = await width(tab);
     expect(wide <= 320, `${page}: ${wide} pixels wide in a window of 320: ${who}`);
     const table = await scrolled(tab);
     expect(table === "", `${page}: a table has to be scrolled in a window of 320: ${table}`);
     if (shots && kinds.includes(page)) await tab.screenshot({ path: path.join(shots, page.replaceAll("/", "-") + ".narrow.png") });
-    await tab.close();
-  }
+  });
   await context.close();
 }
 
 async function checkKinds(browser) {
   for (const colorScheme of ["light", "dark"]) {
     const context = await browser.newContext({ viewport: { width: 1200, height: 900 }, colorScheme });
-    for (const page of kinds.filter((page) => pages.includes(page))) {
-      const tab = await open(context, page);
+    await each(context, kinds.filter((page) => pages.includes(page)), async (tab, page) => {
       await checkAxe(tab, `${page}, ${colorScheme}`);
       if (shots) await tab.screenshot({ path: path.join(shots, `${page.replaceAll("/", "-")}.${colorScheme}.png`) });
-      await tab.close();
-    }
+    });
     await context.close();
   }
 }
@@ -182,8 +227,7 @@ async function checkList(browser) {
 
 async function checkMotions(browser) {
   const context = await browser.newContext({ viewport: { width: 900, height: 900 } });
-  for (const page of pages.filter((page) => page.startsWith("explore/") && !/index|live-/.test(page))) {
-    const tab = await open(context, page);
+  await each(context, pages.filter((page) => page.startsWith("explore/") && !/index|live-/.test(page)), async (tab, page) => {
     const picture = () => tab.evaluate(() => document.querySelector("canvas").toDataURL());
     const time = () => tab.locator(".live output").first().textContent();
     const first = await picture();
@@ -199,17 +243,18 @@ async function checkMotions(browser) {
     await tab.locator(".play").first().click();
     await tab.waitForFunction(() => !/^t = 0$/.test(document.querySelector(".live output").textContent), null, { timeout: 60000 })
       .catch(() => expect(false, `${page}: it plays`));
-    await tab.close();
-  }
+  });
   await context.close();
 }
 
-/** What the program prints for these arguments, with this standard input. */
+/** What the program prints for these arguments, with this standard input; `check` tells by its status that a statement is false. */
 function printed(list, input) {
-  try { return JSON.parse(execFileSync(process.env.FLOCKPROOF, list, { input, maxBuffer: 1 << 28, stdio: ["pipe", "pipe", "ignore"] })); } catch (error) {
-    // `check` tells by its status that a statement is false.
-    return JSON.parse(error.stdout);
-  }
+  return new Promise((resolve, reject) => {
+    const program = execFile(process.env.FLOCKPROOF, list, { maxBuffer: 1 << 28 }, (_, text) => { try { resolve(JSON.parse(text)); } catch (error) { reject(error); } });
+    // Who reads no input may have ended before it is written.
+    program.stdin.on("error", () => {});
+    program.stdin.end(input);
+  });
 }
 
 // For each live page what it asks at first, on the command line; texts are those of its fields.
@@ -225,79 +270,92 @@ const asked = {
 };
 const endless = `[question]\nid = "endless"\nbudget = 1000000000\n[for]\nn = "1..1000000000"\n[holds]\nproperty = "n > 0"\ncontrols = ["n > 5"]\n`;
 
+/** The server of the live pages: its address, which it says when the site is made, and its end. */
+function serve() {
+  const program = spawn(process.env.FLOCKPROOF, ["serve", "--port", "0", "--no-figures", "--ledger", path.join(site, "data/ledger.json")], { stdio: ["ignore", "pipe", "inherit"] });
+  const home = new Promise((resolve, reject) => {
+    program.stdout.once("data", (data) => resolve(String(data).split(" ")[0]));
+    program.once("error", reject).once("exit", (status) => reject(new Error(`serve has ended with status ${status}`)));
+  });
+  // Other checks may fail before anybody waits for it.
+  home.catch(() => {});
+  return { home, end: () => program.kill("SIGTERM") };
+}
+
+const long = { timeout: 120000 };
+const answered = (tab, page) => tab.waitForFunction(() => document.getElementById("state").textContent === "answered", null, long)
+  .catch(async () => expect(false, `${page}: ${await tab.locator("#state").textContent()}`));
+
 /** The live pages, as `serve` shows them. */
-async function checkLive(browser) {
-  const server = spawn(process.env.FLOCKPROOF, ["serve", "--port", "0", "--no-figures", "--ledger", path.join(site, "data/ledger.json")], { stdio: ["ignore", "pipe", "inherit"] });
-  try {
-    const said = await new Promise((resolve) => server.stdout.once("data", (data) => resolve(String(data))));
-    const home = said.split(" ")[0];
-    const long = { timeout: 120000 };
-    const answered = (tab, page) => tab.waitForFunction(() => document.getElementById("state").textContent === "answered", null, long)
-      .catch(async () => expect(false, `${page}: ${await tab.locator("#state").textContent()}`));
-    for (const colorScheme of ["light", "dark"]) {
-      const context = await browser.newContext({ viewport: { width: colorScheme === "dark" ? 320 : 1200, height: 900 }, colorScheme });
-      for (const page of pages.filter((page) => page.startsWith("explore/live-"))) {
-        const name = path.basename(page, ".html"), tab = await open(context, page, home);
-        // By keyboard alone, from the top of the page.
-        for (let k = 0; k < 60 && (await tab.evaluate(() => document.activeElement.id)) !== "go"; k++) await tab.keyboard.press("Tab");
-        expect((await tab.evaluate(() => document.activeElement.id)) === "go", `${page}: the keyboard leads to the button`);
-        await tab.keyboard.press("Enter");
-        await answered(tab, page);
-        const shown = JSON.parse((await tab.locator("#document pre code").textContent()) || "{}");
-        if (asked[name]) {
-          const fields = await tab.evaluate(() => Object.fromEntries([...document.getElementById("ask").elements].filter((e) => e.name).map((e) => [e.name, e.value])));
-          const [list, input] = asked[name]((field) => fields[field]);
-          const own = printed(list, input ?? "");
-          if (name === "live-question") own.replay = null;
-          expect(JSON.stringify(own) === JSON.stringify(shown), `${page}: another answer than that of the command line`);
-        } else expect(shown.accepted === true, `${page}: the certificate is accepted`);
-        const [wide, who] = await width(tab);
-        if (colorScheme === "dark") expect(wide <= 320, `${page}, answered: ${wide} pixels wide in a window of 320: ${who}`);
-        await checkAxe(tab, `${page}, answered, ${colorScheme}`);
-        if (await tab.locator("#answer .live").count()) {
-          const before = await tab.evaluate(() => document.querySelector("#answer canvas").toDataURL());
-          await tab.locator("#answer .time").first().focus();
-          await tab.keyboard.press("End");
-          expect(before !== await tab.evaluate(() => document.querySelector("#answer canvas").toDataURL()), `${page}: the motion moves`);
-        }
-        if (shots) await tab.screenshot({ path: path.join(shots, `${page.replaceAll("/", "-")}.answered.${colorScheme}.png`), fullPage: true });
-        await tab.close();
-      }
-      await context.close();
-    }
-    const context = await browser.newContext({ viewport: { width: 1200, height: 900 } });
-    await checkDrawing(context, home, answered);
-    // Every example of a question has an answer.
-    const tab = await open(context, "explore/live-question.html", home);
-    for (const name of await tab.locator("#example option").allTextContents()) {
-      await tab.selectOption("#example", name);
-      await tab.click("#go");
-      await answered(tab, name);
-      if (shots) await tab.screenshot({ path: path.join(shots, `live-question.${name.replaceAll(" ", "-")}.png`), fullPage: true });
-    }
-    // Progress, and its end.
-    await tab.fill("textarea[name=question]", endless);
-    await tab.click("#go");
-    await tab.waitForFunction(() => /cases, \d+ of 1000000000/.test(document.getElementById("stage").textContent), null, long)
-      .catch(() => expect(false, "progress is shown"));
-    if (shots) await tab.screenshot({ path: path.join(shots, "live-question.progress.png") });
-    await tab.click("#stop");
-    await tab.waitForFunction(() => document.getElementById("state").textContent === "stopped", null, long).catch(() => expect(false, "it stops"));
-    expect(await tab.locator("#stop").isDisabled(), "nothing more can be stopped");
-    // What is wrong is said in a sentence, and a page opens no file. The status of a refusal is an error on the console of the browser.
-    tab.removeAllListeners("console");
-    await tab.fill("textarea[name=beside]", "");
-    await tab.fill("textarea[name=question]", endless.replace('budget = 1000000000', 'scenario = "/etc/passwd"'));
-    await tab.click("#go");
-    await tab.waitForFunction(() => /opens no files/.test(document.getElementById("state").textContent), null, long).catch(() => expect(false, "it opens no files"));
+async function checkLive(browser, home) {
+  const own = new Map();
+  for (const colorScheme of ["light", "dark"]) {
+    const context = await browser.newContext({ viewport: { width: colorScheme === "dark" ? 320 : 1200, height: 900 }, colorScheme });
+    await each(context, pages.filter((page) => page.startsWith("explore/live-")), (tab, page) => checkAnswer(tab, page, colorScheme, own), home);
     await context.close();
-  } finally {
-    server.kill("SIGTERM");
   }
+  const context = await browser.newContext({ viewport: { width: 1200, height: 900 } });
+  await checkDrawing(context, home);
+  await checkQuestions(context, home);
+  await context.close();
+}
+
+/** A live page by keyboard alone, its answer against that of the command line, which `own` remembers, and how it looks. */
+async function checkAnswer(tab, page, colorScheme, own) {
+  const name = path.basename(page, ".html");
+  for (let k = 0; k < 60 && (await tab.evaluate(() => document.activeElement.id)) !== "go"; k++) await tab.keyboard.press("Tab");
+  expect((await tab.evaluate(() => document.activeElement.id)) === "go", `${page}: the keyboard leads to the button`);
+  await tab.keyboard.press("Enter");
+  await answered(tab, page);
+  const shown = JSON.parse((await tab.locator("#document pre code").textContent()) || "{}");
+  if (asked[name]) {
+    const fields = await tab.evaluate(() => Object.fromEntries([...document.getElementById("ask").elements].filter((e) => e.name).map((e) => [e.name, e.value])));
+    const [list, input] = asked[name]((field) => fields[field]);
+    const key = JSON.stringify([list.filter((word) => !word.startsWith("/tmp/flockproof-")), input]);
+    if (!own.has(key)) own.set(key, await printed(list, input ?? ""));
+    if (name === "live-question") own.get(key).replay = null;
+    expect(JSON.stringify(own.get(key)) === JSON.stringify(shown), `${page}: another answer than that of the command line`);
+  } else expect(shown.accepted === true, `${page}: the certificate is accepted`);
+  const [wide, who] = await width(tab);
+  if (colorScheme === "dark") expect(wide <= 320, `${page}, answered: ${wide} pixels wide in a window of 320: ${who}`);
+  await checkAxe(tab, `${page}, answered, ${colorScheme}`);
+  if (await tab.locator("#answer .live").count()) {
+    const before = await tab.evaluate(() => document.querySelector("#answer canvas").toDataURL());
+    await tab.locator("#answer .time").first().focus();
+    await tab.keyboard.press("End");
+    expect(before !== await tab.evaluate(() => document.querySelector("#answer canvas").toDataURL()), `${page}: the motion moves`);
+  }
+  if (shots) await tab.screenshot({ path: path.join(shots, `${page.replaceAll("/", "-")}.answered.${colorScheme}.png`), fullPage: true });
+}
+
+/** Every example of a question has an answer; progress, its end, and what is refused. */
+async function checkQuestions(context, home) {
+  const tab = await open(context, "explore/live-question.html", home);
+  for (const name of await tab.locator("#example option").allTextContents()) {
+    await tab.selectOption("#example", name);
+    await tab.click("#go");
+    await answered(tab, name);
+    if (shots) await tab.screenshot({ path: path.join(shots, `live-question.${name.replaceAll(" ", "-")}.png`), fullPage: true });
+  }
+  await tab.fill("textarea[name=question]", endless);
+  await tab.click("#go");
+  await tab.waitForFunction(() => /cases, \d+ of 1000000000/.test(document.getElementById("stage").textContent), null, long)
+    .catch(() => expect(false, "progress is shown"));
+  if (shots) await tab.screenshot({ path: path.join(shots, "live-question.progress.png") });
+  await tab.click("#stop");
+  await tab.waitForFunction(() => document.getElementById("state").textContent === "stopped", null, long).catch(() => expect(false, "it stops"));
+  expect(await tab.locator("#stop").isDisabled(), "nothing more can be stopped");
+  // What is wrong is said in a sentence, and a page opens no file. The status of a refusal is an error on the console of the browser.
+  tab.removeAllListeners("console");
+  await tab.fill("textarea[name=beside]", "");
+  await tab.fill("textarea[name=question]", endless.replace('budget = 1000000000', 'scenario = "/etc/passwd"'));
+  await tab.click("#go");
+  await tab.waitForFunction(() => /opens no files/.test(document.getElementById("state").textContent), null, long).catch(() => expect(false, "it opens no files"));
+  await tab.close();
 }
 
 /** A graph and a flock by mouse. */
-async function checkDrawing(context, home, answered) {
+async function checkDrawing(context, home) {
   const tab = await open(context, "explore/live-spectra.html", home);
   await tab.click("#clear");
   const box = await tab.locator("#drawing").boundingBox();
@@ -312,7 +370,7 @@ async function checkDrawing(context, home, answered) {
   await tab.click("#go");
   await answered(tab, "a drawn graph");
   const shown = JSON.parse(await tab.locator("#document pre code").textContent());
-  expect(JSON.stringify(shown) === JSON.stringify(printed(["spectrum", "--graph", "-", "--json"], edges)), "the spectrum of a drawn graph");
+  expect(JSON.stringify(shown) === JSON.stringify(await printed(["spectrum", "--graph", "-", "--json"], edges)), "the spectrum of a drawn graph");
   await tab.goto(home + "explore/live-flock.html");
   await tab.click("#clear");
   await drag(at(0.2, 0.5), at(0.3, 0.4));
@@ -328,17 +386,26 @@ async function checkDrawing(context, home, answered) {
   await tab.close();
 }
 
+/** Does this and tells how long it took. */
+async function timed(name, work) {
+  const begun = performance.now();
+  await work();
+  console.log(`${name}: ${Math.round((performance.now() - begun) / 1000)} s`);
+}
+
 checkLinks();
 checkCounterexamples();
 if (shots) fs.mkdirSync(shots, { recursive: true });
+const server = process.env.FLOCKPROOF ? serve() : undefined;
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--allow-file-access-from-files"] });
 try {
-  await checkList(browser);
-  await checkMotions(browser);
-  await checkKinds(browser);
-  await checkNarrow(browser);
-  if (process.env.FLOCKPROOF) await checkLive(browser);
+  await timed("one page of each kind", () => checkKinds(browser));
+  await timed("all pages in a narrow window", () => checkNarrow(browser));
+  await timed("the list of claims", () => checkList(browser));
+  await timed("the motions", () => checkMotions(browser));
+  if (server) await timed("the live pages", async () => checkLive(browser, await server.home));
 } finally {
+  server?.end();
   await browser.close();
 }
 console.log(failures.length === 0 ? "the site is as it should be" : `${failures.length} failures`);
