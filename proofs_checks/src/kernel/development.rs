@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 169] = sources![
+const SOURCES: [(&str, &str); 171] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -86,6 +86,7 @@ const SOURCES: [(&str, &str); 169] = sources![
     "tanner2_switching",
     "tanner2_distance",
     "tanner2_filippov",
+    "paley_formations",
     "tanner1_jumps",
     "tanner2_appendix",
     "tanner2_limits",
@@ -156,6 +157,7 @@ const SOURCES: [(&str, &str); 169] = sources![
     "audit_tanner_states",
     "audit_solutions",
     "audit_settling",
+    "audit_stability",
     "audit_independent_chazelle",
     "audit_independent_angle",
     "audit_independent_paley",
