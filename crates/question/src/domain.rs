@@ -139,6 +139,15 @@ impl Domain {
         }
     }
 
+    /// Whether it is a closed interval, or has one among others.
+    pub fn has_interval(&self) -> bool {
+        match self {
+            Domain::Written(node) => matches!(node.kind, Kind::Interval(..)),
+            Domain::Given(_) => false,
+            Domain::List(list) => list.iter().any(|(_, domain)| domain.has_interval()),
+        }
+    }
+
     /// Whether it is drawn at random.
     pub fn is_sample(&self) -> bool {
         match self {

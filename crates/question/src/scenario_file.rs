@@ -232,7 +232,7 @@ impl ScenarioFile {
         self.bound_at(bindings, further, Range::centre)
     }
 
-    /// The same with another number of each interval in it.
+    /// The same with another number of each interval of the law in it.
     fn bound_at(
         &self,
         bindings: &Bindings,
@@ -257,7 +257,8 @@ impl ScenarioFile {
                         return Err(format!("`{name}` should be a number or an interval, not `{}`", value.text()));
                     };
                     let (list, agent, coordinate) = self.wide_place(source, name)?;
-                    numbers.push((self.place(name)?, of(&range)));
+                    let is_constant = matches!(list, List::Constant { .. });
+                    numbers.push((self.place(name)?, if is_constant { of(&range) } else { range.centre() }));
                     wide.push((list, agent, coordinate, range.lo, range.hi));
                 }
                 _ => {}

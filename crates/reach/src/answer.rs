@@ -100,11 +100,14 @@ pub fn left_side(system: &System, condition: &Condition) -> String {
     text
 }
 
-/// One enclosure for people: the digits that both ends have in common, or both ends.
+/// One enclosure for people: the digits that both ends have in common, a fraction that is known exactly, or both ends.
 fn shown(lo: Option<&Rational>, hi: Option<&Rational>, digits: u32) -> String {
     let (low, high) = (lo.map(|x| decimal(x, digits + MORE, false)), hi.map(|x| decimal(x, digits + MORE, true)));
     match (low, high) {
         (Some(low), Some(high)) if low == high => low,
+        (Some(low), Some(_)) if lo == hi && lo.is_some_and(|x| x.to_string().len() <= low.len()) => {
+            lo.map(ToString::to_string).unwrap_or(low)
+        }
         (Some(low), Some(high)) => format!("[{low}, {high}]"),
         (low, high) => format!("[{}, {}]", low.as_deref().unwrap_or("-inf"), high.as_deref().unwrap_or("inf")),
     }

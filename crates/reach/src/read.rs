@@ -380,6 +380,10 @@ fn stays(section: &Section, modes: &[Mode]) -> Read<Vec<Stay>> {
     let names: Vec<&str> = modes.iter().map(|mode| mode.name.as_str()).collect();
     for (key, longest) in [("at_least", false), ("at_most", true)] {
         let Some(entry) = section.get(key) else { continue };
+        if !entry.is_table() {
+            let first = names.first().copied().unwrap_or("mode");
+            return Err(entry.range(format!("a table with times of modes, such as {{ {first} = 2 }}")));
+        }
         let table = entry.table("switching")?;
         table.allow(&names, " (names of modes)")?;
         for (name, stay) in names.iter().zip(&mut stays) {

@@ -3,7 +3,7 @@
 use super::check::Check;
 use super::{Asked, BUDGET, Expression, Question};
 use crate::definitions::Definition;
-use crate::domain::{Bound, Classes, Domain, Sort, read_domain, read_each};
+use crate::domain::{Bound, Classes, Domain, read_domain, read_each};
 use crate::error::{Place, Problem, QuestionError};
 use crate::given::Given;
 use crate::inequalities::inequalities;
@@ -215,7 +215,7 @@ impl Question {
                 let expected = "a list of numbers, of graphs or of matrices";
                 return Err(self.at(bound.base, Problem::expected(expected, "of different sorts")));
             }
-            if bound.domain.sort() == Some(Sort::Box)
+            if bound.domain.has_interval()
                 && is_place(&bound.name)
                 && let Some(scenario) = &self.scenario
             {

@@ -63,3 +63,20 @@ fn the_worst_corner_comes_before_boxes() {
     assert_eq!(answer.verdict, Verdict::False, "{}", answer.why);
     assert_eq!(answer.cases, 1);
 }
+
+/// Two coupled oscillators of van der Pol, from a box of four numbers; the largest velocity up to t = 7 is 2.6863, from a corner.
+#[test]
+fn coupled_oscillators_take_one_box() {
+    let oscillators = "model = \"own\"\n[law]\ndimension = 1\nstate = { x = \"number\", y = \"number\" }\n[law.rates]\nx = \"y\"\n\
+        y = \"(1 - x^2)*y - 2*x + sum(j, x[j])\"\n[state]\nx = [\"7/5\", \"7/5\"]\ny = [\"12/5\", \"12/5\"]\n[run]\nuntil = 7\n";
+    let side = |k: usize| format!("\"state.x[{k}]\" = \"[5/4, 31/20]\"\n\"state.y[{k}]\" = \"[47/20, 49/20]\"\n");
+    let family = side(1) + &side(2);
+    let answer = answered(
+        oscillators,
+        &family,
+        "always[0, 7](y[1] <= 11/4 and y[2] <= 11/4)",
+        "always[0, 7](y[1] <= 2686/1000)",
+    );
+    assert_eq!((answer.verdict, &answer.controls[..]), (Verdict::Holds, &[true][..]), "{}", answer.why);
+    assert_eq!(answer.cases, 1);
+}

@@ -124,6 +124,17 @@ fn the_start_alone_decides_nothing() {
     fails(&swing, family, "abs(x[1]) <= abs(initial(x[1]))");
 }
 
+/// A rotation keeps the distance from the origin, of all starts of a box of two numbers.
+#[test]
+fn a_rotation_keeps_the_distance() {
+    let turning = own("x = \"number\", y = \"number\"", "x = \"y\"\ny = \"-x\"", "", "x = [1]\ny = [0]");
+    let family = "\"state.x[1]\" = \"[9/10, 11/10]\"\n\"state.y[1]\" = \"[-1/10, 1/10]\"";
+    holds(&turning, family, "x[1]^2 + y[1]^2 = initial(x[1]^2 + y[1]^2)");
+    fails(&turning, family, "x[1]^2 + y[1]^2 = initial(x[1]^2 + y[1]^2) + 1/1000000");
+    fails(&turning, family, "x[1]^2 + 1000001/1000000*y[1]^2 = initial(x[1]^2 + 1000001/1000000*y[1]^2)");
+    fails(&turning, family, "x[1] = initial(x[1])");
+}
+
 /// Links by distance: as long as none switches, roots and sums go by the links that there are. The third agent is out of reach.
 #[test]
 fn links_by_distance_that_do_not_switch() {

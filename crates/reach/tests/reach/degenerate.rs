@@ -166,6 +166,11 @@ fn constants_are_the_same_in_every_check() {
     let system = read(&still);
     let text = reach::answer::text(&system, &decide(&system, 10, &Unwatched).expect("answers"), 10);
     assert!(!text.contains("near it"), "{text}");
+    // Exact numbers are shown as such.
+    assert!(text.contains("greatest value 1/3 at t = 0"), "{text}");
+    let later = read(&(still + "at = \"1/3\"\n"));
+    let text = reach::answer::text(&later, &decide(&later, 10, &Unwatched).expect("answers"), 10);
+    assert!(text.contains("2/3 at t = 1/3"), "{text}");
 }
 
 /// `x' = -x + u` from 0 comes near to 1 and -1 and never there; with more input it passes.

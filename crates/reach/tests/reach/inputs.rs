@@ -64,6 +64,11 @@ fn each_fault_is_named_with_its_line() {
             "[switching]\nkind = \"dwell\"\nat_least = { only = 2 }\nat_most = { only = 1 }\n[run]",
             "it must be a time from 2 on",
         ),
+        (
+            "[run]",
+            "[switching]\nkind = \"dwell\"\nat_least = 2\n[run]",
+            "it must be a table with times of modes, such as { only = 2 }",
+        ),
         ("name = \"only\"", "name = \"on ly\"", "it must be a name of letters and digits"),
     ] {
         let error = refused(from, to);

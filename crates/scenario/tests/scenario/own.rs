@@ -612,13 +612,13 @@ fn affine_steps_are_those_of_single_starts() {
         .map(|x| arithmetic::parse_rational(x).expect("a number"))
         .collect();
     // At 0 the first one is at exactly the radius of the third one.
-    let wide = [(0, [rational(0, 1), rational(1, 10)]), (8, [rational(49, 10), rational(5, 1)])];
+    let wide = [(0, [rational(0, 1), rational(1, 10)]), (4, [rational(223, 100), rational(227, 100)])];
     let mut steps = boxed(&wide);
-    let points: Vec<[Rational; 2]> = (0..=10).map(|k| [rational(k, 100), rational(490 + (7 * k) % 11, 100)]).collect();
+    let points: Vec<[Rational; 2]> = (0..=10).map(|k| [rational(k, 100), rational(223 + 3 * k % 5, 100)]).collect();
     let mut alone: Vec<Vec<Rational>> = points
         .iter()
         .map(|[first, last]| {
-            (start[0], start[8]) = (first.clone(), last.clone());
+            (start[0], start[4]) = (first.clone(), last.clone());
             start.clone()
         })
         .collect();
