@@ -122,8 +122,9 @@ function scrolled(tab) {
 }
 
 /**
- * Marks three of the elements with text that look alike: colour, size and weight of the letters, and all that lies behind them. Contrast
- * depends on nothing else, and to look for what lies behind each of the 20000 signs of the formulas of the list takes axe a minute.
+ * Marks three of the elements with text that look alike: colour, size and weight of the letters, and all that lies behind them; axe leaves single
+ * letters to the reader. Contrast depends on nothing else, and to look for what lies behind each of the 20000 signs of the formulas of the list takes
+ * axe a minute.
  */
 function markLooks() {
   const known = new Map([[null, ""]]), seen = new Map();
@@ -139,7 +140,7 @@ function markLooks() {
     const text = [...e.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.nodeValue.trim() !== "");
     if (!(text || e.matches("input, select, textarea, button")) || !e.checkVisibility()) continue;
     const s = getComputedStyle(e);
-    const look = [behind(e), s.color, s.fontSize, s.fontWeight, s.textShadow, s.visibility, e.matches(":disabled"), e.tagName === "A"].join("|");
+    const look = [behind(e), s.color, s.fontSize, s.fontWeight, s.textShadow, s.visibility, e.matches(":disabled"), e.tagName, e.textContent.trim().length > 1].join("|");
     seen.set(look, (seen.get(look) ?? 0) + 1);
     if (seen.get(look) <= 3) e.setAttribute("data-look", "");
   }
