@@ -124,12 +124,12 @@ fn headings_jump_on_networks_without_positions_and_all_at_once() {
     let law = |starts: &str, agents: usize| {
         let zeros = vec!["0"; agents].join(", ");
         format!(
-            "model = \"own\"\n[graph]\nkind = \"empty\"\n[run]\nuntil = 6\nsamples = [3, 6]\nrows = 2\ntolerance = 1e-11\n[state]\nv = [{starts}]\nw = [{zeros}]\n\
+            "model = \"own\"\n[graph]\nkind = \"edges\"\nedges = [[1, 2]]\n[run]\nuntil = 6\nsamples = [3, 6]\nrows = 2\ntolerance = 1e-11\n[state]\nv = [{starts}]\nw = [{zeros}]\n\
              [law]\nstate = {{ v = \"vector\", w = \"number\" }}\n[law.rates]\nv = \"vector(-v.2, v.1)\"\nw = \"heading(v)\"\n"
         )
     };
-    // Agents that pass pi one after the other in no time are no motion that slides along a jump.
-    let many: Vec<String> = (0..1500).map(|k| format!("[1, {}e-14]", 100 * k)).collect();
+    // Some pass pi one after the other in no time.
+    let many: Vec<String> = (0..40).map(|k| format!("[1, {}e-14]", 100 * k)).collect();
     for (starts, agents) in [("[1, 0], [1, 0]".to_string(), 2), (many.join(", "), many.len())] {
         let found = run(&law(&starts, agents));
         let w = part(found.samples().last().expect("an end"), "w");
