@@ -449,7 +449,7 @@ fn headings_are_held_where_they_jump() {
         "heading(vector(v.2, v.1))",
         "sin(heading(v)/2)",
         "sin(x.1*heading(v))",
-        "sin(mean(j, heading(v[j])))",
+        "sin(sum(j, heading(v[j]))/3)",
         "if(heading(v) < 1, 1, 2)",
         "sum(j, if(abs(heading(v[j])) < 1, 1, 0))",
         "sin(if(x.1 < 1, 1, 2)*heading(v))",

@@ -94,16 +94,6 @@ impl<T: Ring> Parted<T> {
         self.parts.iter().map(|(guide, _)| guide.abs()).fold(0.0, f64::max)
     }
 
-    /// The sense, or what it is near the guide. Senses only choose parts: a number is 0 where all of its parts are, whatever its sense is said to be.
-    fn near_side(&self) -> Sense {
-        const FAR: f64 = 1e-3;
-        match self.sense {
-            Sense::Unknown if self.guide > FAR => Sense::NotNegative,
-            Sense::Unknown if self.guide < -FAR => Sense::NotPositive,
-            sense => sense,
-        }
-    }
-
     /// All parts of both.
     fn both(&self, other: &Self) -> Vec<(f64, Option<T>)> {
         [self.parts.clone(), other.parts.clone()].concat()
@@ -135,7 +125,7 @@ impl<T: Ring> Parted<T> {
     /// Either factor makes a product 0.
     fn times(a: &Self, b: &Self) -> Self {
         let nearer = if a.distance() <= b.distance() { a } else { b };
-        let sense = match (a.near_side(), b.near_side()) {
+        let sense = match (a.sense, b.sense) {
             (Sense::Zero, _) | (_, Sense::Zero) => Sense::Zero,
             (Sense::Unknown, Sense::Unknown) if a.guide == b.guide => Sense::NotNegative,
             (Sense::Unknown, _) | (_, Sense::Unknown) => Sense::Unknown,
