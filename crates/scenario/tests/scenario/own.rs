@@ -2,7 +2,7 @@
 
 use super::{run, value as number};
 use arithmetic::{Rational, RealNumber, Unwatched, rational};
-use scenario::{AffineNumber, End, Outcome, OwnFlock, OwnSteps, Part, Row, Scenario, Source, with_law};
+use scenario::{AffineNumber, End, Outcome, OwnFlock, OwnSteps, Part, Row, Scenario, Source, own_law, with_law};
 
 const VELOCITIES: &str = r#"
 [law]
@@ -136,6 +136,19 @@ fn headings_jump_on_networks_without_positions_and_all_at_once() {
         let expected = 18.0 - std::f64::consts::TAU * (6.0 - std::f64::consts::PI);
         assert!(w.iter().all(|w| (w - expected).abs() < 1e-8), "{} for {expected}", w[0]);
     }
+}
+
+/// Of links that are made anew after a step, a change over it would know the old ones only.
+#[test]
+fn changes_over_a_step_are_refused_where_links_change() {
+    let text = |graph: &str| {
+        format!(
+            "model = \"own\"\n[graph]\n{graph}\n[run]\nuntil = 2\nsamples = [1, 2]\n[state]\nx = [0, \"9/10\", \"9/5\"]\n[law]\ntime = \"discrete\"\ndimension = 1\n\
+             state = {{ x = \"number\" }}\n[law.next]\nx = \"(x + sum(j, x[j]))/(1 + count(j))\"\n[law.observables]\no = \"rate(sum(i, count(j)))\"\n"
+        )
+    };
+    let law_of = |graph: &str| own_law(&Source::parse(&text(graph)).expect("a scenario"));
+    assert!(law_of("kind = \"within\"\nradius = 1").is_none() && law_of("kind = \"path\"").is_some());
 }
 
 /// Three arcs among three agents are not all pairs.
