@@ -451,7 +451,7 @@ fn headings_are_held_where_they_jump() {
         "sin(x.1*heading(v))",
         "sin(sum(j, heading(v[j]))/3)",
         "if(heading(v) < 1, 1, 2)",
-        "sum(j, if(abs(heading(v[j])) < 1, 1, 0))",
+        "sum(j, if(heading(v[j]) < 1, 1, 0))",
         "sin(if(x.1 < 1, 1, 2)*heading(v))",
         "max(j, heading(v[j]))",
     ] {
