@@ -49,6 +49,8 @@ pub struct LawText {
     pub noise: Vec<(String, String)>,
     /// What is measured on the flock.
     pub observables: Vec<(String, String)>,
+    /// Whether links may be others after a step of discrete time, so that nobody knows from a state who is heard after it.
+    pub links_change: bool,
 }
 
 /// How a number is drawn.

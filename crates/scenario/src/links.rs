@@ -193,11 +193,14 @@ impl Network {
 
     /// Changes the links whose switch has come.
     pub fn switch(&mut self, positions: &[f64]) -> Vec<Change> {
+        if !self.switches() {
+            return Vec::new();
+        }
         let due = self.slack(&positions[..self.width() * self.order()]) / 2.0;
         let square = |i: usize, j: usize| self.squared(positions, (i, j));
         let mut changes = Vec::new();
         match self.rule() {
-            Rule::Fixed => return changes,
+            Rule::Fixed => {}
             Rule::Within(radius) => {
                 let lost = self.pairs().iter().filter(|&&(i, j)| square(i, j) >= radius * radius + due);
                 changes.extend(lost.map(|&pair| Change { gained: false, pair }));

@@ -216,6 +216,10 @@ impl<'a> Compiler<'a> {
             Op::State { start, component, of, .. } => return self.of_state(*start, *component, *of),
             Op::Gathered(number, place) => {
                 let this = self.things.loops[*number].clone();
+                if self.text.links_change && self.things.slots[this.slot].hears.is_some() {
+                    let why = "the change over a step of what is gathered from neighbours is not known where links are others after it";
+                    return self.refuse(node.at, Problem::Other(why.to_string()));
+                }
                 let (gather, body) = this.bodies[*place];
                 let (condition, body) = (this.condition.map(|id| of(&id)), of(&body));
                 return Ok(self.things.gather(this.slot, condition, gather, body));

@@ -190,27 +190,13 @@ impl AffineNumber {
             AffineNumber::Affine(f) => f.sign(true),
             AffineNumber::Plain(x) => x.sign(),
         };
-        match side {
-            Some(Sign::Negative) => {
-                if larger {
-                    other.clone()
-                } else {
-                    self.clone()
-                }
-            }
-            Some(_) => {
-                if larger {
-                    self.clone()
-                } else {
-                    other.clone()
-                }
-            }
-            None => {
-                let (a, b) = (self.plain(), other.plain());
-                let number = a.number.extreme(&b.number, larger, a.precision);
-                AffineNumber::Plain(PreciseNumber { number, ..a })
-            }
+        if let Some(side) = side {
+            let own = (side == Sign::Negative) != larger;
+            return if own { self.clone() } else { other.clone() };
         }
+        let (a, b) = (self.plain(), other.plain());
+        let number = a.number.extreme(&b.number, larger, a.precision);
+        AffineNumber::Plain(PreciseNumber { number, ..a })
     }
 
     fn applied(

@@ -33,7 +33,7 @@ impl Moving {
         let complete = own.network.is_all_to_all();
         let (rates, observed) = (Blocks::rates(&own.law, complete), Blocks::observables(&own.law, complete));
         Moving {
-            headings: Headings::of(&rates, own.law.agents()),
+            headings: Headings::default(),
             rates: RefCell::new(rates),
             observed: RefCell::new(observed),
             law: own.law,
@@ -133,7 +133,7 @@ impl Law for Moving {
 
     fn switch(&mut self, state: &[f64]) -> Vec<Change> {
         self.headings.go_on(state, self.rates.get_mut());
-        if self.network.switches() { self.network.switch(state) } else { Vec::new() }
+        self.network.switch(state)
     }
 
     fn next_time(&self) -> Option<f64> {
@@ -145,7 +145,6 @@ impl Law for Moving {
     }
 
     fn settle(&mut self, state: &[f64]) {
-        self.headings.settle(state, self.rates.get_mut());
         if !self.network.switches() {
             return;
         }

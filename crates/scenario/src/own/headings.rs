@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 const SLACK: f64 = 256.0 * f64::EPSILON * PI;
 
 /// The headings in a law with the directions of the agents, in radians, from which they go on smoothly.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Headings {
     list: Vec<Heading>,
     directions: Vec<Vec<f64>>,

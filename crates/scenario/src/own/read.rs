@@ -125,7 +125,7 @@ pub(crate) fn describe(source: &Source) -> Result<Described, ConfigError> {
 /// The same with the numbers of some parameters behind the state.
 pub(crate) fn describe_open(source: &Source, open: &[&str]) -> Result<Described, ConfigError> {
     let section = source.needed("law")?;
-    let (text, step) = law_text(&section)?;
+    let (mut text, step) = law_text(&section)?;
     let rates = if text.time == Time::Discrete { "next" } else { "rates" };
     let seed = section.get("seed").map_or(Ok(1), |entry| entry.count(0, usize::MAX))?;
     let ranges = Ranges::of(&text);
@@ -140,9 +140,7 @@ pub(crate) fn describe_open(source: &Source, open: &[&str]) -> Result<Described,
         default: Some(NetworkKind::AllToAll),
     };
     let network = Network::read(source, agents, can)?;
-    if text.time == Time::Discrete && (network.switches() || network.next_time().is_some()) {
-        check_changes(&section)?;
-    }
+    text.links_change = network.switches() || network.next_time().is_some();
     let law = text.compile_open(agents, open).map_err(|error| refused(&section, rates, error))?;
     let network = network.of_width(law.position().map_or(2, |position| position.width));
     let state = laid_out(&law, &parts);
@@ -161,19 +159,6 @@ pub(crate) fn describe_open(source: &Source, open: &[&str]) -> Result<Described,
     }
     let random = generator(&seed.to_string(), "own", source.replica);
     Ok(Described { law: Arc::new(law), state, network, radius, time: text.time, step, declaration, random })
-}
-
-/// Refuses changes over a step of discrete time where links are others after it: they would be those before it.
-fn check_changes(section: &Section) -> Result<(), ConfigError> {
-    for key in ["define", "observables"] {
-        let Some(entry) = section.get(key) else { continue };
-        for (_, entry) in entry.table(titled(key))?.leaves() {
-            if entry.word()?.replace(' ', "").contains("rate(") {
-                return Err(entry.range("written without `rate`: after a step of discrete time the links are others here, and these are not in it"));
-            }
-        }
-    }
-    Ok(())
 }
 
 /// The law of one's own of a scenario that has one and is in order.

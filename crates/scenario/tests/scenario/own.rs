@@ -141,14 +141,21 @@ fn headings_jump_on_networks_without_positions_and_all_at_once() {
 /// Of links that are made anew after a step, a change over it would know the old ones only.
 #[test]
 fn changes_over_a_step_are_refused_where_links_change() {
-    let text = |graph: &str| {
+    let text = |graph: &str, changes: &str| {
         format!(
             "model = \"own\"\n[graph]\n{graph}\n[run]\nuntil = 2\nsamples = [1, 2]\n[state]\nx = [0, \"9/10\", \"9/5\"]\n[law]\ntime = \"discrete\"\ndimension = 1\n\
-             state = {{ x = \"number\" }}\n[law.next]\nx = \"(x + sum(j, x[j]))/(1 + count(j))\"\n[law.observables]\no = \"rate(sum(i, count(j)))\"\n"
+             state = {{ x = \"number\" }}\n[law.next]\nx = \"(x + sum(j, x[j]))/(1 + count(j))\"\n[law.observables]\no = \"rate({changes})\"\n"
         )
     };
-    let law_of = |graph: &str| own_law(&Source::parse(&text(graph)).expect("a scenario"));
-    assert!(law_of("kind = \"within\"\nradius = 1").is_none() && law_of("kind = \"path\"").is_some());
+    let law_of = |graph: &str, changes: &str| own_law(&Source::parse(&text(graph, changes)).expect("a scenario"));
+    let (within, replaced) =
+        ("kind = \"within\"\nradius = 1", "kind = \"path\"\nswitches = [{ at = 1, edges = [[2, 3]] }]");
+    for heard in ["sum(i, count(j))", "sum(i, x[i]*sum(j, x[j]))", "rate(sum(i, x[i]))"] {
+        assert!(law_of(within, heard).is_none() && law_of(replaced, heard).is_none(), "{heard}");
+        assert!(law_of("kind = \"path\"", heard).is_some(), "{heard}");
+    }
+    // Where the agents are after the step the links before it decide.
+    assert!(law_of(within, "sum(i, x[i]^2)").is_some());
 }
 
 /// Three arcs among three agents are not all pairs.
