@@ -22,6 +22,17 @@ pub fn monomial_product(a: &[u32], b: &[u32]) -> Monomial {
     product
 }
 
+/// A monomial divided by another one, which has to divide it.
+fn monomial_quotient(a: &[u32], b: &[u32]) -> Option<Monomial> {
+    let power = |k: usize| a.get(k).copied().unwrap_or(0).checked_sub(b.get(k).copied().unwrap_or(0));
+    (0..a.len().max(b.len())).map(power).collect()
+}
+
+/// The order of monomials in which the variable with the greatest number counts most.
+fn by_last(a: &[u32], b: &[u32]) -> std::cmp::Ordering {
+    a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
+}
+
 /// The sum of the exponents.
 pub fn total_degree(monomial: &[u32]) -> u32 {
     monomial.iter().sum()
@@ -199,13 +210,33 @@ impl Multivariate<Rational> {
         let (lead, c) = divisor.terms.last_key_value()?;
         let (mut left, mut quotient) = (self.clone(), Multivariate::of(rational(0, 1)));
         while let Some((monomial, own)) = left.terms.last_key_value() {
-            let power = |k: usize| monomial.get(k).copied().unwrap_or(0).checked_sub(lead.get(k).copied().unwrap_or(0));
-            let powers: Monomial = (0..monomial.len().max(lead.len())).map(power).collect::<Option<_>>()?;
-            let term = Multivariate::from_terms([(powers, own / c)], &self.zero);
+            let term = Multivariate::from_terms([(monomial_quotient(monomial, lead)?, own / c)], &self.zero);
             left = left - divisor.clone() * &term;
             quotient = quotient + term;
         }
         Some(quotient)
+    }
+
+    /// What is left when terms that the leading one of another polynomial divides are replaced by its other terms, as long as there are such; the variable with the
+    /// greatest number counts most.
+    pub(crate) fn remainder(&self, divisor: &Self) -> Self {
+        let Some((lead, c)) = divisor.terms.iter().max_by(|a, b| by_last(a.0, b.0)) else { return self.clone() };
+        let (mut left, mut rest) = (self.clone(), Multivariate::of(rational(0, 1)));
+        while let Some((monomial, own)) = left.terms.iter().max_by(|a, b| by_last(a.0, b.0)) {
+            let term = |powers: Monomial, c: Rational| Multivariate::from_terms([(powers, c)], &self.zero);
+            match monomial_quotient(monomial, lead) {
+                Some(powers) => {
+                    let factor = term(powers, own / c);
+                    left = left - divisor.clone() * &factor;
+                }
+                None => {
+                    let own = term(monomial.clone(), own.clone());
+                    rest = rest + &own;
+                    left = left - own;
+                }
+            }
+        }
+        rest
     }
 
     /// As a text with the names of the variables; those without a name are `x1`, `x2`, ..

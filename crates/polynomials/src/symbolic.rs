@@ -53,6 +53,10 @@ struct Inner {
     positive: Vec<Polynomial>,
     /// The least common multiple of the denominators in arguments of exponentials and sines, as far as it is small.
     finest: i64,
+    /// Polynomials that are 0.
+    relations: Vec<Polynomial>,
+    /// What functions were asked of, as it stood, where that is wanted.
+    heard: Option<Vec<Fraction>>,
 }
 
 /// Where the new variables of one computation are kept.
@@ -79,6 +83,9 @@ pub struct Symbolic {
 /// Larger polynomials are not worth while.
 const MOST_TERMS: usize = 4000;
 
+/// Relations are put in so often, at most: they may bring squares with them.
+const MOST_ROUNDS: usize = 8;
+
 impl Extension {
     /// For functions of so many arguments.
     pub fn new(arity: usize) -> Self {
@@ -94,6 +101,19 @@ impl Extension {
     /// larger than they are.
     pub fn of_many_denominators(arity: usize) -> Self {
         Extension { splits: true, ..Extension::new(arity) }
+    }
+
+    /// The same, where what functions are asked of is kept as it stands.
+    pub(crate) fn listening(arity: usize) -> Self {
+        let extension = Extension::new(arity);
+        extension.with(|inner| inner.heard = Some(Vec::new()));
+        extension
+    }
+
+    /// What functions were asked of.
+    pub(crate) fn heard(&self) -> Vec<Symbolic> {
+        let heard = self.with(|inner| inner.heard.clone()).unwrap_or_default();
+        heard.into_iter().map(|fraction| Symbolic { fraction, extension: self.clone() }).collect()
     }
 
     /// The grid on which all arguments of exponentials and sines so far are integer multiples, as far as it is small.
@@ -160,8 +180,21 @@ impl Extension {
         })
     }
 
-    /// Squares of variables whose square is known are replaced.
-    fn normal(&self, (mut numerator, mut powers): Fraction) -> Fraction {
+    /// What is known to be 0 is left out, and squares of variables whose square is known are replaced.
+    fn normal(&self, fraction: Fraction) -> Fraction {
+        let (mut numerator, mut powers) = self.without_squares(fraction);
+        let relations = self.with(|inner| inner.relations.clone());
+        for _ in 0..MOST_ROUNDS {
+            let rest = relations.iter().fold(numerator.clone(), |rest, relation| rest.remainder(relation));
+            if rest == numerator {
+                break;
+            }
+            (numerator, powers) = self.without_squares((rest, powers));
+        }
+        (numerator, powers)
+    }
+
+    fn without_squares(&self, (mut numerator, mut powers): Fraction) -> Fraction {
         let meanings = self.meanings();
         for (place, meaning) in meanings.iter().enumerate().rev() {
             let variable = self.arity + place;
@@ -250,6 +283,28 @@ impl Symbolic {
         a.made((a.fraction.0.clone() * &b.fraction.0, powers))
     }
 
+    /// A number of which nothing is known so far.
+    pub(crate) fn unknown(&self) -> Self {
+        self.extension.of(Multivariate::x(self.extension.variable(Meaning::Any)))
+    }
+
+    /// From now on it is known to be 0.
+    pub(crate) fn is_zero_from_now(&self) {
+        if self.fraction.0.as_constant().is_none() {
+            self.extension.with(|inner| inner.relations.push(self.fraction.0.clone()));
+        }
+    }
+
+    /// A function is asked of it.
+    fn heard(&self) -> &Self {
+        self.extension.with(|inner| {
+            if let Some(heard) = inner.heard.as_mut().filter(|heard| !heard.contains(&self.fraction)) {
+                heard.push(self.fraction.clone());
+            }
+        });
+        self
+    }
+
     /// Its coefficients of the arguments, and its constant, where it is an affine function of them.
     pub fn affine(&self) -> Option<(Vec<Rational>, Rational)> {
         if self.fraction.1.iter().any(|power| *power > 0) {
@@ -268,6 +323,7 @@ impl Symbolic {
 
     /// Its absolute value.
     pub fn size(&self) -> Self {
+        self.heard();
         if let Some(c) = self.as_constant() {
             return self.rational(&c.abs());
         }

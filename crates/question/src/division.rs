@@ -2,6 +2,7 @@
 
 mod boxes;
 mod downhill;
+mod peak;
 
 use crate::bindings::{Bindings, Value};
 use crate::case::Case;
@@ -121,7 +122,7 @@ impl Division<'_> {
                 let why = "over all reals only properties of numbers and functions of them are decided";
                 return Ok(Decided { truth: Truth::unknown(why, None), open: 1, boxes: 1, ..Decided::nothing() });
             }
-            return self.by_boxes(whole, self.most);
+            return Ok(self.at_peak(whole, self.by_boxes(whole, self.most)?));
         };
         if whole.has_line() {
             return self.where_attained(whole, &clauses, Decided::nothing());

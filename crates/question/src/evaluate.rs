@@ -167,7 +167,7 @@ impl Evaluator<'_, '_> {
     }
 
     /// Whether `a <= b` holds whatever the numbers are: no gain of the last car is above the peak, and eigenvalues are numbered in order.
-    fn by_definition(&self, left: &Node, relation: Relation, right: &Node) -> Option<bool> {
+    pub fn by_definition(&self, left: &Node, relation: Relation, right: &Node) -> Option<bool> {
         let (lower, upper) = match relation {
             Relation::AtMost => (left, right),
             Relation::AtLeast => (right, left),

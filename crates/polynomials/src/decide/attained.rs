@@ -137,7 +137,8 @@ impl<F: Function> Search<'_, F> {
     }
 
     fn in_closed_form(&self, x: &[f64]) -> Option<Vec<Place>> {
-        points_near(x, self.domain).into_iter().find(|places| vanishes(&self.literal.function, places))
+        let function = &self.literal.function;
+        points_near(function, x, self.domain).find(|places| vanishes(function, places))
     }
 
     /// A zero of as many parts as there are variables that move, in a box around a point.

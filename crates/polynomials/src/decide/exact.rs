@@ -3,7 +3,8 @@
 
 use crate::symbolic::{Extension, Symbolic};
 use arithmetic::{
-    ArithmeticError, Field, Number, PreciseNumber, Rational, RealNumber, Ring, Sign, Signed, operators, rational,
+    ArithmeticError, Field, Interval, Number, PreciseNumber, Rational, RealNumber, Ring, Sign, Signed, operators,
+    rational,
 };
 
 /// A number in both ways; what is rational by an identity is so in both.
@@ -40,6 +41,17 @@ impl Exact {
             Some(q) => Exact { number: PreciseNumber { number: RealNumber::Exact(q), ..number }, symbol },
             None => Exact { number, symbol },
         }
+    }
+
+    /// A number between two others of which nothing else is known so far.
+    pub fn unknown(&self, lo: &Rational, hi: &Rational) -> Self {
+        let number = RealNumber::interval(Interval::hull_of_rationals(lo, hi, BITS));
+        Exact { number: PreciseNumber { number, precision: BITS }, symbol: self.symbol.unknown() }
+    }
+
+    /// From now on it is known to be 0.
+    pub fn is_zero_from_now(&self) {
+        self.symbol.is_zero_from_now();
     }
 
     fn both(

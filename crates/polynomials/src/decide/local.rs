@@ -370,7 +370,7 @@ impl<F: Function> Sided<'_, F> {
                 self.is_no_way_down(exact::computed(of, |_| true), &sides[k], |end| places[k].is(end))
             })
         };
-        let places = points_near(x, sides).into_iter().find(is_least)?;
+        let places = points_near(self.function, x, sides).find(is_least)?;
         let sign = exact::computed(|one| self.value(&exactly(&places, one)?).ok()?.sign(), |_| true)?;
         match self.is_true(sign) {
             false => Some(Local::FailsAround(places)),
@@ -440,7 +440,7 @@ impl<F: Function> Sided<'_, F> {
 
     /// Whether it has its sign on the part of the box on one side of a place inside, which itself is left out.
     pub fn beside(&self, sides: &[Side], free: usize, place: &Place, above: bool) -> bool {
-        let Ok(at) = place.value(&Extended::between(1.0, 1.0)) else { return false };
+        let Some(at) = place.enclosure() else { return false };
         let whole = hull(&sides[free]);
         let part = if above { Extended::between(at.lo, whole.hi) } else { Extended::between(whole.lo, at.hi) };
         let boxed: Vec<Extended> =

@@ -13,6 +13,7 @@ mod points;
 mod prover;
 mod reduction;
 mod roots;
+mod solutions;
 mod subdivision;
 
 use crate::function::{Function, Literal, Side};

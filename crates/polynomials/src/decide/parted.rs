@@ -89,6 +89,16 @@ impl<T: Ring> Parted<T> {
         Some(function(self.value.as_ref()?, other.value.as_ref()?))
     }
 
+    /// Which sign it has at the guide, where it is not known to have one everywhere.
+    fn sense_near(&self) -> Sense {
+        const CLEAR: f64 = 1e-3;
+        match self.sense {
+            Sense::Unknown if self.guide >= CLEAR => Sense::NotNegative,
+            Sense::Unknown if self.guide <= -CLEAR => Sense::NotPositive,
+            sense => sense,
+        }
+    }
+
     /// How far the parts are from 0 at the guide.
     fn distance(&self) -> f64 {
         self.parts.iter().map(|(guide, _)| guide.abs()).fold(0.0, f64::max)
@@ -125,7 +135,7 @@ impl<T: Ring> Parted<T> {
     /// Either factor makes a product 0.
     fn times(a: &Self, b: &Self) -> Self {
         let nearer = if a.distance() <= b.distance() { a } else { b };
-        let sense = match (a.sense, b.sense) {
+        let sense = match (a.sense_near(), b.sense_near()) {
             (Sense::Zero, _) | (_, Sense::Zero) => Sense::Zero,
             (Sense::Unknown, Sense::Unknown) if a.guide == b.guide => Sense::NotNegative,
             (Sense::Unknown, _) | (_, Sense::Unknown) => Sense::Unknown,

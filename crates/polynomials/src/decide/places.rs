@@ -4,6 +4,7 @@ use super::Extended;
 use super::attained::least;
 use super::exact::{self, Exact};
 use super::local::{Signs, polish};
+use super::solutions::{self, Equation};
 use crate::function::{Compared, Function, Literal, Side};
 use arithmetic::{
     ArithmeticError, Dual, Field, Number, PreciseNumber, Rational, Series, Sign, Signed, decimal, rational,
@@ -25,15 +26,19 @@ enum Outer {
     OverLogarithm,
     /// A number of which it is proved that it lies between `a` and `b`, and is what it is said to be.
     Between,
+    /// The only solution of an equation between `a` and `b`.
+    Solution,
 }
 
-/// A function of `a + b sqrt(d)`, or a number that is enclosed.
+/// A function of `a + b sqrt(d)`, the solution of an equation, or a number that is enclosed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Place {
     outer: Outer,
     a: Rational,
     b: Rational,
     d: Rational,
+    /// Which equation it solves.
+    equation: Option<Equation>,
 }
 
 /// Points at which floats look for zeros.
@@ -47,22 +52,28 @@ const MOST: usize = 12;
 
 impl Place {
     fn rational(outer: Outer, a: Rational) -> Self {
-        Place { outer, a, b: rational(0, 1), d: rational(0, 1) }
+        Place { outer, a, b: rational(0, 1), d: rational(0, 1), equation: None }
     }
 
     /// A number between two others.
     pub(super) fn between(lo: Rational, hi: Rational) -> Self {
-        Place { outer: Outer::Between, a: lo, b: hi, d: rational(0, 1) }
+        Place { outer: Outer::Between, a: lo, b: hi, d: rational(0, 1), equation: None }
+    }
+
+    /// The only solution of an equation between two numbers.
+    pub(super) fn solution(equation: Equation, lo: Rational, hi: Rational) -> Self {
+        Place { outer: Outer::Solution, a: lo, b: hi, d: rational(0, 1), equation: Some(equation) }
     }
 
     fn is_enclosed(&self) -> bool {
         self.outer == Outer::Between
     }
 
-    /// The number, in the scalar of `like`; none of a number that is only enclosed.
-    pub(super) fn value<T: Number>(&self, like: &T) -> Result<T, ArithmeticError> {
-        if self.is_enclosed() {
-            return Err(ArithmeticError::Domain("a number in closed form"));
+    /// The number in closed form, in the scalar of `like`.
+    fn value<T: Number>(&self, like: &T) -> Result<T, ArithmeticError> {
+        let open = || ArithmeticError::Domain("a number in closed form");
+        if self.is_enclosed() || self.equation.is_some() {
+            return Err(open());
         }
         let of = |q: &Rational| like.rational(q);
         let inside = if self.b.is_zero() { of(&self.a) } else { of(&self.a) + of(&self.b) * of(&self.d).sqrt()? };
@@ -72,13 +83,21 @@ impl Place {
             Outer::Exponential => inside.exp(),
             Outer::Logarithm(k) => Ok(inside.ln()? * like.ratio(1, k)),
             Outer::OverLogarithm => inside.ln()?.recip(),
-            Outer::Between => Err(ArithmeticError::Domain("a number in closed form")),
+            Outer::Between | Outer::Solution => Err(open()),
         }
     }
 
-    fn enclosure(&self) -> Option<Extended> {
+    /// The number in closed form, or what its equation says of it.
+    fn exactly(&self, one: &Exact) -> Option<Exact> {
+        match &self.equation {
+            Some(equation) => equation.put((&self.a, &self.b), one),
+            None => self.value(one).ok(),
+        }
+    }
+
+    pub(super) fn enclosure(&self) -> Option<Extended> {
         match self.outer {
-            Outer::Between => Some(Extended::hull(Some(&self.a), Some(&self.b))),
+            Outer::Between | Outer::Solution => Some(Extended::hull(Some(&self.a), Some(&self.b))),
             _ => self.value(&Extended::between(1.0, 1.0)).ok(),
         }
     }
@@ -106,12 +125,7 @@ impl Place {
     /// Whether it is known to lie within a side, exactly; at an end of it, it is a rational point, which is looked at as such.
     fn lies_in(&self, side: &Side) -> bool {
         let end = |end: &Option<Rational>, sign: Sign| {
-            let apart = |q: &Rational| {
-                exact::computed(
-                    |one| Some(self.value(one).ok()? - one.rational(q)).and_then(|own| own.sign()),
-                    |_| true,
-                )
-            };
+            let apart = |q: &Rational| exact::computed(|one| (self.exactly(one)? - one.rational(q)).sign(), |_| true);
             end.as_ref().is_none_or(|q| apart(q) == Some(sign))
         };
         end(&side.lo, Sign::Positive) && end(&side.hi, Sign::Negative)
@@ -130,7 +144,7 @@ impl Place {
 
 /// The numbers of a point.
 pub(super) fn exactly(places: &[Place], one: &Exact) -> Option<Vec<Exact>> {
-    places.iter().map(|place| place.value(one).ok()).collect()
+    places.iter().map(|place| place.exactly(one)).collect()
 }
 
 /// Whether a function is 0 at a point, exactly.
@@ -176,19 +190,30 @@ pub(super) fn truth<F: Function>(clause: &[Literal<F>], places: &[Place]) -> Sig
     }
 }
 
-/// Points in closed form near floats, in a box: of each number a few simple forms.
-pub(super) fn points_near(x: &[f64], sides: &[Side]) -> Vec<Vec<Place>> {
+/// Points near floats, in a box, at which a function may be known exactly: those in closed form, then those with solutions of equations that its parts give.
+pub(super) fn points_near<F: Function>(function: &F, x: &[f64], sides: &[Side]) -> impl Iterator<Item = Vec<Place>> {
+    let solutions = move || {
+        let found = solutions::near(function, x, sides);
+        let any = found.iter().any(|own| !own.is_empty());
+        if any { points_of(x, sides, &found) } else { Vec::new() }
+    };
+    points_of(x, sides, &vec![Vec::new(); sides.len()]).into_iter().chain(std::iter::once_with(solutions).flatten())
+}
+
+/// Of each number these solutions, or a few simple forms.
+fn points_of(x: &[f64], sides: &[Side], solutions: &[Vec<Place>]) -> Vec<Vec<Place>> {
     const MOST_FORMS: usize = 3;
     const MOST_POINTS: usize = 16;
     let mut points = vec![Vec::new()];
-    for (x, side) in x.iter().zip(sides) {
+    for ((x, side), solutions) in x.iter().zip(sides).zip(solutions) {
         let own = match side.as_point() {
             Some(q) => vec![Place::of(q.clone())],
             None => {
                 let (lo, hi) = side.floats();
                 let ends = [(lo, &side.lo), (hi, &side.hi)].into_iter().filter(|(end, _)| end == x);
                 let ends = ends.filter_map(|(_, end)| end.clone().map(Place::of));
-                ends.chain(forms(*x)).filter(|form| form.is_in(side)).take(MOST_FORMS).collect()
+                let known = ends.chain(forms(*x)).filter(|form| form.is_in(side)).take(MOST_FORMS);
+                solutions.iter().filter(|own| own.is_in(side)).cloned().chain(known).collect()
             }
         };
         let longer = |before: &Vec<Place>| -> Vec<Vec<Place>> {
@@ -211,7 +236,7 @@ impl fmt::Display for Place {
                 _ => format!("{}*{what}{over}", q.numer()),
             }
         };
-        if self.is_enclosed() {
+        if self.is_enclosed() || self.equation.is_some() {
             let end = |q: &Rational, up: bool| decimal(q, 12, up);
             return write!(f, "[{}, {}]", end(&self.a, false), end(&self.b, true));
         }
@@ -228,7 +253,7 @@ impl fmt::Display for Place {
             Outer::Logarithm(1) => write!(f, "log({inside})"),
             Outer::Logarithm(k) => write!(f, "log({inside})/{k}"),
             Outer::OverLogarithm => write!(f, "1/log({inside})"),
-            Outer::Between => Ok(()),
+            Outer::Between | Outer::Solution => Ok(()),
         }
     }
 }
@@ -279,7 +304,7 @@ fn forms(x: f64) -> Vec<Place> {
     const MULTIPLES: i64 = 4;
     let mut list: Vec<Place> = Vec::new();
     let mut push = |outer: Outer, y: f64| {
-        list.extend(quadratic(y).map(|(a, b, d)| Place { outer, a, b, d }));
+        list.extend(quadratic(y).map(|(a, b, d)| Place { outer, a, b, d, equation: None }));
     };
     push(Outer::Itself, x);
     (1..=MULTIPLES).for_each(|k| push(Outer::Logarithm(k), (k as f64 * x).exp()));
@@ -379,7 +404,16 @@ pub(super) fn zeros<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Vec<
         let places = place.on_line(&point, free);
         clause.iter().any(|literal| sign(&literal.function, &places) == Some(Sign::Zero))
     };
-    near(clause, domain, free).into_iter().filter_map(|x| forms(x).into_iter().find(is_zero)).collect()
+    let at = |x: f64| -> Vec<f64> {
+        let own = |(k, q): (usize, &Rational)| if k == free { x } else { q.to_f64().unwrap_or(0.0) };
+        point.iter().enumerate().map(own).collect()
+    };
+    let solutions = |x: f64, literal: &Literal<F>| solutions::near(&literal.function, &at(x), domain).swap_remove(free);
+    let found = |x: f64| {
+        let known = forms(x).into_iter().find(&is_zero);
+        known.or_else(|| clause.iter().flat_map(|literal| solutions(x, literal)).find(&is_zero))
+    };
+    near(clause, domain, free).into_iter().filter_map(found).collect()
 }
 
 /// In words, where the two sides of a clause in one free number agree to very many digits, but no identity is known that makes them equal.
@@ -389,7 +423,10 @@ pub(super) fn coincidence<F: Function>(clause: &[Literal<F>], domain: &[Side]) -
     let point: Vec<Rational> = domain.iter().map(Side::middle).collect();
     let known: Vec<Place> = zeros(clause, domain);
     let found = near(clause, domain, free).into_iter().filter(|x| {
-        let apart = |place: &Place| place.value(x).is_ok_and(|own| (own - x).abs() > 1e-9 * x.abs().max(1.0));
+        let apart = |place: &Place| {
+            let reach = 1e-9 * x.abs().max(1.0);
+            place.enclosure().is_some_and(|own| own.hi < x - reach || x + reach < own.lo)
+        };
         known.iter().all(apart)
     });
     let mut all =

@@ -54,7 +54,7 @@ fn one<F: Function>(literal: &Literal<F>, sides: &[Side]) -> Local {
 /// Whether the clause is true on a box around a place: there exactly, and on either side of it by one literal.
 fn is_true_around<F: Function>(clause: &[Literal<F>], sides: &[Side], place: &Place) -> bool {
     let Some(free) = only_free(sides) else { return false };
-    let Ok(at) = place.value(&Extended::between(1.0, 1.0)) else { return false };
+    let Some(at) = place.enclosure() else { return false };
     let Side { lo, hi, .. } = &sides[free];
     let inside = lo.as_ref().is_none_or(|lo| Extended::of(lo).hi < at.lo)
         && hi.as_ref().is_none_or(|hi| at.hi < Extended::of(hi).lo);

@@ -315,6 +315,7 @@ impl Number for Symbolic {
     }
 
     fn sqrt(&self) -> Result<Self, ArithmeticError> {
+        self.heard();
         if let Some(c) = self.as_constant() {
             if c.is_negative() {
                 return Err(ArithmeticError::Argument("sqrt"));
@@ -332,12 +333,13 @@ impl Number for Symbolic {
 
     /// Of a sum the product; of an integer multiple the power; of a multiple of a logarithm a power of its argument.
     fn exp(&self) -> Result<Self, ArithmeticError> {
-        let Some(terms) = self.terms() else { return self.called(Function::Exponential, Number::exp) };
+        let Some(terms) = self.heard().terms() else { return self.called(Function::Exponential, Number::exp) };
         terms.iter().try_fold(self.one(), |product, (monomial, c)| Ok(product * self.exp_of_term(monomial, c)?))
     }
 
     /// Of the absolute value, which is the same wherever there is a logarithm: of a product the sum, of a power the multiple.
     fn ln(&self) -> Result<Self, ArithmeticError> {
+        self.heard();
         if self.as_constant().is_some_and(|c| !c.is_positive()) {
             return Err(ArithmeticError::Argument("ln"));
         }
@@ -364,7 +366,7 @@ impl Number for Symbolic {
     /// By the formulas for sums and integer multiples of angles.
     fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
         let whole = || vec![(self.clone(), 1)];
-        let parts = self.angles().unwrap_or_else(whole);
+        let parts = self.heard().angles().unwrap_or_else(whole);
         parts.into_iter().try_fold((self.zero(), self.one()), |angle, (base, count)| {
             let (sin, cos) = base.of_part()?;
             let own = if count < 0 { (-sin, cos) } else { (sin, cos) };
@@ -373,7 +375,7 @@ impl Number for Symbolic {
     }
 
     fn atan(&self) -> Result<Self, ArithmeticError> {
-        self.called(Function::Other("atan"), Number::atan)
+        self.heard().called(Function::Other("atan"), Number::atan)
     }
 
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {

@@ -14,7 +14,7 @@ fn found(tree: Tree, domain: &[Side]) -> Option<Vec<String>> {
 }
 
 /// The ends of an enclosure.
-fn ends(text: &str) -> (Rational, Rational) {
+pub fn ends(text: &str) -> (Rational, Rational) {
     let (lo, hi) = text.trim_matches(['[', ']']).split_once(", ").expect("two ends");
     let number = |text: &str| {
         let (whole, part) = text.split_once('.').unwrap_or((text, ""));

@@ -9,5 +9,6 @@ mod expression;
 mod functions;
 mod hostile;
 mod random;
+mod solutions;
 mod sums;
 mod threads;

@@ -1,0 +1,59 @@
+//! Where `gain(k, w) <= peak` is attained: at the frequency of the peak, if the box of frequencies has it inside.
+
+use super::Division;
+use crate::bindings::Bindings;
+use crate::case::Case;
+use crate::evaluate::Evaluator;
+use crate::outcome::{Decided, Spot};
+use crate::point::FIRST_BITS;
+use crate::syntax::{Kind, Node, Relation};
+use crate::timeline::Measured;
+use crate::truth::{Margin, Truth};
+use arithmetic::decimal;
+
+impl Division<'_> {
+    /// With the frequency of the peak, where a property that holds says that no gain of the last car is above it, and nothing else: there its margin is 0.
+    pub(super) fn at_peak(&self, whole: &Bindings, found: Decided) -> Decided {
+        let may_be_zero = found.truth == Truth::True && found.margin.lo <= 0.0 && found.margin.hi > 0.0;
+        let place = may_be_zero.then(|| self.frequency(whole)).flatten();
+        match place.and_then(|place| Some((place, self.peak_within(whole, place)?))) {
+            Some((place, text)) => {
+                let (attained, margin) = (Some(Spot::of(whole, &[(place, text)])), Margin { lo: 0.0, hi: 0.0 });
+                Decided { attained, margin, ..found }
+            }
+            None => found,
+        }
+    }
+
+    /// The place of the frequency, the only name that stands for more than one number, in `gain(k, w) <= peak`.
+    fn frequency(&self, whole: &Bindings) -> Option<usize> {
+        let Kind::Relation(first, others) = &self.expression.node.kind else { return None };
+        let (gain, peak) = match &others[..] {
+            [(Relation::AtMost, second)] => (&**first, second),
+            [(Relation::AtLeast, second)] => (second, &**first),
+            _ => return None,
+        };
+        let name = |node: &Node| match &node.kind {
+            Kind::Name { name, arguments, .. } => Some((name.to_string(), arguments.clone())),
+            _ => None,
+        };
+        let (("gain", arguments), "peak") = ((&*name(gain)?.0, name(gain)?.1), &*name(peak)?.0) else { return None };
+        let [(place, _)] = whole.sides()[..] else { return None };
+        let own = whole.iter().nth(place)?.0;
+        let is_frequency = name(arguments.get(1)?)? == (own.to_string(), Vec::new());
+        let case = Case::new(self.question, whole.clone(), self.progress);
+        let evaluator = Evaluator { case: &case, precision: FIRST_BITS, moment: None, piece: None };
+        (is_frequency && evaluator.by_definition(gain, Relation::AtMost, peak)?).then_some(place)
+    }
+
+    /// The frequency of the peak, where all of its enclosure lies in the side of that place.
+    fn peak_within(&self, whole: &Bindings, place: usize) -> Option<String> {
+        let case = Case::new(self.question, whole.clone(), self.progress);
+        let quantity = case.quantity(None, "peak_frequency").ok()?;
+        let Ok(Measured::Number(found)) = case.measure(quantity, None, &[], FIRST_BITS) else { return None };
+        let (lo, hi) = found.enclosure(FIRST_BITS).to_rationals();
+        let (_, side) = whole.sides().into_iter().find(|own| own.0 == place)?;
+        let is_inside = side.contains(&lo) && side.contains(&hi);
+        is_inside.then(|| format!("[{}, {}]", decimal(&lo, 12, false), decimal(&hi, 12, true)))
+    }
+}
