@@ -122,7 +122,10 @@ impl Division<'_> {
                 let why = "over all reals only properties of numbers and functions of them are decided";
                 return Ok(Decided { truth: Truth::unknown(why, None), open: 1, boxes: 1, ..Decided::nothing() });
             }
-            return Ok(self.at_peak(whole, self.by_boxes(whole, self.most)?));
+            return match self.fails_at_peak(whole) {
+                Some(found) => Ok(found),
+                None => Ok(self.at_peak(whole, self.by_boxes(whole, self.most)?)),
+            };
         };
         if whole.has_line() {
             return self.where_attained(whole, &clauses, Decided::nothing());

@@ -1,6 +1,6 @@
-//! Where `gain(k, w) <= peak` is attained: at the frequency of the peak, if the box of frequencies has it inside.
+//! Where `gain(k, w) <= peak` is attained, and `gain(k, w) < peak` fails: at the frequency of the peak, if the box of frequencies has it inside.
 
-use super::Division;
+use super::{Division, fails_exactly};
 use crate::bindings::Bindings;
 use crate::case::Case;
 use crate::evaluate::Evaluator;
@@ -15,22 +15,32 @@ impl Division<'_> {
     /// With the frequency of the peak, where a property that holds says that no gain of the last car is above it, and nothing else: there its margin is 0.
     pub(super) fn at_peak(&self, whole: &Bindings, found: Decided) -> Decided {
         let may_be_zero = found.truth == Truth::True && found.margin.lo <= 0.0 && found.margin.hi > 0.0;
-        let place = may_be_zero.then(|| self.frequency(whole)).flatten();
-        match place.and_then(|place| Some((place, self.peak_within(whole, place)?))) {
-            Some((place, text)) => {
-                let (attained, margin) = (Some(Spot::of(whole, &[(place, text)])), Margin { lo: 0.0, hi: 0.0 });
-                Decided { attained, margin, ..found }
-            }
+        match may_be_zero.then(|| self.peak_of(whole, [Relation::AtMost, Relation::AtLeast])).flatten() {
+            Some(at) => Decided { attained: Some(at), margin: Margin { lo: 0.0, hi: 0.0 }, ..found },
             None => found,
         }
     }
 
-    /// The place of the frequency, the only name that stands for more than one number, in `gain(k, w) <= peak`.
-    fn frequency(&self, whole: &Bindings) -> Option<usize> {
+    /// What is said where all that is asked is that every gain of the last car is below the peak, which one of them attains; otherwise nothing.
+    pub(super) fn fails_at_peak(&self, whole: &Bindings) -> Option<Decided> {
+        let at =
+            self.peak_of(whole, [Relation::Less, Relation::Greater]).filter(|_| self.question.restriction.is_none())?;
+        Some(Decided { boxes: 1, ..fails_exactly(Decided::nothing(), at) })
+    }
+
+    /// The frequency of the peak where the property compares the gain at a frequency with it, by the first relation, or the other way round, by the second one.
+    fn peak_of(&self, whole: &Bindings, relations: [Relation; 2]) -> Option<Spot> {
+        let place = self.frequency(whole, relations)?;
+        Some(Spot::of(whole, &[(place, self.peak_within(whole, place)?)]))
+    }
+
+    /// The place of the frequency, the only name that stands for more than one number, in such a property.
+    fn frequency(&self, whole: &Bindings, [below, above]: [Relation; 2]) -> Option<usize> {
         let Kind::Relation(first, others) = &self.expression.node.kind else { return None };
-        let (gain, peak) = match &others[..] {
-            [(Relation::AtMost, second)] => (&**first, second),
-            [(Relation::AtLeast, second)] => (second, &**first),
+        let [(relation, second)] = &others[..] else { return None };
+        let (gain, peak) = match *relation {
+            own if own == below => (&**first, second),
+            own if own == above => (second, &**first),
             _ => return None,
         };
         let name = |node: &Node| match &node.kind {
