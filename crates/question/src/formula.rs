@@ -3,7 +3,7 @@
 
 use crate::bindings::{Bindings, Value};
 use crate::syntax::{Kind, Node, Relation};
-use arithmetic::{ArithmeticError, Number, Rational, rational};
+use arithmetic::{ArithmeticError, Interval, Number, Rational, rational};
 use num_traits::{Signed, ToPrimitive, Zero};
 use polynomials::{Compared, Function, Literal};
 use std::sync::Arc;
@@ -380,6 +380,18 @@ impl Reader<'_> {
         Some(Term::Reciprocal(Arc::new(term)))
     }
 
+    /// Whether a term is above 0 on all of the domain, by its enclosure.
+    fn is_positive(&self, term: &Term) -> bool {
+        const BITS: u32 = 64;
+        let side = |name: &&str| {
+            let range = self.bindings.get(name)?.ends()?;
+            Some(Interval::hull_of_rationals(&range.lo, &range.hi, BITS))
+        };
+        let Some(at) = self.variables.iter().map(side).collect::<Option<Vec<Interval>>>() else { return false };
+        let one = Interval::from_rational(&rational(1, 1), BITS);
+        term.value(&at, &one).is_ok_and(|value| value.to_rationals().0.is_positive())
+    }
+
     fn power(&mut self, base: Term, exponent: Term) -> Option<Term> {
         const LARGEST: u64 = 64;
         let call = |function: Elementary, term: Term| Term::Call(function, Arc::new(term));
@@ -396,6 +408,11 @@ impl Reader<'_> {
                 (0..degree.trailing_zeros()).fold(base, |root, _| call(Elementary::Root, root))
             }
             // Other roots have their value at 0, which the logarithm has not.
+            degree if self.is_positive(&base) => {
+                self.condition(&base, Compared::Positive);
+                let share = Term::Number(rational(1, i64::try_from(degree).ok()?));
+                call(Elementary::Exponential, product(vec![share, call(Elementary::Logarithm, base)]))
+            }
             _ => return None,
         };
         let power = match (size, root.as_number()) {

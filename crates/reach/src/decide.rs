@@ -460,6 +460,11 @@ fn part(condition: &Condition, worst: &Worst, how: &str, witness: Option<Witness
         Verdict::Undecided if safe.is_some() && attained.is_some() => {
             format!("{how}; the bound lies between both ends ({digits} digits)")
         }
+        Verdict::Undecided if attained.as_ref().is_some_and(|attained| !kept(attained)) => {
+            format!(
+                "{how}; the order of modes that was found violates the bound, but its motion could not be confirmed forwards in time"
+            )
+        }
         _ => how.to_string(),
     };
     let (at, is_unattained) = (worst.at.clone(), worst.is_unattained);

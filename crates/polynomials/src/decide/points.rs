@@ -116,6 +116,25 @@ impl<F: Function> Search<'_, F> {
         list.into_iter().any(|point| self.look(point))
     }
 
+    /// Of few integers all pairs, or triples, of small ones.
+    fn small_integers(&mut self) -> bool {
+        const MOST: usize = 3;
+        let all = self.domain.iter().all(|side| side.integer || side.as_point().is_some());
+        if self.domain.len() > MOST || !all {
+            return false;
+        }
+        let mut points: Vec<Vec<Rational>> = vec![Vec::new()];
+        for side in self.domain {
+            let mut own: Vec<Rational> = (-6..=12).map(|k| side.nearest(rational(k, 1))).collect();
+            own.dedup();
+            let longer = |point: &Vec<Rational>| -> Vec<Vec<Rational>> {
+                own.iter().map(|q| point.iter().chain([q]).cloned().collect()).collect()
+            };
+            points = points.iter().flat_map(longer).collect();
+        }
+        points.into_iter().any(|point| self.look(point))
+    }
+
     fn random(&mut self) -> Vec<Vec<Rational>> {
         let mut stream = random::generator("inequality", "points", self.domain.len() as u64);
         let draw = |side: &Side, round: u64, bits: u64| {
@@ -212,7 +231,7 @@ pub(super) fn search<F: Function>(
 ) -> Result<Seen, Cancelled> {
     let mut search = Search { clause, domain, seen: Seen::default(), looked: 0 };
     progress.checkpoint()?;
-    if search.simple() {
+    if search.simple() || search.small_integers() {
         return Ok(search.seen);
     }
     let random = search.random();

@@ -111,6 +111,24 @@ fn a_coincidence_is_named() {
     assert!(found.why.contains("agree to 2^-") && found.why.contains("0.51097342938"), "{}", found.why);
 }
 
+/// Roots of other degree than 2, 4 and 8 of numbers that are above 0.
+#[test]
+fn other_roots_of_positive_numbers_are_decided_where_they_are_attained() {
+    for (range, property, is_true) in [
+        ("[1/10, 5]", "x^(1/3) <= (2 + x)/3", true),
+        ("[1/10, 5]", "x^(1/3) <= (2 + x)/3 - 1/10^9", false),
+        ("[1/10, 5]", "x^(1/3) < (2 + x)/3", false),
+        ("[-1/2, 3]", "(1 + x)^(1/3) <= 1 + x/3", true),
+        ("[-1/2, 3]", "(1 + x)^(2/5) <= 1 + 2*x/5", true),
+        ("[-1/2, 3]", "(1 + x)^(2/5) <= 1 + 2*x/5 - x/10^6", false),
+        ("[1/10, 5]", "x^(-1/3) >= (4 - x)/3", true),
+    ] {
+        let expected = if is_true { Verdict::Holds } else { Verdict::False };
+        assert_eq!(verdict(&format!("x = \"{range}\""), property), expected, "{property}");
+    }
+    assert_eq!(verdict("x = \"integers(1, 100000)\"\ny = \"integers(1, 100000)\"", "x^2 - 2*y^2 != 1"), Verdict::False);
+}
+
 /// Numbers without a closed form, by the equation that a part of the property gives.
 #[test]
 fn what_is_attained_at_a_solution_of_an_equation_is_decided() {
