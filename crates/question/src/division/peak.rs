@@ -23,14 +23,14 @@ impl Division<'_> {
 
     /// What is said where all that is asked is that every gain of the last car is below the peak, which one of them attains; otherwise nothing.
     pub(super) fn fails_at_peak(&self, whole: &Bindings) -> Option<Decided> {
-        let at =
-            self.peak_of(whole, [Relation::Less, Relation::Greater]).filter(|_| self.question.restriction.is_none())?;
+        let at = self.peak_of(whole, [Relation::Less, Relation::Greater])?;
         Some(Decided { boxes: 1, ..fails_exactly(Decided::nothing(), at) })
     }
 
-    /// The frequency of the peak where the property compares the gain at a frequency with it, by the first relation, or the other way round, by the second one.
+    /// The frequency of the peak where the property compares the gain at a frequency with it, by the first relation, or the other way round, by the second one;
+    /// `where` might leave it out.
     fn peak_of(&self, whole: &Bindings, relations: [Relation; 2]) -> Option<Spot> {
-        let place = self.frequency(whole, relations)?;
+        let place = self.frequency(whole, relations).filter(|_| self.question.restriction.is_none())?;
         Some(Spot::of(whole, &[(place, self.peak_within(whole, place)?)]))
     }
 

@@ -115,6 +115,9 @@ fn factor(instance: &Instance, comparison: &Comparison, pairs: &[((usize, usize)
     let value = |links: &Links| value_of(comparison, links, &state).ok();
     let parts: Vec<f64> = pairs.iter().map(|(_, links)| value(links)).collect::<Option<_>>()?;
     let ratio = value(&instance.links)? / parts.iter().sum::<f64>();
+    if ratio.is_nan() || ratio <= 0.0 {
+        return None;
+    }
     let end = |x: f64| Rational::from_float(x);
     let factor = simplest_between(&end(ratio * (1.0 - NEAR))?, &end(ratio * (1.0 + NEAR))?);
     factor.is_positive().then_some(factor)

@@ -138,6 +138,9 @@ fn rules_about_gains_and_eigenvalues_hold_and_no_more() {
     let at = |w: &str| single(w).attained.map(|at| at.to_string());
     assert!(at("[0, 3]").is_some_and(|at| at.contains("w in [0.219820475421")), "{:?}", at("[0, 3]"));
     assert_eq!(at("[1, 3]"), None);
+    let left_out = "followers = 5\nf = -1\ng = -1\nw = \"[0, 3]\"\nwhere = \"w <= 1/5\"";
+    assert_eq!(answer(&asked(left_out, "gain(followers, w) <= peak", "1 < 0")).attained, None);
+    assert_ne!(verdict(left_out, "gain(followers, w) < peak"), Verdict::False);
     let below = |w: &str| verdict(&format!("followers = 5\nf = -1\ng = -1\nw = \"{w}\""), "gain(followers, w) < peak");
     assert_eq!((below("[0, 3]"), below("[1, 3]")), (Verdict::False, Verdict::Holds));
     // Not every car: the second one of three has a gain above 1 while nobody says that it stays below the peak of the last.

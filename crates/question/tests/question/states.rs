@@ -264,6 +264,16 @@ fn agents_that_are_named_are_looked_at_in_every_place() {
     assert!(refused.unwrap_err().to_string().contains("up to 6 vertices"));
 }
 
+/// The sum over pairs is the other side's multiple by a number below 0, so that no factor helps: this is a question of numbers.
+#[test]
+fn sums_over_pairs_of_opposite_signs_are_compared() {
+    let rates = "[law.rates]\nh = \"mean(j, h[j] - h)\"\n";
+    let spread = "sum(i, (h[i] - mean(k, h[k]))^2)";
+    let of = |factor: &str| format!("rate(sum(i, h[i]^2)) <= {factor}*{spread}");
+    let found = numbers(rates, "continuous", "agents = 3", &of("-1"), &of("-4"));
+    assert_eq!(found.verdict, Verdict::Holds, "{}", found.why);
+}
+
 /// What has no value at any state holds nowhere: it is not said to hold.
 #[test]
 fn statements_without_values_do_not_hold() {
