@@ -184,6 +184,9 @@ impl Extension {
     fn normal(&self, fraction: Fraction) -> Fraction {
         let (mut numerator, mut powers) = self.without_squares(fraction);
         let relations = self.with(|inner| inner.relations.clone());
+        if relations.is_empty() {
+            return (numerator, powers);
+        }
         for _ in 0..MOST_ROUNDS {
             let rest = relations.iter().fold(numerator.clone(), |rest, relation| rest.remainder(relation));
             if rest == numerator {

@@ -24,10 +24,8 @@ enum Outer {
     Logarithm(i64),
     /// One over the logarithm.
     OverLogarithm,
-    /// A number of which it is proved that it lies between `a` and `b`, and is what it is said to be.
+    /// A number of which it is proved that it lies between `a` and `b`, and is what it is said to be; with an equation, its only solution there.
     Between,
-    /// The only solution of an equation between `a` and `b`.
-    Solution,
 }
 
 /// A function of `a + b sqrt(d)`, the solution of an equation, or a number that is enclosed.
@@ -57,22 +55,23 @@ impl Place {
 
     /// A number between two others.
     pub(super) fn between(lo: Rational, hi: Rational) -> Self {
-        Place { outer: Outer::Between, a: lo, b: hi, d: rational(0, 1), equation: None }
+        Place { b: hi, ..Place::rational(Outer::Between, lo) }
     }
 
     /// The only solution of an equation between two numbers.
     pub(super) fn solution(equation: Equation, lo: Rational, hi: Rational) -> Self {
-        Place { outer: Outer::Solution, a: lo, b: hi, d: rational(0, 1), equation: Some(equation) }
+        Place { equation: Some(equation), ..Place::between(lo, hi) }
     }
 
+    /// Whether no more is known of it than where it lies.
     fn is_enclosed(&self) -> bool {
-        self.outer == Outer::Between
+        self.outer == Outer::Between && self.equation.is_none()
     }
 
     /// The number in closed form, in the scalar of `like`.
     fn value<T: Number>(&self, like: &T) -> Result<T, ArithmeticError> {
         let open = || ArithmeticError::Domain("a number in closed form");
-        if self.is_enclosed() || self.equation.is_some() {
+        if self.outer == Outer::Between {
             return Err(open());
         }
         let of = |q: &Rational| like.rational(q);
@@ -83,7 +82,7 @@ impl Place {
             Outer::Exponential => inside.exp(),
             Outer::Logarithm(k) => Ok(inside.ln()? * like.ratio(1, k)),
             Outer::OverLogarithm => inside.ln()?.recip(),
-            Outer::Between | Outer::Solution => Err(open()),
+            Outer::Between => Err(open()),
         }
     }
 
@@ -97,7 +96,7 @@ impl Place {
 
     pub(super) fn enclosure(&self) -> Option<Extended> {
         match self.outer {
-            Outer::Between | Outer::Solution => Some(Extended::hull(Some(&self.a), Some(&self.b))),
+            Outer::Between => Some(Extended::hull(Some(&self.a), Some(&self.b))),
             _ => self.value(&Extended::between(1.0, 1.0)).ok(),
         }
     }
@@ -236,7 +235,7 @@ impl fmt::Display for Place {
                 _ => format!("{}*{what}{over}", q.numer()),
             }
         };
-        if self.is_enclosed() || self.equation.is_some() {
+        if self.outer == Outer::Between {
             let end = |q: &Rational, up: bool| decimal(q, 12, up);
             return write!(f, "[{}, {}]", end(&self.a, false), end(&self.b, true));
         }
@@ -253,16 +252,19 @@ impl fmt::Display for Place {
             Outer::Logarithm(1) => write!(f, "log({inside})"),
             Outer::Logarithm(k) => write!(f, "log({inside})/{k}"),
             Outer::OverLogarithm => write!(f, "1/log({inside})"),
-            Outer::Between | Outer::Solution => Ok(()),
+            Outer::Between => Ok(()),
         }
     }
 }
 
-/// A simple rational near a float.
-fn simple(x: f64, most: i64) -> Option<Rational> {
-    const REACH: f64 = 1e-12;
-    let exact = Rational::from_float(x)?;
-    let reach = Rational::from_float(REACH * x.abs().max(1e-3))?;
+/// How far a number in closed form may be from its float.
+fn fine(x: f64) -> f64 {
+    1e-12 * x.abs().max(1e-3)
+}
+
+/// A simple rational near a float: of this size at most away from it, with this denominator at most.
+pub(super) fn simple(x: f64, reach: f64, most: i64) -> Option<Rational> {
+    let (exact, reach) = (Rational::from_float(x)?, Rational::from_float(reach)?);
     let found = simplest_between(&(&exact - &reach), &(exact + reach));
     (found.denom() <= most.into()).then_some(found)
 }
@@ -275,7 +277,7 @@ fn quadratic(x: f64) -> Option<(Rational, Rational, Rational)> {
     if !x.is_finite() || x.abs() > 1e6 {
         return None;
     }
-    if let Some(q) = simple(x, DENOMINATOR) {
+    if let Some(q) = simple(x, fine(x), DENOMINATOR) {
         return Some((q, rational(0, 1), rational(0, 1)));
     }
     let middles = || std::iter::once(0).chain((1..=MIDDLE).flat_map(|b| [b, -b]));
@@ -310,7 +312,8 @@ fn forms(x: f64) -> Vec<Place> {
     (1..=MULTIPLES).for_each(|k| push(Outer::Logarithm(k), (k as f64 * x).exp()));
     push(Outer::Exponential, x.ln());
     push(Outer::OverLogarithm, (1.0 / x).exp());
-    list.extend(simple(x / std::f64::consts::PI, PARTS).map(|q| Place::rational(Outer::TimesPi, q)));
+    let turns = x / std::f64::consts::PI;
+    list.extend(simple(turns, fine(turns), PARTS).map(|q| Place::rational(Outer::TimesPi, q)));
     list
 }
 

@@ -2,14 +2,11 @@
 //! the equation, Newton's method in intervals proves that it has one solution there, and the equation itself says which values are 0 at it.
 
 use super::exact::Exact;
-use super::places::Place;
+use super::places::{Place, simple};
 use crate::function::{Function, Side};
 use crate::symbolic::{Extension, Settled, Symbolic};
-use arithmetic::{
-    ArithmeticError, Dual, Field, Interval, Number, PreciseNumber, Rational, RealNumber, rational, simplest_between,
-};
+use arithmetic::{ArithmeticError, Dual, Field, Interval, Number, PreciseNumber, Rational, RealNumber, rational};
 use num_bigint::BigInt;
-use num_traits::Signed;
 use std::sync::Arc;
 
 /// How far a float may be from a solution, after Newton's method, and how wide the interval around it is.
@@ -105,7 +102,7 @@ impl Equation {
 fn parts<F: Function>(function: &F, x: &[f64], sides: &[Side]) -> Vec<Symbolic> {
     let extension = Extension::listening(sides.len());
     let known = |((own, x), side): ((Symbolic, &f64), &Side)| {
-        let number = side.as_point().cloned().or_else(|| simple(*x, REACH));
+        let number = side.as_point().cloned().or_else(|| near_to(*x, REACH));
         number.map_or_else(|| own.clone(), |q| own.rational(&q))
     };
     let arguments: Vec<Symbolic> = extension.arguments().into_iter().zip(x).zip(sides).map(known).collect();
@@ -127,7 +124,7 @@ pub(super) fn near<F: Function>(function: &F, x: &[f64], sides: &[Side]) -> Vec<
     for part in parts(function, x, sides) {
         let [variable] = part.depends_on()[..] else { continue };
         let settled = part.settled();
-        let Some(value) = settled.value(x).ok().and_then(|value| simple(value, FAR)) else { continue };
+        let Some(value) = settled.value(x).ok().and_then(|value| near_to(value, FAR)) else { continue };
         let equation = Equation { part: Arc::new(settled), arity: sides.len(), variable, value };
         if let Some((lo, hi)) = equation.approached(x[variable]).and_then(|x| equation.solution(x)) {
             found[variable].push(Place::solution(equation, lo, hi));
@@ -137,8 +134,6 @@ pub(super) fn near<F: Function>(function: &F, x: &[f64], sides: &[Side]) -> Vec<
 }
 
 /// A simple rational near a float.
-fn simple(x: f64, reach: f64) -> Option<Rational> {
-    let (exact, reach) = (Rational::from_float(x)?, Rational::from_float(reach * x.abs().max(1.0))?);
-    let found = simplest_between(&(&exact - &reach), &(exact + reach));
-    (found.denom().abs() <= DENOMINATOR.into()).then_some(found)
+fn near_to(x: f64, reach: f64) -> Option<Rational> {
+    simple(x, reach * x.abs().max(1.0), DENOMINATOR)
 }

@@ -43,17 +43,17 @@ impl Division<'_> {
             own if own == above => (second, &**first),
             _ => return None,
         };
-        let name = |node: &Node| match &node.kind {
-            Kind::Name { name, arguments, .. } => Some((name.to_string(), arguments.clone())),
-            _ => None,
-        };
-        let (("gain", arguments), "peak") = ((&*name(gain)?.0, name(gain)?.1), &*name(peak)?.0) else { return None };
+        let named = |node: &Node, expected: &str| matches!(&node.kind, Kind::Name { name, .. } if name == expected);
+        let Kind::Name { arguments, .. } = &gain.kind else { return None };
         let [(place, _)] = whole.sides()[..] else { return None };
-        let own = whole.iter().nth(place)?.0;
-        let is_frequency = name(arguments.get(1)?)? == (own.to_string(), Vec::new());
+        let is_frequency =
+            arguments.get(1).is_some_and(|own| whole.iter().nth(place).is_some_and(|at| named(own, at.0)));
+        if !(named(gain, "gain") && named(peak, "peak") && is_frequency) {
+            return None;
+        }
         let case = Case::new(self.question, whole.clone(), self.progress);
         let evaluator = Evaluator { case: &case, precision: FIRST_BITS, moment: None, piece: None };
-        (is_frequency && evaluator.by_definition(gain, Relation::AtMost, peak)?).then_some(place)
+        evaluator.by_definition(gain, Relation::AtMost, peak)?.then_some(place)
     }
 
     /// The frequency of the peak, where all of its enclosure lies in the side of that place.
