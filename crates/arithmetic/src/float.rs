@@ -50,6 +50,11 @@ impl Number for f64 {
     }
 
     #[inline]
+    fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
+        if *self < 0.0 { Err(ArithmeticError::Argument("root")) } else { Ok(f64::powf(*self, 1.0 / degree as f64)) }
+    }
+
+    #[inline]
     fn exp(&self) -> Result<Self, ArithmeticError> {
         Ok(f64::exp(*self))
     }

@@ -228,6 +228,11 @@ pub trait Number: Field + Signed {
     fn circle(&self) -> Result<Self, ArithmeticError>;
     /// Square root of a non-negative number.
     fn sqrt(&self) -> Result<Self, ArithmeticError>;
+    /// The root of a degree of at least 1 of a number that is not negative; where the scalar needs a logarithm for it, or a slope, of one above 0.
+    fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
+        let share = Rational::new(1.into(), degree.into());
+        (self.ln()? * self.rational(&share)).exp()
+    }
     /// Exponential.
     fn exp(&self) -> Result<Self, ArithmeticError>;
     /// Natural logarithm of a positive number.

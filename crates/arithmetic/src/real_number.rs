@@ -627,6 +627,11 @@ impl Number for PreciseNumber {
         self.try_with(self.number.sqrt(self.precision))
     }
 
+    fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
+        let share = RealNumber::Exact(Rational::new(1.into(), degree.into()));
+        self.try_with(self.number.power(&share, self.precision))
+    }
+
     fn exp(&self) -> Result<Self, ArithmeticError> {
         self.try_with(self.number.exp(self.precision))
     }

@@ -19,6 +19,8 @@ enum Function {
     Exponential,
     /// Of the absolute value of a polynomial, which is no product.
     Logarithm,
+    /// The root of this degree.
+    Root(u64),
     Other(&'static str),
 }
 

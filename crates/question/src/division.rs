@@ -249,10 +249,13 @@ impl Division<'_> {
                     }
                     for zero in proof.zeros {
                         let point = at(&zero);
-                        if self.fails_at(point.clone(), &mut found, &mut missing)? {
+                        let judged = self.judged_at(&point);
+                        // Of several clauses another one may have the smallest margin, elsewhere.
+                        let is_least = matches!(&judged, Ok(Some(own)) if own.margin.hi == 0.0);
+                        if Self::fails(point.clone(), judged, &mut found, &mut missing)? {
                             return Ok(found);
                         }
-                        if found.margin.hi == 0.0 && found.attained.is_none() {
+                        if is_least && found.attained.is_none() {
                             found.attained = Some(Spot::of(&point, &[]));
                         }
                     }

@@ -11,7 +11,8 @@ use std::sync::Arc;
 /// A function of one number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Elementary {
-    Root,
+    /// Of this degree.
+    Root(u64),
     Exponential,
     Logarithm,
     Sine,
@@ -21,7 +22,8 @@ enum Elementary {
 impl Elementary {
     fn of<T: Number>(self, x: &T) -> Result<T, ArithmeticError> {
         match self {
-            Elementary::Root => x.sqrt(),
+            Elementary::Root(2) => x.sqrt(),
+            Elementary::Root(degree) => x.root(degree),
             Elementary::Exponential => x.exp(),
             Elementary::Logarithm => x.ln(),
             Elementary::Sine => x.sin(),
@@ -405,7 +407,7 @@ impl Reader<'_> {
             1 => base,
             degree @ (2 | 4 | 8) => {
                 self.condition(&base, Compared::NotNegative);
-                (0..degree.trailing_zeros()).fold(base, |root, _| call(Elementary::Root, root))
+                (0..degree.trailing_zeros()).fold(base, |root, _| call(Elementary::Root(2), root))
             }
             // Other roots have their value at 0, which the logarithm has not.
             degree if self.is_positive(&base) => {
@@ -413,7 +415,10 @@ impl Reader<'_> {
                 let share = Term::Number(rational(1, i64::try_from(degree).ok()?));
                 call(Elementary::Exponential, product(vec![share, call(Elementary::Logarithm, base)]))
             }
-            _ => return None,
+            degree => {
+                self.condition(&base, Compared::NotNegative);
+                call(Elementary::Root(degree), base)
+            }
         };
         let power = match (size, root.as_number()) {
             (0, _) => return None,
@@ -429,7 +434,7 @@ impl Reader<'_> {
             "pi" if terms.is_empty() => return Some(Term::Pi),
             "min" | "max" if !terms.is_empty() => return Some(Term::Extreme(name == "max", terms)),
             "abs" => return terms.pop().map(|term| Term::Absolute(Arc::new(term))),
-            "sqrt" => Elementary::Root,
+            "sqrt" => Elementary::Root(2),
             "exp" => Elementary::Exponential,
             "log" => Elementary::Logarithm,
             "sin" => Elementary::Sine,
@@ -438,7 +443,7 @@ impl Reader<'_> {
         };
         let term = terms.pop()?;
         match function {
-            Elementary::Root => self.condition(&term, Compared::NotNegative),
+            Elementary::Root(_) => self.condition(&term, Compared::NotNegative),
             Elementary::Logarithm => self.condition(&term, Compared::Positive),
             _ => {}
         }

@@ -24,6 +24,15 @@ impl Number for Rational {
         at(&p * &p == self.numer() && &q * &q == self.denom(), || Rational::new(p, q))
     }
 
+    fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
+        if self.is_negative() {
+            return Err(ArithmeticError::Argument("root"));
+        }
+        let degree = u32::try_from(degree).map_err(|_| IRRATIONAL)?;
+        let root = Rational::new(self.numer().nth_root(degree), self.denom().nth_root(degree));
+        at(Ring::power(&root, degree.into()) == *self, || root)
+    }
+
     fn exp(&self) -> Result<Self, ArithmeticError> {
         at(self.is_zero(), || self.one())
     }

@@ -1,9 +1,10 @@
 //! Real numbers that are enclosed and, at the same time, quotients of polynomials in roots, exponentials, logarithms and sines of numbers, so that those that are
 //! equal by an identity are known to be.
 
+use super::Extended;
 use crate::symbolic::{Extension, Symbolic};
 use arithmetic::{
-    ArithmeticError, Field, Interval, Number, PreciseNumber, Rational, RealNumber, Ring, Sign, Signed, operators,
+    ArithmeticError, Field, FloatInterval, Interval, Number, PreciseNumber, Rational, RealNumber, Ring, Sign, Signed, operators,
     rational,
 };
 
@@ -54,6 +55,20 @@ impl Exact {
         self.symbol.is_zero_from_now();
     }
 
+    /// Floats between which it lies.
+    pub fn enclosed(&self) -> Extended {
+        let range = FloatInterval::from_interval(&self.number.number.enclosure(BITS));
+        Extended::between(range.lo(), range.hi())
+    }
+
+    /// The rational number that it is known to be.
+    pub fn as_rational(&self) -> Option<Rational> {
+        match &self.number.number {
+            RealNumber::Exact(q) => Some(q.clone()),
+            _ => self.symbol.as_constant(),
+        }
+    }
+
     fn both(
         &self,
         number: impl Fn(&PreciseNumber) -> Result<PreciseNumber, ArithmeticError>,
@@ -100,6 +115,14 @@ impl Number for Exact {
 
     fn sqrt(&self) -> Result<Self, ArithmeticError> {
         self.both(Number::sqrt, Number::sqrt)
+    }
+
+    /// 0 of 0, which has no logarithm.
+    fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
+        match self.sign() {
+            Some(Sign::Zero) => Ok(self.zero()),
+            _ => self.both(|x| x.root(degree), |x| (x.ln()? * x.rational(&Rational::new(1.into(), degree.into()))).exp()),
+        }
     }
 
     fn exp(&self) -> Result<Self, ArithmeticError> {

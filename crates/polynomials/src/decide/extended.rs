@@ -268,6 +268,16 @@ impl Number for Extended {
         Ok(inside.monotone(|x| if x == 0.0 { Some((0.0, 0.0)) } else { root(x) }))
     }
 
+    fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
+        let share = Interval::from_rational(&Rational::new(1.into(), degree.into()), BITS);
+        let inside = self.within(0.0, false);
+        Ok(inside.monotone(|x| match x {
+            0.0 | 1.0 => Some((x, x)),
+            x if x == f64::INFINITY => Some((0.0, x)),
+            x => general(x, |x| (x.ln()? * &share).exp()),
+        }))
+    }
+
     fn exp(&self) -> Result<Self, ArithmeticError> {
         // Beyond these the ends are not worth a long computation.
         const LARGE: f64 = 700.0;

@@ -2,6 +2,7 @@
 
 use super::exact::{self, Exact};
 use super::places::{Place, exactly, points_near};
+use super::tail::{End, Tail};
 use super::{Extended, Method};
 use crate::function::{Compared, Function, Literal, Side};
 use arithmetic::{ArithmeticError, Dual, PreciseNumber, Rational, Ring, Series, Sign, Signed, simplest_between};
@@ -438,6 +439,21 @@ impl<F: Function> Sided<'_, F> {
         Some(self.value(&at).ok()?.coefficients().iter().map(Signed::sign).collect())
     }
 
+    /// Whether it has its sign for all `t >= from` at an end of the line of one variable.
+    pub fn is_true_at_end(&self, sides: &[Side], free: usize, end: End, from: Extended) -> bool {
+        let number = |one: &Exact, (k, side): (usize, &Side)| match k == free {
+            true => end.number(&from, one),
+            false => Some(Tail::constant(arithmetic::Field::rational(one, &side.middle()), &from, one)),
+        };
+        let of = |one: &Exact| {
+            let at = sides.iter().enumerate().map(|own| number(one, own)).collect::<Option<Vec<Tail>>>()?;
+            let value = self.value(&at).ok()?;
+            let sign = if self.strict { value.sign() } else { value.side() };
+            Some(sign == Some(Sign::Positive))
+        };
+        exact::computed(of, |is_true| *is_true) == Some(true)
+    }
+
     /// Whether it has its sign on the part of the box on one side of a place inside, which itself is left out.
     pub fn beside(&self, sides: &[Side], free: usize, place: &Place, above: bool) -> bool {
         let Some(at) = place.enclosure() else { return false };
@@ -450,7 +466,11 @@ impl<F: Function> Sided<'_, F> {
             Ok(_) => {}
             Err(_) => return false,
         }
-        let Some(remainders) = self.remainders(&boxed, free) else { return false };
+        let Some(remainders) = self.remainders(&boxed, free) else {
+            let width = if above { part - at } else { at - part };
+            let end = if above { End::After(place) } else { End::Before(place) };
+            return from_width(width).is_some_and(|from| self.is_true_at_end(sides, free, end, from));
+        };
         let point: Vec<Rational> = sides.iter().map(Side::middle).collect();
         let places = place.on_line(&point, free);
         let of = |one: &Exact| self.signs(&exactly(&places, one)?, free);
@@ -468,6 +488,12 @@ impl<F: Function> Sided<'_, F> {
         let on_box = self.value(&at).ok()?;
         Some(on_box.coefficients().iter().take_while(|c| c.defined).copied().collect())
     }
+}
+
+/// The least `t` of `c + 1/t` up to a width away from `c`.
+pub(super) fn from_width(width: Extended) -> Option<Extended> {
+    let least = arithmetic::Field::recip(&Extended::between(width.hi, width.hi)).ok()?.lo;
+    (least > 1.0).then(|| Extended::between(least, least))
 }
 
 fn is_smooth(value: &Dual<Extended>) -> bool {

@@ -13,8 +13,10 @@ mod points;
 mod prover;
 mod reduction;
 mod roots;
+mod scale;
 mod solutions;
 mod subdivision;
+mod tail;
 
 use crate::function::{Function, Literal, Side};
 use crate::sums::Certificate;
@@ -33,6 +35,8 @@ pub enum Method {
     Convexity,
     /// An expansion at a zero of higher order, in one number.
     Expansion,
+    /// Expansions far out, or beside a number at which there is no slope, in one number.
+    Ends,
     /// Exact signs between the roots of polynomials in one number.
     Roots,
     /// Coefficients in Bernstein's basis.
@@ -51,6 +55,7 @@ impl Method {
             Method::Slopes => "slopes of one sign",
             Method::Convexity => "convexity around the least value",
             Method::Expansion => "expansion at a zero",
+            Method::Ends => "expansions at the ends",
             Method::Roots => "exact roots",
             Method::Bernstein => "Bernstein coefficients",
             Method::Squares => "sums of squares",

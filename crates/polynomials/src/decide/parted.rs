@@ -223,6 +223,11 @@ impl<T: Number> Number for Parted<T> {
         Ok(self.with(self.mapped(Number::sqrt).ok().flatten(), self.guide.max(0.0).sqrt()))
     }
 
+    fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
+        let root = self.mapped(|x| x.root(degree)).ok().flatten();
+        Ok(self.with(root, self.guide.max(0.0).powf(1.0 / degree as f64)))
+    }
+
     fn exp(&self) -> Result<Self, ArithmeticError> {
         Ok(Parted { sense: Sense::NotNegative, ..self.apart(self.mapped(Number::exp)?, self.guide.exp()) })
     }

@@ -87,7 +87,7 @@ impl Place {
     }
 
     /// The number in closed form, or what its equation says of it.
-    fn exactly(&self, one: &Exact) -> Option<Exact> {
+    pub(super) fn exactly(&self, one: &Exact) -> Option<Exact> {
         match &self.equation {
             Some(equation) => equation.put((&self.a, &self.b), one),
             None => self.value(one).ok(),

@@ -1,7 +1,8 @@
 //! Boxes that are divided until on each of them some literal is true: in layers, each on all cores, so that the result does not depend on their number.
 
-use super::local::{Local, Sided, Signs, at_point};
+use super::local::{Local, Sided, Signs, at_point, from_width};
 use super::places::{Place, only_free, truth};
+use super::tail::End;
 use super::{Decision, Effort, Extended, Method, Open, Proof};
 use crate::function::{Compared, Function, Literal, Side};
 use arithmetic::{Cancelled, Progress, Rational, rational, simplest_between};
@@ -71,11 +72,45 @@ fn is_true_around<F: Function>(clause: &[Literal<F>], sides: &[Side], place: &Pl
         && matches!(truth(clause, &place.on_line(&point, free)), Signs::Holds { .. })
 }
 
+/// What is true at one end of a box in one number, and from there on, or at infinity: the points at which it was looked at exactly.
+fn is_true_from_end<F: Function>(clause: &[Literal<F>], sides: &[Side]) -> Option<Option<Vec<Rational>>> {
+    let free = only_free(sides).filter(|&k| !sides[k].integer)?;
+    let beside = |end: End, from: Extended| {
+        let own = |literal: &Literal<F>, negative| sided(literal, negative).is_true_at_end(sides, free, end, from);
+        clause.iter().any(|literal| match literal.compared {
+            Compared::Positive | Compared::NotNegative => own(literal, false),
+            Compared::NotZero => own(literal, false) || own(literal, true),
+            Compared::Zero => false,
+        })
+    };
+    let far = |end: End, from: &Rational| (*from > rational(1, 1) && beside(end, Extended::of(from))).then_some(None);
+    match (&sides[free].lo, &sides[free].hi) {
+        (Some(lo), None) => far(End::Above, lo),
+        (None, Some(hi)) => far(End::Below, &-hi.clone()),
+        (None, None) => None,
+        (Some(lo), Some(hi)) => {
+            let from = from_width(Extended::of(&(hi - lo)))?;
+            [(lo, true), (hi, false)].into_iter().find_map(|(at, after)| {
+                let place = Place::of(at.clone());
+                let end = if after { End::After(&place) } else { End::Before(&place) };
+                let point: Vec<Rational> =
+                    sides.iter().enumerate().map(|(k, side)| if k == free { at.clone() } else { side.middle() }).collect();
+                match at_point(clause, &point) {
+                    Signs::Holds { zero } if beside(end, from) => Some(zero.then_some(point)),
+                    _ => None,
+                }
+            })
+        }
+    }
+}
+
 fn look<F: Function>(clause: &[Literal<F>], cell: &Cell, places: &[Place]) -> Standing {
     let admitted = |point: &Vec<Rational>| cell.sides.iter().zip(point).all(|(side, q)| side.contains(q));
     let mut slopes = Vec::new();
     let mut open = false;
     let (mut candidates, mut around) = (Vec::new(), None);
+    // A literal without slopes.
+    let mut is_rough = false;
     for literal in clause {
         match one(literal, &cell.sides) {
             Local::True { method, zero } => {
@@ -102,6 +137,7 @@ fn look<F: Function>(clause: &[Literal<F>], cell: &Cell, places: &[Place]) -> St
             }
             Local::Open(own) => {
                 open = true;
+                is_rough |= own.is_empty();
                 if slopes.is_empty() {
                     slopes = own;
                 }
@@ -119,8 +155,15 @@ fn look<F: Function>(clause: &[Literal<F>], cell: &Cell, places: &[Place]) -> St
         None if places.iter().any(|place| is_true_around(clause, &cell.sides, place)) => {
             Standing::Closed(vec![Method::Expansion], None)
         }
-        None => Standing::Split(slopes),
+        None => match if is_rough || is_far(&cell.sides) { is_true_from_end(clause, &cell.sides) } else { None } {
+            Some(zero) => Standing::Closed(vec![Method::Ends], zero),
+            None => Standing::Split(slopes),
+        },
     }
+}
+
+fn is_far(sides: &[Side]) -> bool {
+    sides.iter().any(|side| side.lo.is_none() || side.hi.is_none())
 }
 
 /// The side to be divided: along which the function may change most, every third time the widest one.

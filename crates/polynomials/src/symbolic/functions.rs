@@ -38,7 +38,7 @@ impl Symbolic {
                     cosine
                 }
                 Function::Exponential => self.extension.variable(Meaning::Positive),
-                Function::Logarithm | Function::Other(_) => self.extension.variable(Meaning::Any),
+                Function::Logarithm | Function::Root(_) | Function::Other(_) => self.extension.variable(Meaning::Any),
             };
             self.extension.with(|inner| inner.calls.push((function, self.fraction.clone(), variable)));
             variable
@@ -329,6 +329,11 @@ impl Number for Symbolic {
         }
         let meaning = Meaning::Root(self.fraction.0.clone(), self.denominator());
         Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
+    }
+
+    /// A variable of which nothing is known; the logarithm would say that the argument is above 0.
+    fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
+        self.heard().called(Function::Root(degree), |c| c.root(degree))
     }
 
     /// Of a sum the product; of an integer multiple the power; of a multiple of a logarithm a power of its argument.

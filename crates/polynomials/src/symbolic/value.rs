@@ -90,6 +90,7 @@ impl Variables {
                     Function::Cosine => argument.cos(),
                     Function::Exponential => argument.exp(),
                     Function::Logarithm => argument.ln().or_else(|_| (-argument).ln()),
+                    Function::Root(degree) => argument.root(*degree),
                     Function::Other("atan") => argument.atan(),
                     Function::Other(_) => Err(unknown()),
                 }
@@ -103,8 +104,13 @@ impl Symbolic {
     pub fn is_smooth(&self) -> bool {
         let variables = Variables::of(self);
         let needed = variables.needed(&self.fraction);
-        let has_kink = |meaning: &Meaning| matches!(meaning, Meaning::Root(..) | Meaning::Absolute(..));
-        !variables.meanings.iter().zip(needed).any(|(meaning, is_needed)| is_needed && has_kink(meaning))
+        let is_root = |place: usize| {
+            matches!(variables.call(variables.arity + place), Some((super::Function::Root(_), ..)))
+        };
+        let has_kink = |place: usize| {
+            matches!(variables.meanings[place], Meaning::Root(..) | Meaning::Absolute(..)) || is_root(place)
+        };
+        !(0..needed.len()).any(|place| needed[place] && has_kink(place))
     }
 
     /// Whether something in it is divided by what is no number.
