@@ -79,6 +79,14 @@ impl<T: Number> Number for Dual<T> {
         Ok(self.chain(value, slope))
     }
 
+    /// As the square root.
+    fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
+        let value = self.value.root(degree)?;
+        let share = self.value.rational(&Rational::new(1.into(), degree.into()));
+        let slope = (value.clone() * &share).over(&self.value)?;
+        Ok(self.chain(value, slope))
+    }
+
     #[inline]
     fn exp(&self) -> Result<Self, ArithmeticError> {
         let value = self.value.exp()?;

@@ -172,6 +172,16 @@ impl<T: Number> Number for Series<T> {
         Ok(Series { coefficients: root })
     }
 
+    /// Needs a constant term that is not zero: `q c r' = c' r`.
+    fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
+        let c = &self.coefficients;
+        let share = c[0].rational(&Rational::new(1.into(), degree.into()));
+        self.by_recurrence(c[0].root(degree)?, |r, n| {
+            let whole = Series::of_derivative(c, r, n, n) * &share;
+            (whole - Series::of_derivative(r, c, n, n - 1)).over(&c[0])
+        })
+    }
+
     fn exp(&self) -> Result<Self, ArithmeticError> {
         let c = &self.coefficients;
         self.by_recurrence(c[0].exp()?, |e, n| Ok(Series::of_derivative(c, e, n, n)))

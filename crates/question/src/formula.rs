@@ -410,7 +410,7 @@ impl Reader<'_> {
                 (0..degree.trailing_zeros()).fold(base, |root, _| call(Elementary::Root(2), root))
             }
             // Other roots have their value at 0, which the logarithm has not.
-            degree if self.is_positive(&base) => {
+            degree if base.as_number().is_none() && self.is_positive(&base) => {
                 self.condition(&base, Compared::Positive);
                 let share = Term::Number(rational(1, i64::try_from(degree).ok()?));
                 call(Elementary::Exponential, product(vec![share, call(Elementary::Logarithm, base)]))

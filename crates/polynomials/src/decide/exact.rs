@@ -121,7 +121,7 @@ impl Number for Exact {
     fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
         match self.sign() {
             Some(Sign::Zero) => Ok(self.zero()),
-            _ => self.both(|x| x.root(degree), |x| (x.ln()? * x.rational(&Rational::new(1.into(), degree.into()))).exp()),
+            _ => self.both(|x| x.root(degree), |x| x.root(degree)),
         }
     }
 

@@ -5,6 +5,7 @@ mod bernstein;
 mod elimination;
 mod exact;
 mod extended;
+mod faces;
 mod goals;
 mod local;
 mod parted;
@@ -255,6 +256,9 @@ fn on_box<F: Function>(
     }
     if let Some(places) = fails_at_zero(clause, domain) {
         return Ok(Decision::FailsAt(places));
+    }
+    if let Some(decision) = faces::decided(clause, domain, effort, progress)? {
+        return Ok(with_zeros(decision, found.zeros));
     }
     // An equation is never shown by boxes.
     let effort = match clause.iter().all(|literal| literal.compared == crate::function::Compared::Zero) {

@@ -20,6 +20,8 @@ enum Outer {
     Itself,
     TimesPi,
     Exponential,
+    /// The root of this degree.
+    Root(u32),
     /// The logarithm over this integer.
     Logarithm(i64),
     /// One over the logarithm.
@@ -80,10 +82,18 @@ impl Place {
             Outer::Itself => Ok(inside),
             Outer::TimesPi => Ok(inside * like.circle()?),
             Outer::Exponential => inside.exp(),
+            // Of a negative number, whose degree is odd, the negative of a root.
+            Outer::Root(degree) if self.inside_is_negative() => Ok(-(-inside).root(degree.into())?),
+            Outer::Root(degree) => inside.root(degree.into()),
             Outer::Logarithm(k) => Ok(inside.ln()? * like.ratio(1, k)),
             Outer::OverLogarithm => inside.ln()?.recip(),
             Outer::Between => Err(open()),
         }
+    }
+
+    fn inside_is_negative(&self) -> bool {
+        let float = |q: &Rational| q.to_f64().unwrap_or(f64::NAN);
+        float(&self.a) + float(&self.b) * float(&self.d).sqrt() < 0.0
     }
 
     /// The number in closed form, or what its equation says of it.
@@ -249,6 +259,11 @@ impl fmt::Display for Place {
             Outer::Itself => f.write_str(&inside),
             Outer::TimesPi => f.write_str(&times(&self.a, "pi")),
             Outer::Exponential => write!(f, "exp({inside})"),
+            Outer::Root(degree) => match (self.inside_is_negative(), self.b.is_zero()) {
+                (false, _) => write!(f, "({inside})^(1/{degree})"),
+                (true, true) => write!(f, "-({})^(1/{degree})", -self.a.clone()),
+                (true, false) => write!(f, "-(-({inside}))^(1/{degree})"),
+            },
             Outer::Logarithm(1) => write!(f, "log({inside})"),
             Outer::Logarithm(k) => write!(f, "log({inside})/{k}"),
             Outer::OverLogarithm => write!(f, "1/log({inside})"),
@@ -304,6 +319,7 @@ fn quadratic(x: f64) -> Option<(Rational, Rational, Rational)> {
 fn forms(x: f64) -> Vec<Place> {
     const PARTS: i64 = 24;
     const MULTIPLES: i64 = 4;
+    const DEGREES: [u32; 4] = [3, 5, 6, 7];
     let mut list: Vec<Place> = Vec::new();
     let mut push = |outer: Outer, y: f64| {
         list.extend(quadratic(y).map(|(a, b, d)| Place { outer, a, b, d, equation: None }));
@@ -312,6 +328,9 @@ fn forms(x: f64) -> Vec<Place> {
     (1..=MULTIPLES).for_each(|k| push(Outer::Logarithm(k), (k as f64 * x).exp()));
     push(Outer::Exponential, x.ln());
     push(Outer::OverLogarithm, (1.0 / x).exp());
+    DEGREES.into_iter().filter(|degree| x > 0.0 || degree % 2 == 1).for_each(|degree| {
+        push(Outer::Root(degree), x.powi(degree as i32));
+    });
     let turns = x / std::f64::consts::PI;
     list.extend(simple(turns, fine(turns), PARTS).map(|q| Place::rational(Outer::TimesPi, q)));
     list

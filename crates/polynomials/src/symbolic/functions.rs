@@ -38,6 +38,9 @@ impl Symbolic {
                     cosine
                 }
                 Function::Exponential => self.extension.variable(Meaning::Positive),
+                Function::Root(_) if self.as_constant().is_some_and(|c| c.is_positive()) => {
+                    self.extension.variable(Meaning::Positive)
+                }
                 Function::Logarithm | Function::Root(_) | Function::Other(_) => self.extension.variable(Meaning::Any),
             };
             self.extension.with(|inner| inner.calls.push((function, self.fraction.clone(), variable)));
@@ -195,6 +198,38 @@ impl Symbolic {
         sum
     }
 
+    /// From now on its power is known.
+    fn has_power(&self, degree: u64, power: &Polynomial) {
+        let relation = self.fraction.0.power(degree) - power;
+        self.extension.with(|inner| {
+            if !inner.relations.contains(&relation) {
+                inner.relations.push(relation);
+            }
+        });
+    }
+
+    /// The root of a positive number.
+    fn root_of_number(&self, q: &Rational, degree: u64) -> Result<Self, ArithmeticError> {
+        if let Ok(root) = q.root(degree) {
+            return Ok(self.rational(&root));
+        }
+        let mut product = self.one();
+        for (number, divides) in [(q.numer(), false), (q.denom(), true)] {
+            for (prime, power) in small_factors(number.clone()) {
+                let prime = Multivariate::of(Rational::from_integer(prime));
+                let root = self.extension.of(Multivariate::x(self.extension.of(prime.clone()).call(Function::Root(degree))));
+                root.has_power(degree, &prime);
+                // `1/r = r^(n-1)/p`.
+                let (power, whole) = match divides {
+                    false => (power.unsigned_abs(), self.one()),
+                    true => ((degree - 1) * power.unsigned_abs(), self.extension.of(prime).power(power.unsigned_abs()).recip()?),
+                };
+                product = product * root.power(power) * whole;
+            }
+        }
+        Ok(product)
+    }
+
     /// Of a product of exponentials, times a number, by half of the arguments; of a number by its prime factors. Only where there are no arguments: there all that is
     /// wanted is whether a number is zero.
     fn root_of_constant(&self) -> Result<Option<Self>, ArithmeticError> {
@@ -331,9 +366,22 @@ impl Number for Symbolic {
         Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
     }
 
-    /// A variable of which nothing is known; the logarithm would say that the argument is above 0.
+    /// Of a number the product of the roots of its prime factors, whose powers are known; of a function a variable of which nothing is known, since the logarithm
+    /// would say that the argument is above 0.
     fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
-        self.heard().called(Function::Root(degree), |c| c.root(degree))
+        match self.heard().as_constant() {
+            Some(c) if c.is_negative() => Err(ArithmeticError::Argument("root")),
+            Some(c) if c.is_positive() => self.root_of_number(&c, degree),
+            Some(_) => Ok(self.zero()),
+            None => {
+                let root = self.extension.of(Multivariate::x(self.call(Function::Root(degree))));
+                // Of numbers, that is: of functions the power is only known where there is a root.
+                if self.extension.arity == 0 && self.parts().1.is_empty() {
+                    root.has_power(degree, &self.fraction.0);
+                }
+                Ok(root)
+            }
+        }
     }
 
     /// Of a sum the product; of an integer multiple the power; of a multiple of a logarithm a power of its argument.

@@ -1,0 +1,206 @@
+//! Functions that keep their sign along lines: those that depend on differences or sums only, and homogeneous ones. What holds on the sides of the domain through
+//! which the lines leave it holds on all of it.
+
+use super::local::{Signs, at_point, seeded};
+use super::{Decision, Effort, Proof};
+use crate::function::{Function, Literal, Side};
+use crate::symbolic::{Extension, Symbolic};
+use arithmetic::{Cancelled, Dual, Field, Progress, Rational, Ring, random, rational};
+use nalgebra::DMatrix;
+use num_traits::{Signed as _, Zero};
+use rand_chacha::rand_core::Rng;
+
+/// Largest number of variables that are looked at.
+const MOST: usize = 5;
+
+/// Points at which slopes are compared in floats.
+const POINTS: usize = 12;
+
+/// Along which lines no literal changes its sign.
+enum Lines {
+    /// All of these direction, with an entry for each variable.
+    Parallel(Vec<Rational>),
+    /// Through 0.
+    Rays,
+}
+
+/// Decides on the sides of the domain; `None` where there are no such lines, or where it stays open there.
+pub(super) fn decided<F: Function>(
+    clause: &[Literal<F>],
+    domain: &[Side],
+    effort: Effort,
+    progress: &dyn Progress,
+) -> Result<Option<Decision>, Cancelled> {
+    let free: Vec<usize> = (0..domain.len()).filter(|&k| domain[k].as_point().is_none()).collect();
+    if !(2..=MOST).contains(&free.len()) || free.iter().any(|&k| domain[k].integer) {
+        return Ok(None);
+    }
+    let parallel = || parallel(clause, domain, &free).map(Lines::Parallel);
+    let Some(lines) = parallel().or_else(|| are_homogeneous(clause, domain, &free).then_some(Lines::Rays)) else {
+        return Ok(None);
+    };
+    let Some(faces) = (match &lines {
+        Lines::Parallel(direction) => crossed(domain, &free, direction),
+        Lines::Rays => ahead(clause, domain, &free),
+    }) else {
+        return Ok(None);
+    };
+    let share = Effort { boxes: effort.boxes / faces.len().max(1) as u64, ..effort };
+    let mut proof = Proof::default();
+    for face in &faces {
+        match super::on_rest(clause, face, share, progress)? {
+            Decision::Holds(own) => {
+                proof.methods.extend(own.methods);
+                proof.zeros.extend(own.zeros);
+                proof.places.extend(own.places);
+                proof.certificates.extend(own.certificates);
+                proof.boxes += own.boxes;
+            }
+            Decision::Undecided(_) => return Ok(None),
+            fails => return Ok(Some(fails)),
+        }
+    }
+    proof.methods.sort_unstable();
+    proof.methods.dedup();
+    Ok(Some(Decision::Holds(proof)))
+}
+
+/// A point inside, one of several.
+fn inside(domain: &[Side], stream: &mut impl Rng) -> Vec<f64> {
+    let mut one = |side: &Side| {
+        let (lo, hi) = side.floats();
+        let (lo, hi) = (if lo.is_finite() { lo } else { hi.min(2.0) - 4.0 }, if hi.is_finite() { hi } else { lo.max(-2.0) + 4.0 });
+        lo + random::uniform(stream) * (hi - lo)
+    };
+    domain.iter().map(&mut one).collect()
+}
+
+/// Slopes of all literals at a few points, in floats: a row for each.
+fn slopes<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) -> Vec<(Vec<f64>, f64, Vec<f64>)> {
+    let mut stream = random::generator("inequality", "lines", domain.len() as u64);
+    let mut rows = Vec::new();
+    for _ in 0..POINTS {
+        let x = inside(domain, &mut stream);
+        for literal in clause {
+            let slope = |&k: &usize| literal.function.value(&seeded(&x, k)).ok().map(|value| value.derivative);
+            let row: Option<Vec<f64>> = free.iter().map(slope).collect();
+            let value = literal.function.value(&x[..]).ok();
+            if let (Some(row), Some(value)) = (row, value)
+                && row.iter().chain([&value]).all(|y| y.is_finite())
+            {
+                rows.push((row, value, free.iter().map(|&k| x[k]).collect()));
+            }
+        }
+    }
+    rows
+}
+
+/// A direction along which no literal changes at all: proposed by the slopes at a few points, shown by identity.
+fn parallel<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) -> Option<Vec<Rational>> {
+    const FINE: f64 = 1e-9;
+    let rows = slopes(clause, domain, free);
+    let matrix = DMatrix::from_fn(rows.len().max(free.len()), free.len(), |i, j| rows.get(i).map_or(0.0, |row| row.0[j]));
+    let parts = matrix.svd(false, true);
+    let least = parts.singular_values.imin();
+    if rows.len() < free.len() || parts.singular_values[least] > FINE * parts.singular_values.max() {
+        return None;
+    }
+    let row = parts.v_t?.row(least).clone_owned();
+    let size = row.amax();
+    let mut direction = vec![rational(0, 1); domain.len()];
+    for (&k, x) in free.iter().zip(row.iter()) {
+        direction[k] = super::places::simple(x / size, FINE, 64)?;
+    }
+    let along = |x: &[Symbolic]| {
+        x.iter().zip(&direction).map(|(x, rate)| Dual::new(x.clone(), x.rational(rate))).collect::<Vec<_>>()
+    };
+    let stays = |literal: &Literal<F>| {
+        derivative(literal, domain, along).is_some_and(|found| found.derivative.as_constant().is_some_and(|c| c.is_zero()))
+    };
+    (direction.iter().any(|rate| !rate.is_zero()) && clause.iter().all(stays)).then_some(direction)
+}
+
+/// A literal as a function, with its rate along a direction of each point.
+fn derivative<F: Function>(
+    literal: &Literal<F>,
+    domain: &[Side],
+    along: impl Fn(&[Symbolic]) -> Vec<Dual<Symbolic>>,
+) -> Option<Dual<Symbolic>> {
+    let mut x = Extension::new(domain.len()).arguments();
+    for (x, side) in x.iter_mut().zip(domain) {
+        if let Some(q) = side.as_point() {
+            *x = x.rational(q);
+        }
+    }
+    literal.function.value(&along(&x)).ok()
+}
+
+/// Whether each literal is homogeneous, of any degree, in the free variables, by Euler's identity.
+fn are_homogeneous<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) -> bool {
+    let along = |x: &[Symbolic]| {
+        let rate = |(k, x): (usize, &Symbolic)| if free.contains(&k) { x.clone() } else { x.zero() };
+        x.iter().enumerate().map(|own| Dual::new(own.1.clone(), rate(own))).collect::<Vec<_>>()
+    };
+    clause.iter().all(|literal| {
+        let rows = slopes(std::slice::from_ref(literal), domain, free);
+        let degree = |(row, value, x): &(Vec<f64>, f64, Vec<f64>)| {
+            (value.abs() > 1e-6).then(|| row.iter().zip(x).map(|(slope, x)| slope * x).sum::<f64>() / value)
+        };
+        let Some(degree) = rows.iter().find_map(degree).and_then(|degree| super::places::simple(degree, 1e-9, 24)) else {
+            return false;
+        };
+        let scales = |found: Dual<Symbolic>| {
+            let rest = found.derivative - found.value.clone() * found.value.rational(&degree);
+            rest.as_constant().is_some_and(|c| c.is_zero())
+        };
+        derivative(literal, domain, along).is_some_and(scales)
+    })
+}
+
+fn with(domain: &[Side], k: usize, at: &Rational) -> Vec<Side> {
+    let mut face = domain.to_vec();
+    face[k] = Side::point(at.clone());
+    face
+}
+
+/// The sides through which parallel lines leave the domain in one of both directions; where no line leaves it, a plane that all of them cross.
+fn crossed(domain: &[Side], free: &[usize], direction: &[Rational]) -> Option<Vec<Vec<Side>>> {
+    let moving: Vec<usize> = free.iter().copied().filter(|&k| !direction[k].is_zero()).collect();
+    let ends = |forwards: bool| -> Vec<Vec<Side>> {
+        let end = |&k: &usize| {
+            let side = &domain[k];
+            let end = if direction[k].is_positive() == forwards { &side.hi } else { &side.lo };
+            end.as_ref().map(|end| with(domain, k, end))
+        };
+        moving.iter().filter_map(end).collect()
+    };
+    let both = [ends(true), ends(false)];
+    if both.iter().all(Vec::is_empty) {
+        return moving.first().map(|&k| vec![with(domain, k, &rational(0, 1))]);
+    }
+    both.into_iter().filter(|faces| !faces.is_empty()).min_by_key(Vec::len)
+}
+
+/// The sides through which rays from 0 leave the domain; of all reals those of the cube from -1 to 1. At 0 itself the clause has to be true.
+fn ahead<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) -> Option<Vec<Vec<Side>>> {
+    let zero = rational(0, 1);
+    let is_line = |k: &usize| domain[*k].lo.is_none() && domain[*k].hi.is_none();
+    let is_bounded = |k: &usize| domain[*k].lo.is_some() && domain[*k].hi.is_some();
+    let mut box_of = domain.to_vec();
+    if free.iter().all(is_line) {
+        free.iter().for_each(|&k| box_of[k] = Side::between(rational(-1, 1), rational(1, 1)));
+    } else if !free.iter().all(is_bounded) {
+        return None;
+    }
+    let origin: Vec<Rational> = (0..domain.len()).map(|k| if free.contains(&k) { zero.clone() } else { domain[k].middle() }).collect();
+    let has_origin = origin.iter().zip(domain).all(|(q, side)| side.contains(q));
+    if has_origin && !matches!(at_point(clause, &origin), Signs::Holds { .. }) {
+        return None;
+    }
+    let mut faces = Vec::new();
+    for &k in free {
+        faces.extend(box_of[k].hi.iter().filter(|hi| **hi > zero).map(|hi| with(&box_of, k, hi)));
+        faces.extend(box_of[k].lo.iter().filter(|lo| **lo < zero).map(|lo| with(&box_of, k, lo)));
+    }
+    Some(faces)
+}
