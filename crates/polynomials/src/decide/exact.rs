@@ -4,8 +4,8 @@
 use super::Extended;
 use crate::symbolic::{Extension, Symbolic};
 use arithmetic::{
-    ArithmeticError, Field, FloatInterval, Interval, Number, PreciseNumber, Rational, RealNumber, Ring, Sign, Signed, operators,
-    rational,
+    ArithmeticError, Field, FloatInterval, Interval, Number, PreciseNumber, Rational, RealNumber, Ring, Sign, Signed,
+    operators, rational,
 };
 
 /// A number in both ways; what is rational by an identity is so in both.

@@ -45,7 +45,7 @@ pub(super) fn decided<F: Function>(
     }) else {
         return Ok(None);
     };
-    let share = Effort { boxes: effort.boxes / faces.len().max(1) as u64, ..effort };
+    let share = Effort { boxes: effort.boxes / 2, ..effort };
     let mut proof = Proof::default();
     for face in &faces {
         match super::on_rest(clause, face, share, progress)? {
@@ -69,7 +69,8 @@ pub(super) fn decided<F: Function>(
 fn inside(domain: &[Side], stream: &mut impl Rng) -> Vec<f64> {
     let mut one = |side: &Side| {
         let (lo, hi) = side.floats();
-        let (lo, hi) = (if lo.is_finite() { lo } else { hi.min(2.0) - 4.0 }, if hi.is_finite() { hi } else { lo.max(-2.0) + 4.0 });
+        let (lo, hi) =
+            (if lo.is_finite() { lo } else { hi.min(2.0) - 4.0 }, if hi.is_finite() { hi } else { lo.max(-2.0) + 4.0 });
         lo + random::uniform(stream) * (hi - lo)
     };
     domain.iter().map(&mut one).collect()
@@ -99,7 +100,8 @@ fn slopes<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) -
 fn parallel<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) -> Option<Vec<Rational>> {
     const FINE: f64 = 1e-9;
     let rows = slopes(clause, domain, free);
-    let matrix = DMatrix::from_fn(rows.len().max(free.len()), free.len(), |i, j| rows.get(i).map_or(0.0, |row| row.0[j]));
+    let matrix =
+        DMatrix::from_fn(rows.len().max(free.len()), free.len(), |i, j| rows.get(i).map_or(0.0, |row| row.0[j]));
     let parts = matrix.svd(false, true);
     let least = parts.singular_values.imin();
     if rows.len() < free.len() || parts.singular_values[least] > FINE * parts.singular_values.max() {
@@ -115,7 +117,8 @@ fn parallel<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize])
         x.iter().zip(&direction).map(|(x, rate)| Dual::new(x.clone(), x.rational(rate))).collect::<Vec<_>>()
     };
     let stays = |literal: &Literal<F>| {
-        derivative(literal, domain, along).is_some_and(|found| found.derivative.as_constant().is_some_and(|c| c.is_zero()))
+        derivative(literal, domain, along)
+            .is_some_and(|found| found.derivative.as_constant().is_some_and(|c| c.is_zero()))
     };
     (direction.iter().any(|rate| !rate.is_zero()) && clause.iter().all(stays)).then_some(direction)
 }
@@ -146,7 +149,8 @@ fn are_homogeneous<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[
         let degree = |(row, value, x): &(Vec<f64>, f64, Vec<f64>)| {
             (value.abs() > 1e-6).then(|| row.iter().zip(x).map(|(slope, x)| slope * x).sum::<f64>() / value)
         };
-        let Some(degree) = rows.iter().find_map(degree).and_then(|degree| super::places::simple(degree, 1e-9, 24)) else {
+        let Some(degree) = rows.iter().find_map(degree).and_then(|degree| super::places::simple(degree, 1e-9, 24))
+        else {
             return false;
         };
         let scales = |found: Dual<Symbolic>| {
@@ -192,7 +196,8 @@ fn ahead<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) ->
     } else if !free.iter().all(is_bounded) {
         return None;
     }
-    let origin: Vec<Rational> = (0..domain.len()).map(|k| if free.contains(&k) { zero.clone() } else { domain[k].middle() }).collect();
+    let origin: Vec<Rational> =
+        (0..domain.len()).map(|k| if free.contains(&k) { zero.clone() } else { domain[k].middle() }).collect();
     let has_origin = origin.iter().zip(domain).all(|(q, side)| side.contains(q));
     if has_origin && !matches!(at_point(clause, &origin), Signs::Holds { .. }) {
         return None;

@@ -260,7 +260,9 @@ impl fmt::Display for Place {
             Outer::TimesPi => f.write_str(&times(&self.a, "pi")),
             Outer::Exponential => write!(f, "exp({inside})"),
             Outer::Root(degree) => match (self.inside_is_negative(), self.b.is_zero()) {
+                (false, true) if self.a.is_integer() => write!(f, "{inside}^(1/{degree})"),
                 (false, _) => write!(f, "({inside})^(1/{degree})"),
+                (true, true) if self.a.is_integer() => write!(f, "-{}^(1/{degree})", -self.a.clone()),
                 (true, true) => write!(f, "-({})^(1/{degree})", -self.a.clone()),
                 (true, false) => write!(f, "-(-({inside}))^(1/{degree})"),
             },

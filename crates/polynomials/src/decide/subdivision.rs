@@ -93,8 +93,11 @@ fn is_true_from_end<F: Function>(clause: &[Literal<F>], sides: &[Side]) -> Optio
             [(lo, true), (hi, false)].into_iter().find_map(|(at, after)| {
                 let place = Place::of(at.clone());
                 let end = if after { End::After(&place) } else { End::Before(&place) };
-                let point: Vec<Rational> =
-                    sides.iter().enumerate().map(|(k, side)| if k == free { at.clone() } else { side.middle() }).collect();
+                let point: Vec<Rational> = sides
+                    .iter()
+                    .enumerate()
+                    .map(|(k, side)| if k == free { at.clone() } else { side.middle() })
+                    .collect();
                 match at_point(clause, &point) {
                     Signs::Holds { zero } if beside(end, from) => Some(zero.then_some(point)),
                     _ => None,

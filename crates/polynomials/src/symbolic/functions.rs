@@ -217,12 +217,16 @@ impl Symbolic {
         for (number, divides) in [(q.numer(), false), (q.denom(), true)] {
             for (prime, power) in small_factors(number.clone()) {
                 let prime = Multivariate::of(Rational::from_integer(prime));
-                let root = self.extension.of(Multivariate::x(self.extension.of(prime.clone()).call(Function::Root(degree))));
+                let root =
+                    self.extension.of(Multivariate::x(self.extension.of(prime.clone()).call(Function::Root(degree))));
                 root.has_power(degree, &prime);
                 // `1/r = r^(n-1)/p`.
                 let (power, whole) = match divides {
                     false => (power.unsigned_abs(), self.one()),
-                    true => ((degree - 1) * power.unsigned_abs(), self.extension.of(prime).power(power.unsigned_abs()).recip()?),
+                    true => (
+                        (degree - 1) * power.unsigned_abs(),
+                        self.extension.of(prime).power(power.unsigned_abs()).recip()?,
+                    ),
                 };
                 product = product * root.power(power) * whole;
             }

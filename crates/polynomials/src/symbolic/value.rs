@@ -104,9 +104,8 @@ impl Symbolic {
     pub fn is_smooth(&self) -> bool {
         let variables = Variables::of(self);
         let needed = variables.needed(&self.fraction);
-        let is_root = |place: usize| {
-            matches!(variables.call(variables.arity + place), Some((super::Function::Root(_), ..)))
-        };
+        let is_root =
+            |place: usize| matches!(variables.call(variables.arity + place), Some((super::Function::Root(_), ..)));
         let has_kink = |place: usize| {
             matches!(variables.meanings[place], Meaning::Root(..) | Meaning::Absolute(..)) || is_root(place)
         };

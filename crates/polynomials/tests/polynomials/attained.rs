@@ -44,17 +44,18 @@ fn points_of_equality_are_found_and_proved() {
     let at = found((x().to(2) + y().to(2) - c(3, 1)).to(2), &square()).expect("a point");
     assert!(at.iter().all(|text| !text.is_empty()), "{at:?}");
     // No closed form.
-    let root = 2f64.cbrt();
+    let root = 1.213_411_662_762_229_6;
+    let cubic = || x().to(3) + x() - c(3, 1);
     for weight in [c(1, 1), x().call("exp"), c(3, 1) + y().to(2)] {
-        let at = found((x().to(3) - c(2, 1)).to(2) + (y() - x()).to(2) * weight, &square()).expect("a point");
+        let at = found(cubic().to(2) + (y() - x()).to(2) * weight, &square()).expect("a point");
         assert!(at.iter().all(|text| contains(text, root)), "{at:?}");
     }
     // No slopes at the point itself.
     for tree in [
-        (x().to(3) - c(2, 1)).to(2) + (y() - x()).abs(),
-        (x().to(3) - c(2, 1)).abs() + (y() - x()).abs(),
-        (x().to(3) - c(2, 1)).abs().root() + (y() - x()).abs(),
-        (x().to(3) - c(2, 1)).abs().max((y() - x()).to(2)),
+        cubic().to(2) + (y() - x()).abs(),
+        cubic().abs() + (y() - x()).abs(),
+        cubic().abs().root() + (y() - x()).abs(),
+        cubic().abs().max((y() - x()).to(2)),
     ] {
         let at = found(tree.clone(), &square()).expect("a point");
         assert!(at.iter().all(|text| contains(text, root)), "{tree:?}: {at:?}");
@@ -62,8 +63,13 @@ fn points_of_equality_are_found_and_proved() {
     let at = found((x().call("cos") - y()).to(2) + (y() - x()).to(2), &sides(&[(0, 1), (0, 1)])).expect("a point");
     assert!(at.iter().all(|text| contains(text, 0.739_085_133_215_160_6)), "{at:?}");
     // The root of a polynomial that is no square as it is written.
-    let at = found(x().to(6) - c(4, 1) * x().to(3) + c(4, 1), &sides(&[(-2, 2)])).expect("a point");
+    let squared = cubic() * cubic();
+    let at = found(squared, &sides(&[(-2, 2)])).expect("a point");
     assert!(contains(&at[0], root), "{at:?}");
+    let at = found(x().to(6) - c(4, 1) * x().to(3) + c(4, 1), &sides(&[(-2, 2)]));
+    assert_eq!(at, Some(vec!["2^(1/3)".into()]));
+    let at = found((x().to(5) * c(3, 1) + c(2, 1)).to(2), &sides(&[(-2, 2)]));
+    assert_eq!(at, Some(vec!["-(2/3)^(1/5)".into()]));
     let at = found((x().to(5) - x() - c(1, 1)).to(2), &lines(1)).expect("a point");
     assert!(contains(&at[0], 1.167_303_978_261_418_7), "{at:?}");
 }

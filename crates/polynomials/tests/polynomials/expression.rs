@@ -73,6 +73,7 @@ impl Tree {
             Tree::Quotient(a, b) => a.value(at)?.over(&b.value(at)?)?,
             Tree::Power(a, k) => a.value(at)?.power(*k),
             Tree::Call("sqrt", a) => a.value(at)?.sqrt()?,
+            Tree::Call("cbrt", a) => a.value(at)?.root(3)?,
             Tree::Call("exp", a) => a.value(at)?.exp()?,
             Tree::Call("log", a) => a.value(at)?.ln()?,
             Tree::Call("sin", a) => a.value(at)?.sin()?,

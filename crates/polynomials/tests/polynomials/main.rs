@@ -5,6 +5,7 @@ extern crate flockproof_polynomials as polynomials;
 mod attained;
 mod campaign;
 mod decide;
+mod ends;
 mod expression;
 mod functions;
 mod hostile;

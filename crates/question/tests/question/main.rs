@@ -18,6 +18,7 @@ mod one_number;
 mod own;
 mod sets;
 mod sharp;
+mod sides;
 mod starts;
 mod states;
 mod touching;

@@ -48,6 +48,26 @@ const TRUE: &[(&str, &str)] = &[
     ("[0, 6]", "exp(sin(x)) <= exp(1) - EPS"),
     ("[0, 7]", "sin(x)*(1 + cos(x)) <= 3*sqrt(3)/4 - EPS"),
     ("[-5, 5]", "abs(sin(x)) <= abs(x) - EPS"),
+    // With ends far out.
+    ("any", "exp(-x^2) <= 1/(1 + x^2) - EPS"),
+    ("any", "x^2*exp(-x^2) <= exp(-1) - EPS"),
+    ("any", "exp(-abs(x)) <= 1/(1 + abs(x)) - EPS"),
+    ("any", "log(1 + x^2) <= abs(x) - EPS"),
+    ("any", "x*sin(x) <= x^2 - EPS"),
+    ("any", "(exp(x) + exp(-x))/2 <= exp(x^2/2) - EPS"),
+    ("any", "x <= 0 or log(x) <= 3*(x^(1/3) - 1) - EPS"),
+    // Where there is no slope.
+    ("[0, 5]", "x^(1/5) <= (4 + x)/5 - EPS"),
+    ("[-1, 4]", "(1 + x)^(1/3) <= 1 + x/3 - EPS"),
+    ("[0, 5]", "sqrt(x)*sin(sqrt(x)) <= x - EPS"),
+    ("[0, 1]", "x = 0 or x^x >= exp(-exp(-1)) + EPS"),
+    ("[0, 3]", "x = 0 or x*log(x) >= x - 1 + EPS"),
+    ("[0, 1]", "x = 0 or exp(-1/x) <= exp(-1)*x - EPS"),
+    ("[0, 2]", "x^(1/3)*(2 - x) <= 3/2*(1/2)^(1/3) - EPS"),
+    // At roots of other degree.
+    ("[0, 4]", "x^3 - 3*x*2^(2/3) + 4 >= EPS"),
+    ("[0, 2]", "x^5 + 12 >= 5*3^(4/5)*x + EPS"),
+    ("[-3, 3]", "abs(x^3 + 2) >= EPS"),
     // Everywhere, by identities.
     ("any", "sin(x)^2 + cos(x)^2 = 1 + EPS"),
     ("any", "sin(x/2)^2 = (1 - cos(x))/2 + EPS"),
@@ -66,6 +86,7 @@ const FALSE: &[(&str, &str, &str)] = &[
     ("[0, 2]", "exp(x) != 2", "x = log(2)"),
     ("[1/100, 3]", "x*log(x) > -exp(-1)", "x = exp(-1)"),
     ("[0, 5]", "x*exp(-x) < exp(-1)", "x = 1"),
+    ("[0, 4]", "x^3 - 3*x*2^(2/3) + 4 > 0", "x = 2^(1/3)"),
 ];
 
 #[test]
