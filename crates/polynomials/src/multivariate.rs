@@ -2,6 +2,7 @@
 
 use arithmetic::{Rational, Ring, operators, rational};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fmt;
 
 /// Exponents, variable 0 first, without zeros at the end: so polynomials need not agree on how many variables there are.
@@ -69,12 +70,15 @@ impl<T: Ring + PartialEq> Multivariate<T> {
     }
 
     fn add_term(&mut self, monomial: Monomial, coefficient: T) {
-        let sum = match self.terms.remove(&monomial) {
-            Some(before) => before + &coefficient,
-            None => coefficient,
-        };
-        if sum != self.zero {
-            self.terms.insert(monomial, sum);
+        if coefficient == self.zero {
+            return;
+        }
+        match self.terms.entry(monomial) {
+            Entry::Vacant(place) => drop(place.insert(coefficient)),
+            Entry::Occupied(mut place) => {
+                let sum = place.get().clone() + &coefficient;
+                if sum == self.zero { drop(place.remove()) } else { *place.get_mut() = sum }
+            }
         }
     }
 

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::made;
 use crate::names::{Subject, quantity_of};
 use crate::number::Number;
-use crate::outcome::{Decided, Judged, Outcome};
+use crate::outcome::{Decided, Judged, Outcome, Spot};
 use crate::point::{FIRST_BITS, MOST_BITS};
 use crate::question::{Asked, Expression, Question};
 use crate::shrink::Shrunk;
@@ -328,7 +328,12 @@ pub(crate) fn over_family(
         let decide = |&number: &_| -> Result<Option<(Decided, bool)>, QuestionError> {
             let Some(bindings) = question.case(number, progress)? else { return Ok(None) };
             let boxed = !bindings.sides().is_empty();
-            Ok(Some((question.decide_expression(expression, &bindings, most, progress)?, boxed)))
+            let mut found = question.decide_expression(expression, &bindings, most, progress)?;
+            let is_zero = found.truth == Truth::True && (found.margin.lo, found.margin.hi) == (0.0, 0.0);
+            if is_zero && !boxed && !found.excluded {
+                found.attained = Some(Spot::of(&bindings, &[]));
+            }
+            Ok(Some((found, boxed)))
         };
         let decided = side_by_side(&numbers, decide);
         for found in decided {

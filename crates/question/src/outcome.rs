@@ -103,7 +103,7 @@ pub struct Outcome {
     pub boxed: bool,
     /// The first counterexample.
     pub counterexample: Option<Bindings>,
-    /// Names for which the margin is 0, where the property holds and a continuum was divided.
+    /// The first names for which the margin is 0, where the property holds.
     pub attained: Option<Spot>,
     /// A number in closed form at which the property fails, where it fails at no rational one that was found.
     pub closed: Option<Spot>,

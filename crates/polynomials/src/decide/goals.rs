@@ -2,13 +2,10 @@
 
 use super::elimination::{Goal, Polynomial, Variables};
 use super::prover::{Prover, is_tautology};
-use super::{Effort, Method, Proof};
+use super::{Effort, MANY, Method, Proof};
 use crate::function::{Compared, Function, Literal, Side};
 use crate::symbolic::{Extension, Symbolic};
 use arithmetic::{Cancelled, Field, Progress, Sign};
-
-/// Most variables; with more of them only polynomials of degree 2 are looked at, without premises.
-const MOST_VARIABLES: usize = 10;
 
 /// Exponentials and sines of multiples of larger fractions are variables of their own.
 const FINEST: i64 = 4;
@@ -26,7 +23,7 @@ pub(super) fn prove<F: Function>(
     effort: Effort,
     progress: &dyn Progress,
 ) -> Result<Outcome, Cancelled> {
-    let many = domain.iter().filter(|side| side.as_point().is_none()).count() > MOST_VARIABLES;
+    let many = domain.iter().filter(|side| side.as_point().is_none()).count() > MANY;
     let symbolic = |grid: i64| {
         let extension = Extension::with_grid(domain.len(), grid);
         let known = |(x, side): (Symbolic, &Side)| side.as_point().map_or_else(|| x.clone(), |q| x.rational(q));

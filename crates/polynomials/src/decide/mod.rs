@@ -132,6 +132,9 @@ impl Default for Effort {
     }
 }
 
+/// With more numbers than these polynomials are looked at before boxes, and only those of degree 2, without premises.
+const MANY: usize = 10;
+
 /// Boxes before polynomials are looked at.
 const FIRST_BOXES: u64 = 300;
 
@@ -231,8 +234,11 @@ fn on_box<F: Function>(
     if let Some(at) = found.counterexample {
         return Ok(Decision::Fails(at));
     }
-    if effort.certified
-        && let goals::Outcome::Proved(proof) = goals::prove(clause, domain, effort, progress)?
+    // Boxes of many numbers say little, and cost much.
+    let many = domain.iter().filter(|side| side.as_point().is_none()).count() > MANY;
+    if (effort.certified || many)
+        && let goals::Outcome::Proved(proof) =
+            goals::prove(clause, domain, Effort { certified: true, ..effort }, progress)?
     {
         return Ok(with_zeros(Decision::Holds(proof), found.zeros));
     }

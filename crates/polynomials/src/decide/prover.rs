@@ -199,7 +199,8 @@ impl Prover<'_> {
             })
             .collect();
         let mut zeros = Vec::new();
-        if relations.is_empty() {
+        // Of many numbers only polynomials of degree 2 come here, which need no zeros.
+        if relations.is_empty() && sides.len() <= super::MANY {
             let literal = |polynomial, compared| Literal { function: Plain { polynomial }, compared, guarded: false };
             let turned: Vec<(Polynomial, bool)> = constraints.iter().map(|(p, strict)| (-p.clone(), *strict)).collect();
             let own = if goal.strict { Compared::Positive } else { Compared::NotNegative };

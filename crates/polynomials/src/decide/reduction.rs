@@ -5,7 +5,7 @@ use crate::function::{Compared, Function, Literal, Side};
 use crate::multivariate::Multivariate;
 use crate::symbolic::Extension;
 use arithmetic::{ArithmeticError, Number, Rational, rational};
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 
 /// A function with polynomials in others in the place of some variables, or such a polynomial itself.
 pub(super) struct Put<'a, F> {
@@ -28,8 +28,15 @@ impl<F: Function> Function for Put<'_, F> {
 }
 
 /// The literals that are polynomials in the arguments alone, as they stand.
-fn polynomials<F: Function>(clause: &[Literal<F>], arity: usize) -> Vec<Option<Polynomial>> {
+fn polynomials<F: Function>(
+    clause: &[Literal<F>],
+    arity: usize,
+    wanted: impl Fn(Compared) -> bool,
+) -> Vec<Option<Polynomial>> {
     let own = |literal: &Literal<F>| {
+        if !wanted(literal.compared) {
+            return None;
+        }
         let extension = Extension::new(arity);
         let value = literal.function.value(&extension.arguments()).ok()?;
         let plain = extension.divisors().is_empty() && extension.meanings().is_empty();
@@ -40,18 +47,16 @@ fn polynomials<F: Function>(clause: &[Literal<F>], arity: usize) -> Vec<Option<P
 
 /// `c x + rest` in a variable, with a constant `c` that is not zero.
 fn linear_in(p: &Polynomial, variable: usize) -> Option<(Rational, Polynomial)> {
-    let [rest, lead] = p.in_variable(variable).try_into().ok()?;
-    let lead = lead.as_constant().filter(|c| !c.is_zero())?;
-    Some((lead, rest))
+    let mut own = p.terms().filter(|(monomial, _)| monomial.get(variable).is_some_and(|power| *power > 0));
+    let ((monomial, lead), None) = (own.next()?, own.next()) else { return None };
+    (monomial.iter().sum::<u32>() == 1).then(|| (lead.clone(), p.clone() - Multivariate::x(variable).scaled(lead)))
 }
 
 /// The part of the domain on which the clause is not true by a literal in one variable, up to its boundary; `None` where nothing is left.
 pub(super) fn narrowed<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Option<Vec<Side>> {
     let mut sides = domain.to_vec();
-    for (literal, p) in clause.iter().zip(polynomials(clause, domain.len())) {
-        let Some(p) = p.filter(|_| matches!(literal.compared, Compared::Positive | Compared::NotNegative)) else {
-            continue;
-        };
+    let is_signed = |compared| matches!(compared, Compared::Positive | Compared::NotNegative);
+    for p in polynomials(clause, domain.len(), is_signed).into_iter().flatten() {
         for (k, side) in sides.iter_mut().enumerate() {
             let Some((c, rest)) = linear_in(&p, k) else { continue };
             let Some(rest) = rest.as_constant() else { break };
@@ -72,8 +77,8 @@ pub(super) fn narrowed<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> O
 pub(super) fn equations<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> (Vec<(usize, Polynomial)>, Vec<usize>) {
     let arity = domain.len();
     let (mut found, mut used): (Vec<(usize, Polynomial)>, _) = (Vec::new(), Vec::new());
-    for (number, p) in polynomials(clause, arity).into_iter().enumerate() {
-        let Some(mut p) = p.filter(|_| clause[number].compared == Compared::NotZero) else { continue };
+    for (number, p) in polynomials(clause, arity, |compared| compared == Compared::NotZero).into_iter().enumerate() {
+        let Some(mut p) = p else { continue };
         let put = |p: &Polynomial, variable: usize, by: &Polynomial| {
             let places: Vec<Polynomial> =
                 (0..arity).map(|k| if k == variable { by.clone() } else { Multivariate::x(k) }).collect();

@@ -1,6 +1,6 @@
 //! Why an inequality holds, in a form that a short separate program checks.
 
-use crate::multivariate::Multivariate;
+use crate::multivariate::{Multivariate, monomial_product};
 use arithmetic::{Rational, rational};
 use num_traits::{Signed, Zero};
 
@@ -42,7 +42,13 @@ pub struct Certificate {
 }
 
 fn sum(squares: &[Square]) -> Polynomial {
-    squares.iter().fold(Multivariate::of(rational(0, 1)), |sum, (d, l)| sum + (l.clone() * l).scaled(d))
+    let products = squares.iter().flat_map(|(d, l)| {
+        l.terms().flat_map(move |(a, p)| {
+            let scaled = d * p;
+            l.terms().map(move |(b, q)| (monomial_product(a, b), &scaled * q))
+        })
+    });
+    Multivariate::from_terms(products, &rational(0, 1))
 }
 
 /// Whether a positive constant is among squares that are all not negative.
