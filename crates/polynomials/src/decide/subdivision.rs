@@ -83,6 +83,7 @@ fn is_true_from_end<F: Function>(clause: &[Literal<F>], sides: &[Side]) -> Optio
             Compared::Zero => false,
         })
     };
+    let is_true = |there: &[Side]| clause.iter().any(|literal| matches!(one(literal, there), Local::True { .. }));
     let far = |end: End, from: &Rational| (*from > rational(1, 1) && beside(end, Extended::of(from))).then_some(None);
     match (&sides[free].lo, &sides[free].hi) {
         (Some(lo), None) => far(End::Above, lo),
@@ -93,15 +94,16 @@ fn is_true_from_end<F: Function>(clause: &[Literal<F>], sides: &[Side]) -> Optio
             [(lo, true), (hi, false)].into_iter().find_map(|(at, after)| {
                 let place = Place::of(at.clone());
                 let end = if after { End::After(&place) } else { End::Before(&place) };
-                let point: Vec<Rational> = sides
-                    .iter()
-                    .enumerate()
-                    .map(|(k, side)| if k == free { at.clone() } else { side.middle() })
-                    .collect();
-                match at_point(clause, &point) {
-                    Signs::Holds { zero } if beside(end, from) => Some(zero.then_some(point)),
-                    _ => None,
-                }
+                let mut there = sides.to_vec();
+                there[free] = Side::point(at.clone());
+                let point: Vec<Rational> = there.iter().map(Side::middle).collect();
+                let zero = match at_point(clause, &point) {
+                    Signs::Holds { zero } => zero,
+                    // Without a value there.
+                    Signs::Unknown if is_true(&there) => false,
+                    _ => return None,
+                };
+                beside(end, from).then(|| zero.then_some(point))
             })
         }
     }
