@@ -97,6 +97,8 @@ pub(crate) struct Compiler<'a> {
     agents: usize,
     variables: Vec<Variable>,
     definitions: HashMap<&'a str, Definition<'a>>,
+    /// Abbreviations that were written out, by their names and their agents: those that use each other twice would grow without bound.
+    written_out: HashMap<(&'a str, Vec<Of>), Value>,
     lists: Vec<Vec<Rational>>,
     open: Vec<OpenParameter>,
     /// What is drawn for every step, with where it is written: the table, the key and the byte.
@@ -126,6 +128,7 @@ impl<'a> Compiler<'a> {
             agents,
             variables: Vec::new(),
             definitions: HashMap::new(),
+            written_out: HashMap::new(),
             lists: Vec::new(),
             open: Vec::new(),
             drawn: Vec::new(),

@@ -219,6 +219,10 @@ impl<'a> Compiler<'a> {
             let (expected, found) = (format!("the agents ({})", definition.agents.join(", ")), agents.len());
             return self.refuse(node.at, Problem::Arguments { name: name.to_string(), expected, found });
         }
+        let known = (definition.key, agents.clone());
+        if let Some(value) = self.written_out.get(&known) {
+            return Ok(value.clone());
+        }
         let slots = agents.iter().filter_map(|of| if let Of::Slot(slot) = of { Some(*slot) } else { None });
         let inner = Scope {
             own: if let [one] = agents[..] { Some(one) } else { None },
@@ -227,8 +231,13 @@ impl<'a> Compiler<'a> {
             agents: definition.agents.iter().map(|name| (*name).to_string()).zip(agents).collect(),
         };
         self.reading.push(("define", definition.key));
+        let drawn = self.drawn.len();
         let value = self.value(&definition.body, &inner)?;
         self.reading.pop();
+        // What is drawn is drawn wherever it is written.
+        if self.drawn.len() == drawn {
+            self.written_out.insert(known, value.clone());
+        }
         Ok(value)
     }
 }
