@@ -91,6 +91,7 @@ const SOURCES: [(&str, &str); 171] = sources![
     "tanner2_appendix",
     "tanner2_limits",
     "tanner2_lasting",
+    "paley_cycles",
     "tanner_angle",
     "tanner1_swing",
     "tanner1_smooth",
