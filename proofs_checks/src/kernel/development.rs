@@ -90,6 +90,7 @@ const SOURCES: [(&str, &str); 171] = sources![
     "tanner1_jumps",
     "tanner2_appendix",
     "tanner2_limits",
+    "tanner2_unique",
     "tanner2_lasting",
     "paley_cycles",
     "tanner_angle",
