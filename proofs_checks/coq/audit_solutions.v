@@ -3,7 +3,7 @@
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums inclusions paley_model paley_phase tanner_energy tanner1_heading tanner1_motion.
-From Flockproof Require tanner_angle tanner1_pair tanner2_filippov tanner1_jumps tanner1_swing tanner2_appendix tanner2_unique.
+From Flockproof Require tanner_angle tanner1_pair tanner2_filippov tanner1_jumps tanner1_swing tanner2_appendix tanner2_unique tanner2_existence.
 Open Scope R_scope.
 
 Check (eq_refl : norm = Cmod).
@@ -143,3 +143,8 @@ Check (tanner2_unique.unique_across :
   tanner2_filippov.motion10_until T n V' R0 r v -> tanner2_filippov.motion10_until T n V' R0 r' v' -> (forall i, (i < n)%nat -> r i 0 = r' i 0 /\ v i 0 = v' i 0) ->
   (forall t i j, 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (r i t - r j t)%C = R0 -> inner (r i t - r j t)%C (v i t - v j t)%C <> 0) ->
   forall t i, 0 <= t < T -> (i < n)%nat -> r i t = r' i t /\ v i t = v' i t).
+
+(* ---- tanner2.appA.def4 (corrected): f is any bounded function ---- *)
+Check (tanner2_existence.filippov_exists :
+  forall (n : nat) (f : (nat -> R) -> nat -> R) (M : R) (x0 : nat -> R), (forall x i, (i < n)%nat -> Rabs (f x i) <= M) ->
+  exists x : R -> nat -> R, (forall i, (i < n)%nat -> x 0 i = x0 i) /\ forall T, tanner2_appendix.filippov n (fun _ => f) T x).

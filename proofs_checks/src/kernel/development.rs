@@ -91,6 +91,8 @@ const SOURCES: [(&str, &str); 171] = sources![
     "tanner2_appendix",
     "tanner2_limits",
     "tanner2_unique",
+    "lipschitz",
+    "tanner2_existence",
     "tanner2_lasting",
     "paley_cycles",
     "tanner_angle",
