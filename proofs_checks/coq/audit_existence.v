@@ -3,7 +3,7 @@
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase.
-From Flockproof Require tanner2_filippov tanner2_solutions.
+From Flockproof Require tanner2_filippov tanner2_solutions tanner2_onward.
 Open Scope R_scope.
 
 (* Links join agents nearer than R0. K at a state is the convex hull of the limits of the whole law from states without a pair at the distance R0. Velocities are
@@ -43,3 +43,20 @@ Check (eq_refl : tanner2_filippov.motion10 = fun n V' R0 r v => tanner2_filippov
 Check (tanner2_solutions.solution_from :
   forall (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R) (q0 u0 : nat -> C), 0 < R0 -> tanner2_filippov.potentials n complete V V' -> tanner2_filippov.apart_at n complete q0 ->
   exists r v : nat -> R -> C, (forall i, (i < n)%nat -> r i 0 = q0 i /\ v i 0 = u0 i) /\ tanner2_filippov.motion10 n V' R0 r v).
+
+(* ---- tanner2.thm2_vel; tanner2.arbswitch (corrected, clause 1): solutions until T, and those for all time ---- *)
+Check (eq_refl : tanner2_filippov.motion10_until = fun T n V' R0 r v => tanner2_filippov.apart_at n complete (fun i => r i 0) /\
+  (forall t i, 0 <= t < T -> (i < n)%nat -> is_velocity (r i) t (v i t)) /\
+  (forall i, (i < n)%nat -> forall T' e, 0 < T' < T -> 0 < e -> exists d, 0 < d /\ forall m (a b : nat -> R),
+    (forall k, (k < m)%nat -> 0 <= a k <= b k /\ b k <= T') -> (forall k, (S k < m)%nat -> b k <= a (S k)) ->
+    Sum m (fun k => b k - a k) < d -> Sum m (fun k => Cmod (v i (b k) - v i (a k))%C) < e) /\
+  exists N, tanner2_filippov.negligible N /\ forall t, 0 <= t < T -> ~ N t -> tanner2_filippov.apart_at n complete (fun i => r i t) ->
+    exists z, tanner2_filippov.K10 n V' R0 (fun i => r i t) (fun i => v i t) z /\ forall i, (i < n)%nat -> is_velocity (v i) t (z i)).
+Check (eq_refl : tanner2_onward.solutions_last = fun n V' R0 =>
+  (forall q0 u0, tanner2_filippov.apart_at n complete q0 -> exists r v, (forall i, (i < n)%nat -> r i 0 = q0 i /\ v i 0 = u0 i) /\ tanner2_filippov.motion10 n V' R0 r v) /\
+  forall T (r v : nat -> R -> C), 0 < T -> tanner2_filippov.motion10_until T n V' R0 r v ->
+    exists r' v', (forall t i, t < T -> r' i t = r i t /\ v' i t = v i t) /\ tanner2_filippov.motion10 n V' R0 r' v').
+Check (tanner2_onward.all_solutions_agree :
+  forall (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R), 0 < R0 -> tanner2_filippov.potentials n complete V V' -> tanner2_onward.solutions_last n V' R0 /\
+  forall r v, tanner2_filippov.motion10 n V' R0 r v -> (forall t, 0 <= t -> strongly_connected n (tanner2_filippov.by_distance (fun i => r i t) R0)) ->
+    forall i j, (i < n)%nat -> (j < n)%nat -> forall e, 0 < e -> exists T, forall t, T <= t -> Cmod (v i t - v j t)%C < e).

@@ -95,6 +95,7 @@ const SOURCES: [(&str, &str); 171] = sources![
     "tanner2_existence",
     "tanner2_lasting",
     "tanner2_solutions",
+    "tanner2_onward",
     "paley_cycles",
     "tanner_angle",
     "tanner1_swing",
