@@ -3,7 +3,7 @@
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase.
-From Flockproof Require tanner2_filippov tanner2_solutions tanner2_onward.
+From Flockproof Require tanner2_filippov tanner2_solutions tanner2_onward tanner2_limits tanner2_approach.
 Open Scope R_scope.
 
 (* Links join agents nearer than R0. K at a state is the convex hull of the limits of the whole law from states without a pair at the distance R0. Velocities are
@@ -60,3 +60,19 @@ Check (tanner2_onward.all_solutions_agree :
   forall (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R), 0 < R0 -> tanner2_filippov.potentials n complete V V' -> tanner2_onward.solutions_last n V' R0 /\
   forall r v, tanner2_filippov.motion10 n V' R0 r v -> (forall t, 0 <= t -> strongly_connected n (tanner2_filippov.by_distance (fun i => r i t) R0)) ->
     forall i j, (i < n)%nat -> (j < n)%nat -> forall e, 0 < e -> exists T, forall t, T <= t -> Cmod (v i t - v j t)%C < e).
+
+(* ---- tanner2.thm2_pot (corrected): near critical configurations, those with 0 in K of the gradients of all agents together ---- *)
+Check (eq_refl : tanner2_filippov.gradV = fun n adj V' r i => Csum n (tanner2_filippov.pull adj V' r i)).
+Check (eq_refl : tanner2_limits.generic = fun n R0 q => forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (q i - q j)%C <> R0).
+Check (eq_refl : tanner2_approach.limit_of_gradients = fun n V' R0 r y => forall e, 0 < e -> exists q : nat -> C, (forall i, (i < n)%nat -> Cmod (q i - r i)%C < e) /\
+  tanner2_limits.generic n R0 q /\ forall i, (i < n)%nat -> Cmod (tanner2_filippov.gradV n (tanner2_filippov.by_distance q R0) V' q i - y i)%C < e).
+Check (eq_refl : tanner2_approach.K_gradients = fun n V' R0 r z => exists m (c : nat -> R) (y : nat -> nat -> C),
+  (forall k, (k < m)%nat -> 0 <= c k /\ tanner2_approach.limit_of_gradients n V' R0 r (y k)) /\ Sum m c = 1 /\
+  forall i, (i < n)%nat -> z i = Csum m (fun k => RtoC (c k) * y k i)%C).
+Check (eq_refl : tanner2_approach.critical = fun n V' R0 r => tanner2_filippov.apart_at n complete r /\ tanner2_approach.K_gradients n V' R0 r (fun _ => RtoC 0)).
+Check (tanner2_approach.all_solutions_approach :
+  forall (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R), 0 < R0 -> tanner2_filippov.potentials n complete V V' -> tanner2_onward.solutions_last n V' R0 /\
+  (forall r v, tanner2_filippov.motion10 n V' R0 r v -> (forall t, 0 <= t -> strongly_connected n (tanner2_filippov.by_distance (fun i => r i t) R0)) ->
+    forall e, 0 < e -> exists T, forall t, T <= t -> exists q, tanner2_approach.critical n V' R0 q /\ forall i, (i < n)%nat -> Cmod (r i t - q i)%C < e) /\
+  forall q, tanner2_approach.critical n V' R0 q -> tanner2_limits.generic n R0 q -> forall i, (i < n)%nat ->
+    tanner2_filippov.gradV n (tanner2_filippov.by_distance q R0) V' q i = RtoC 0).

@@ -96,6 +96,7 @@ const SOURCES: [(&str, &str); 171] = sources![
     "tanner2_lasting",
     "tanner2_solutions",
     "tanner2_onward",
+    "tanner2_approach",
     "paley_cycles",
     "tanner_angle",
     "tanner1_swing",
