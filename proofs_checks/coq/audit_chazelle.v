@@ -588,6 +588,20 @@ Check (@chazelle_losses.lemma_3_7_origins :
   (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
   forall t i, (0 < t)%N ->
   norm2 (row i (x t) - t%:R *: row i (v t)) <= n%:R ^+ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 2 * a + 10)).
+(* chazelle.hyst.remark (part): the count of switches, lem3.6.ii, lem3.7 (the virtual origins) and lem3.8 with a threshold 2^h times smaller, h <= 100 *)
+Check (@chazelle_losses.smaller_threshold :
+  forall (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  (4 <= n)%N -> (0 < a)%N -> (a + c < n)%N ->
+  (forall t, (0 < t)%N -> short_weights a (w t)) ->
+  (forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i) ->
+  (forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c) ->
+  forall h, (h <= 100)%N -> chazelle_switches.flock (2%:R ^- h * n%:R ^- (n ^ 4)) x v G w ->
+  [/\ forall t, (N (changes G) t 1 <= n ^ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 1))%N,
+      forall t i j, 1 + n%:R ^- (n ^ 3) < norm2 (row i (x t) - row j (x t)) -> ~~ G t i j &
+      (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
+        (forall t i, (0 < t)%N ->
+          norm2 (row i (x t) - t%:R *: row i (v t)) <= n%:R ^+ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 2 * a + 10)) /\
+        forall t i j, (n ^ (2 * n ^ 4) <= t.+1)%N -> G t i j -> G t.+1 i j]).
 (* chazelle.lem3.6.i: any threshold, any dimension *)
 Check (@chazelle_losses.within_unit :
   forall (R : rcfType) (n d : nat) (eps : R) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),

@@ -3,7 +3,7 @@
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums inclusions paley_model paley_phase tanner_energy tanner1_heading tanner1_motion.
-From Flockproof Require tanner_angle tanner1_pair tanner2_filippov tanner1_jumps tanner1_swing tanner2_appendix.
+From Flockproof Require tanner_angle tanner1_pair tanner2_filippov tanner1_jumps tanner1_swing tanner2_appendix tanner2_unique tanner2_existence.
 Open Scope R_scope.
 
 Check (eq_refl : norm = Cmod).
@@ -105,3 +105,46 @@ Check (tanner1_swing.swings_for_ever :
       0 < tanner1_swing.work_rate (fun j => r j a) (fun j => v j a) 0 /\ tanner1_swing.work_rate (fun j => r j b) (fun j => v j b) 0 < 0 /\
       tanner1_swing.work_rate (fun j => r j a) (fun j => v j a) 1 < 0 /\ 0 < tanner1_swing.work_rate (fun j => r j b) (fun j => v j b) 1) /\
   ~ exists l, forall e, 0 < e -> exists T, forall t, T <= t -> Rabs (tanner1_swing.distance r t - l) < e).
+
+(* ---- tanner2.eq10_exist (corrected, clause 2): solutions of (10) until T. Links join agents nearer than R0; K at a state is the convex hull of the limits of the whole
+   law from states without a pair at the distance R0 ---- *)
+Check (eq_refl : complete = fun k j => negb (Nat.eqb k j)).
+Check (eq_refl : tanner2_filippov.pull = fun adj V' r i j =>
+  (if adj i j then RtoC (V' i j (Cmod (r i - r j)) / Cmod (r i - r j)) * (r i - r j) else 0)%C).
+Check (eq_refl : tanner2_filippov.law4 = fun n adj V' r v i =>
+  (- Csum n (fun j => if adj i j then v i - v j else 0) - Csum n (tanner2_filippov.pull adj V' r i))%C).
+Check (eq_refl : tanner2_filippov.by_distance = fun r R0 i j =>
+  (negb (Nat.eqb i j) && if Rlt_dec (Cmod (r i - r j)%C) R0 then true else false)%bool).
+Check (eq_refl : tanner2_filippov.apart_at = fun n adj r => forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j).
+Check (eq_refl : tanner2_filippov.potentials = fun n adj V V' => (forall i j s, V i j s = V j i s) /\
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+    (forall s, 0 < s -> is_derive (V i j) s (V' i j s) /\ continuity_pt (V' i j) s /\ 0 <= V i j s) /\
+    (forall c, exists d, 0 < d /\ forall s, 0 < s < d -> c < V i j s) /\ (forall c, exists D, forall s, D < s -> c < V i j s)).
+Check (eq_refl : tanner2_filippov.limit_of_law = fun n V' R0 r v y => forall e, 0 < e -> exists q u : nat -> C,
+  (forall i, (i < n)%nat -> Cmod (q i - r i)%C < e /\ Cmod (u i - v i)%C < e) /\
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (q i - q j)%C <> R0) /\
+  forall i, (i < n)%nat -> Cmod (tanner2_filippov.law4 n (tanner2_filippov.by_distance q R0) V' q u i - y i)%C < e).
+Check (eq_refl : tanner2_filippov.K10 = fun n V' R0 r v z => exists m (c : nat -> R) (y : nat -> nat -> C),
+  (forall k, (k < m)%nat -> 0 <= c k /\ tanner2_filippov.limit_of_law n V' R0 r v (y k)) /\ Sum m c = 1 /\
+  forall i, (i < n)%nat -> z i = Csum m (fun k => RtoC (c k) * y k i)%C).
+Check (eq_refl : tanner2_filippov.motion10_until = fun T n V' R0 r v => tanner2_filippov.apart_at n complete (fun i => r i 0) /\
+  (forall t i, 0 <= t < T -> (i < n)%nat -> is_velocity (r i) t (v i t)) /\
+  (forall i, (i < n)%nat -> forall T' e, 0 < T' < T -> 0 < e -> exists d, 0 < d /\ forall m (a b : nat -> R),
+    (forall k, (k < m)%nat -> 0 <= a k <= b k /\ b k <= T') -> (forall k, (S k < m)%nat -> b k <= a (S k)) ->
+    Sum m (fun k => b k - a k) < d -> Sum m (fun k => Cmod (v i (b k) - v i (a k))%C) < e) /\
+  exists N, tanner2_filippov.negligible N /\ forall t, 0 <= t < T -> ~ N t -> tanner2_filippov.apart_at n complete (fun i => r i t) ->
+    exists z, tanner2_filippov.K10 n V' R0 (fun i => r i t) (fun i => v i t) z /\ forall i, (i < n)%nat -> is_velocity (v i) t (z i)).
+Check (eq_refl : tanner2_unique.pair_gradient = fun V' i j z => (RtoC (V' i j (Cmod z) / Cmod z) * z)%C).
+Check (eq_refl : tanner2_unique.lipschitz_gradients = fun n V' => forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> forall z0 : C, z0 <> RtoC 0 ->
+  exists d L, 0 < d /\ 0 < L /\ forall z y, Cmod (z - z0)%C < d -> Cmod (y - z0)%C < d ->
+    Cmod (tanner2_unique.pair_gradient V' i j z - tanner2_unique.pair_gradient V' i j y)%C <= L * Cmod (z - y)%C).
+Check (tanner2_unique.unique_across :
+  forall (n : nat) (V V' : nat -> nat -> R -> R) (R0 T : R) (r v r' v' : nat -> R -> C), 0 < R0 -> tanner2_filippov.potentials n complete V V' -> tanner2_unique.lipschitz_gradients n V' ->
+  tanner2_filippov.motion10_until T n V' R0 r v -> tanner2_filippov.motion10_until T n V' R0 r' v' -> (forall i, (i < n)%nat -> r i 0 = r' i 0 /\ v i 0 = v' i 0) ->
+  (forall t i j, 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (r i t - r j t)%C = R0 -> inner (r i t - r j t)%C (v i t - v j t)%C <> 0) ->
+  forall t i, 0 <= t < T -> (i < n)%nat -> r i t = r' i t /\ v i t = v' i t).
+
+(* ---- tanner2.appA.def4 (corrected): f is any bounded function ---- *)
+Check (tanner2_existence.filippov_exists :
+  forall (n : nat) (f : (nat -> R) -> nat -> R) (M : R) (x0 : nat -> R), (forall x i, (i < n)%nat -> Rabs (f x i) <= M) ->
+  exists x : R -> nat -> R, (forall i, (i < n)%nat -> x 0 i = x0 i) /\ forall T, tanner2_appendix.filippov n (fun _ => f) T x).

@@ -1,9 +1,9 @@
-(* Audit of circular formations that are exponentially stable: each theorem of theorems.tsv with its statement written out; the objects of the statements are
+(* Audit of circular formations that are exponentially stable, or unstable: each theorem of theorems.tsv with its statement written out; the objects of the statements are
   restated first. *)
-From Coq Require Import Reals.
+From Coq Require Import Reals ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier.
-From Flockproof Require paley_settling paley_formations.
+From Flockproof Require paley_settling paley_formations paley_cycles.
 Open Scope R_scope.
 
 Check (eq_refl : expi = fun t => (cos t, sin t)).
@@ -40,3 +40,19 @@ Check (paley_formations.fig3_stable :
     paley_formations.spread 12 w0 (paley_formations.turned_by 12 m) (fun k => r k 0) (fun k => th k 0) < e ->
     forall t, 0 <= t -> paley_formations.spread 12 w0 (paley_formations.turned_by 12 m) (fun k => r k t) (fun k => th k t) <=
       A * paley_formations.spread 12 w0 (paley_formations.turned_by 12 m) (fun k => r k 0) (fun k => th k 0) * exp (- q * t)).
+
+(* ---- beyond.paley.cyclic_patterns ---- *)
+Check (eq_refl : paley_cycles.begins = fun n r th r0 th0 => forall k, (k < n)%nat -> r k 0 = r0 k /\ th k 0 = th0 k).
+Check (eq_refl : paley_cycles.lasts = fun n adj w0 K0 K1 => forall r0 th0, exists r th, paley_cycles.begins n r th r0 th0 /\ paley_settling.shaped n adj w0 K0 K1 r th).
+Check (eq_refl : paley_cycles.exponentially_stable = fun n adj w0 K0 K1 phi => exists e A q, 0 < e /\ 0 < A /\ 0 < q /\ forall r th, paley_settling.shaped n adj w0 K0 K1 r th ->
+  paley_formations.spread n w0 phi (fun k => r k 0) (fun k => th k 0) < e ->
+  forall t, 0 <= t -> paley_formations.spread n w0 phi (fun k => r k t) (fun k => th k t) <= A * paley_formations.spread n w0 phi (fun k => r k 0) (fun k => th k 0) * exp (- q * t)).
+Check (eq_refl : paley_cycles.unstable = fun n adj w0 K0 K1 phi => exists e, 0 < e /\ forall d, 0 < d -> exists r0 th0, paley_formations.spread n w0 phi r0 th0 < d /\
+  forall r th, paley_settling.shaped n adj w0 K0 K1 r th -> paley_cycles.begins n r th r0 th0 ->
+    exists t, 0 <= t /\ e <= paley_formations.spread n w0 phi (fun k => r k t) (fun k => th k t)).
+Check (eq_refl : paley_cycles.pattern = fun n m k => 2 * PI * IZR m * INR k / INR n).
+Check (paley_cycles.cyclic_patterns :
+  forall (n : nat) (m : Z) (w0 K0 K1 : R), (3 <= n)%nat -> w0 <> 0 -> 0 < K0 ->
+  paley_cycles.lasts n (paley_formations.cycle_graph n) w0 K0 K1 /\
+  (paley_cycles.exponentially_stable n (paley_formations.cycle_graph n) w0 K0 K1 (paley_cycles.pattern n m) <-> K1 * cos (2 * PI * IZR m / INR n) < 0) /\
+  (0 < K1 * cos (2 * PI * IZR m / INR n) -> paley_cycles.unstable n (paley_formations.cycle_graph n) w0 K0 K1 (paley_cycles.pattern n m))).

@@ -74,12 +74,11 @@ rewrite -[X in _ <= X]div1r ler_pdivl_mulr ?ltr0n //; apply: le_trans small.
 by apply: ler_wpmul2l; rewrite ?exprn_ge0.
 Qed.
 
-(* step 1: 2 nu^c (1 - beta)^k < nu^(-nu^4) with beta = nu^(-a(nu-1)), k = nu^(a(nu-1)+c+6) *)
-Theorem below_threshold (R : realFieldType) nu a c : (1 < nu)%N ->
-  2%:R * nu%:R ^+ c * (1 - (nu%:R ^+ (a * (nu - 1)))^-1) ^+ (nu ^ (a * (nu - 1) + c + 6))
-  < (nu%:R ^+ (nu ^ 4))^-1 :> R.
+(* step 1: 2 nu^c (1 - beta)^k < 1/T with beta = nu^(-a(nu-1)), k = nu^(a(nu-1)+c+6) where 2 nu^c T < 2^(nu^(c+6)) *)
+Lemma below_time (R : realFieldType) nu a c T : (1 < nu)%N -> (0 < T)%N -> (2 * nu ^ c * T < 2 ^ (nu ^ (c + 6)))%N ->
+  2%:R * nu%:R ^+ c * (1 - (nu%:R ^+ (a * (nu - 1)))^-1) ^+ (nu ^ (a * (nu - 1) + c + 6)) < T%:R^-1 :> R.
 Proof.
-move=> nu1; have nu0 : (0 < nu)%N by exact: ltnW.
+move=> nu1 T0 small; have nu0 : (0 < nu)%N by exact: ltnW.
 set M := (nu ^ (a * (nu - 1)))%N; have M0 : (0 < M)%N by rewrite expn_gt0 nu0.
 have -> : (nu ^ (a * (nu - 1) + c + 6) = M * nu ^ (c + 6))%N by rewrite -addnA expnD.
 have -> : nu%:R ^+ (a * (nu - 1)) = M%:R :> R by rewrite natrX.
@@ -90,16 +89,42 @@ have half : ((1 - M%:R^-1) ^+ M) ^+ (nu ^ (c + 6)) <= (2%:R ^+ (nu ^ (c + 6)))^-
 apply: (@le_lt_trans _ _ (2%:R * nu%:R ^+ c * (2%:R ^+ (nu ^ (c + 6)))^-1)).
   by apply: ler_wpmul2l half; rewrite mulr_ge0 ?ler0n // ltW.
 rewrite ltr_pdivr_mulr; last by rewrite exprn_gt0 // ltr0n.
-rewrite ltr_pdivl_mull // -!natrX -!natrM ltr_nat.
-have E m : (nu ^ m <= 2 ^ (nu * m))%N.
-  by rewrite expnM; case: m => [|m] //; rewrite leq_exp2r // ltnW // ltn_expl.
-apply: (@leq_ltn_trans (2 ^ (nu ^ 5 + 1 + nu * c))).
-  by rewrite !expnD expn1 -mulnA; apply: leq_mul; [rewrite expnS E | rewrite leq_mul2l E].
+by rewrite ltr_pdivl_mull ?ltr0n // -!natrX -!natrM ltr_nat mulnC.
+Qed.
+(* up to 2^100 times smaller than nu^(-nu^4), for nu > 3; nu^(-nu^4) itself for nu > 1 *)
+Lemma double_power nu m : (nu ^ m <= 2 ^ (nu * m))%N.
+Proof. by rewrite expnM; case: m => [|m] //; rewrite leq_exp2r // ltnW // ltn_expl. Qed.
+Lemma threshold_room nu c h : (1 < nu)%N -> (h + nu ^ 5 + 1 + nu * c < c.+1 * (2 * nu ^ 5))%N -> (2 * nu ^ c * (2 ^ h * nu ^ (nu ^ 4)) < 2 ^ (nu ^ (c + 6)))%N.
+Proof.
+move=> nu1 room; apply: (@leq_ltn_trans (2 ^ (h + nu ^ 5 + 1 + nu * c))).
+  have -> : (2 ^ (h + nu ^ 5 + 1 + nu * c) = 2 * 2 ^ (nu * c) * (2 ^ h * 2 ^ (nu ^ 5)))%N by rewrite -expnS -!expnD; congr (2 ^ _)%N; lia.
+  by apply: leq_mul; apply: leq_mul => //; [exact: double_power | rewrite (expnS nu 4); exact: double_power].
 rewrite ltn_exp2l //; have cl : (c < nu ^ c)%N by exact: ltn_expl.
-have big : (nu <= nu ^ 5)%N by rewrite -{1}[nu]expn1 leq_pexp2l.
-have two : (2 <= nu ^ 5)%N by exact: leq_trans nu1 big.
-rewrite expnD (expnS nu 5); apply: (@leq_trans (c.+1 * (2 * nu ^ 5))); last by rewrite !leq_mul.
-move: (nu ^ 5)%N big two => x big two.
-have h : (nu * c <= c * x)%N by rewrite mulnC leq_mul2l big orbT.
-rewrite mulSn mulnCA; move: (c * x)%N (nu * c)%N h => y z h; lia.
+by rewrite expnD (expnS nu 5); apply: leq_trans room _; rewrite !leq_mul.
+Qed.
+Theorem below_threshold (R : realFieldType) nu a c : (1 < nu)%N ->
+  2%:R * nu%:R ^+ c * (1 - (nu%:R ^+ (a * (nu - 1)))^-1) ^+ (nu ^ (a * (nu - 1) + c + 6))
+  < (nu%:R ^+ (nu ^ 4))^-1 :> R.
+Proof.
+move=> nu1; have -> : nu%:R ^+ (nu ^ 4) = (nu ^ (nu ^ 4))%:R :> R by rewrite natrX.
+apply: below_time => //; first by rewrite expn_gt0 ltnW.
+have -> : (nu ^ (nu ^ 4) = 2 ^ 0 * nu ^ (nu ^ 4))%N by rewrite expn0 mul1n.
+apply: threshold_room => //.
+have big : (nu <= nu ^ 5)%N by rewrite -{1}[nu]expn1 leq_pexp2l // ltnW.
+have h : (nu * c <= c * nu ^ 5)%N by rewrite mulnC leq_mul2l big orbT.
+move: (nu ^ 5)%N h (leq_trans nu1 big) => x h x2; have -> : (c.+1 * (2 * x) = 2 * x + 2 * (c * x))%N by rewrite mulSn [(c * (2 * x))%N]mulnCA.
+move: (c * x)%N (nu * c)%N h => y z h; lia.
+Qed.
+Theorem below_smaller (R : realFieldType) nu a c h : (3 < nu)%N -> (h <= 100)%N ->
+  2%:R * nu%:R ^+ c * (1 - (nu%:R ^+ (a * (nu - 1)))^-1) ^+ (nu ^ (a * (nu - 1) + c + 6))
+  < (2 ^ h * nu ^ (nu ^ 4))%:R^-1 :> R.
+Proof.
+move=> nu3 h100; have nu1 : (1 < nu)%N by exact: leq_trans nu3.
+apply: below_time => //; first by rewrite muln_gt0 !expn_gt0 (ltnW nu1).
+apply: threshold_room => //; have big : (nu <= nu ^ 5)%N by rewrite -{1}[nu]expn1 leq_pexp2l // ltnW.
+have large : (4 ^ 5 <= nu ^ 5)%N by rewrite leq_exp2r.
+have h5 : (nu * c <= c * nu ^ 5)%N by rewrite mulnC leq_mul2l big orbT.
+have x2 : (200 <= nu ^ 5)%N by apply: leq_trans large.
+move: (nu ^ 5)%N h5 x2 => x h5 x2; clear -h100 h5 x2; have -> : (c.+1 * (2 * x) = 2 * x + 2 * (c * x))%N by rewrite mulSn [(c * (2 * x))%N]mulnCA.
+move: (c * x)%N (nu * c)%N h5 => y z h5; lia.
 Qed.

@@ -1,9 +1,10 @@
 (* Chazelle, Lemmas 3.6 (ii), 3.7 (but for the angle) and 3.8, the last sharpened: edges of a flock stay shorter than 1 + n^(-n^3), the
    virtual origins within n^O(n^2), and after time n^(n^4 + a(n-1)^2 + (c+9)(n-1) + 2a + 13) the network loses no edge.
      chazelle.lem3.6.ii (lemma_3_6_ii), chazelle.lem3.7 (lemma_3_7_origins), chazelle.lem3.8 (lemma_3_8), chazelle.lem3.6.i (within_unit);
+     chazelle.hyst.remark (smaller_threshold: what Lemma 3.1's count, 3.6 (ii), 3.7 and 3.8 say, with a threshold up to 2^100 times smaller);
      beyond.chazelle.losses (losses, with a = 2 and c = 1); beyond.chazelle.angle, clause 2, for weights that change only when the network
      does (origins_stay).
-   Hypotheses: n >= 4 birds in R^d, n > a + c, a >= 1; the hysteresis rule with the threshold n^(-n^4); from t = 1 on positive entries of
+   Hypotheses: n >= 4 birds in R^d, n > a + c, a >= 1; the hysteresis rule with the threshold n^(-n^4), or 2^-h n^(-n^4) with h <= 100; from t = 1 on positive entries of
    P(t) at least n^-a, which fractions with denominators up to n^a give (short_floor), and G_(t+1) = G_t gives c(t+1) = c(t); |v_i(1)| <= n^c;
    but for edges also d <= n^2 and coordinates of x(0) at most n^c.  The weights of time 0 do not matter.
    On a stretch of one network the velocities of neighbours agree after 2 n^(a+7) + n^(2a+3) steps up to less than the threshold, so that it adds
@@ -79,15 +80,19 @@ Variables (R : realFieldType) (n a c : nat).
 Hypothesis n4 : (3 < n)%N.
 Hypothesis a1 : (0 < a)%N.
 Hypothesis cn : (c < n)%N.
+(* the threshold, 2^hh times smaller than n^(-n^4) *)
+Variable hh : nat.
+Hypothesis h100 : (hh <= 100)%N.
 Notation N := (n%:R : R).
-Notation eps := (N ^+ (n ^ 4))^-1.
+Notation T := (2 ^ hh * n ^ (n ^ 4))%N.
+Notation eps := (T%:R^-1 : R).
 Definition pace (r : nat) : R := Num.min eps (N ^+ c * (2%:R * bound R n a r)).
 
 Let n0 : (0 < n)%N. Proof. exact: leq_trans n4. Qed.
 Let N0 k : 0 < N ^+ k. Proof. by rewrite exprn_gt0 // ltr0n. Qed.
 Let mu : R := 1 - 4%:R / N ^+ (a + 2).
 Let h := (n ^ (a + 2) * n ^ a.+1)%N.
-Let k := (n * (n ^ 4 + c.+1))%N.
+Let k := (n * (n ^ 4 + c.+1) + 100)%N.
 Let boundE r : bound R n a r = if (r < h)%N then 2%:R else 2%:R * mu ^+ (r - h). Proof. by []. Qed.
 Let mu_range : 0 <= mu < 1.
 Proof.
@@ -96,12 +101,13 @@ apply: (leq_trans n4); rewrite -{1}[n]expn1; apply: leq_pexp2l; [exact: leq_tran
 Qed.
 Lemma pace_ge0 r : 0 <= pace r.
 Proof.
-have [m0 _] := andP mu_range; rewrite /pace le_minr invr_ge0 ltW //=; apply: mulr_ge0; first exact: ltW.
+have [m0 _] := andP mu_range; rewrite /pace le_minr invr_ge0 ler0n /=; apply: mulr_ge0; first exact: ltW.
 by apply: mulr_ge0; rewrite ?ler0n // boundE; case: ifP => _; rewrite ?ler0n // mulr_ge0 ?ler0n ?exprn_ge0.
 Qed.
 Lemma pace_sum s : \sum_(r < s) pace r <= eps * N ^+ (2 * a + 8).
 Proof.
-have [m0 m1] := andP mu_range; have e0 : 0 < eps by rewrite invr_gt0.
+have [m0 m1] := andP mu_range; have T0 : (0 < T)%N by rewrite muln_gt0 !expn_gt0 n0.
+have e0 : 0 < eps by rewrite invr_gt0 ltr0n.
 have M0 : (0 < n ^ (a + 2))%N by rewrite expn_gt0 n0.
 have half : mu ^+ (n ^ (a + 2)) <= 2%:R^-1.
   have := @halving R (n ^ (a + 2)) (n ^ (a + 2)) M0; rewrite divnn M0 expr1; apply: le_trans.
@@ -112,8 +118,9 @@ have tail : N ^+ c * 4%:R * mu ^+ (n ^ (a + 2) * k) <= eps.
     apply: ler_pmul; rewrite ?mulr_ge0 ?exprn_ge0 ?ler0n //.
       by rewrite exprSr; apply: ler_wpmul2l; rewrite ?exprn_ge0 ?ler0n // ler_nat.
     by apply: ler_expn2r; rewrite ?nnegrE ?exprn_ge0 ?invr_ge0 ?ler0n.
-  rewrite exprVn ler_pdivr_mulr ?exprn_gt0 ?ltr0n // ler_pdivl_mull // -!natrX -natrM ler_nat -expnD /k expnM.
-  by rewrite leq_exp2r ?addnS //; apply: ltnW; exact: ltn_expl.
+  rewrite exprVn ler_pdivr_mulr ?exprn_gt0 ?ltr0n // ler_pdivl_mull ?ltr0n // -!natrX -natrM ler_nat -mulnA -expnD /k.
+  rewrite [(2 ^ (_ + 100))%N]expnD mulnC; apply: leq_mul; last by rewrite leq_exp2l.
+  by rewrite expnM leq_exp2r ?addnS //; apply: ltnW; exact: ltn_expl.
 pose C r := 2%:R / eps * pace r.
 have ce : 0 <= 2%:R / eps by rewrite divr_ge0 ?ler0n // ltW.
 have C0 r : 0 <= C r by rewrite mulr_ge0 ?pace_ge0.
@@ -140,9 +147,14 @@ have four m : (4 * n ^ m <= n ^ m.+1)%N by rewrite expnS leq_mul2r n4 orbT.
 have up e f : (e <= f)%N -> (n ^ e <= n ^ f)%N by apply: leq_pexp2l; exact: leq_trans n4.
 have c4 : (c.+1 <= n ^ 4)%N by apply: leq_trans cn _; rewrite -{1}[n]expn1 up.
 have b1 : (n ^ (a + 2) * n ^ a.+1 <= n ^ (2 * a + 3))%N by rewrite -expnD up //; lia.
-have b2 : (n ^ (a + 2) * (n * (n ^ 4 + c.+1)) <= 2 * n ^ (a + 7))%N.
-  rewrite mulnA -expnSr; apply: (@leq_trans (n ^ (a + 2).+1 * (2 * n ^ 4))); first by rewrite leq_mul2l mul2n -addnn leq_add2l c4 orbT.
-  by rewrite mulnCA -expnD leq_mul2l; apply/orP; right; apply: up; lia.
+have b2 : (n ^ (a + 2) * (n * (n ^ 4 + c.+1) + 100) <= 3 * n ^ (a + 7))%N.
+  have more : (n ^ (a + 2) * 100 <= n ^ (a + 7))%N.
+    have -> : (a + 7 = a + 2 + 5)%N by lia.
+    by rewrite (expnD n (a + 2) 5) leq_mul2l; apply/orP; right; apply: (@leq_trans (4 ^ 5)); rewrite // leq_exp2r.
+  have main : (n ^ (a + 2) * (n * (n ^ 4 + c.+1)) <= 2 * n ^ (a + 7))%N.
+    rewrite mulnA -expnSr; apply: (@leq_trans (n ^ (a + 2).+1 * (2 * n ^ 4))); first by rewrite leq_mul2l mul2n -addnn leq_add2l c4 orbT.
+    by rewrite mulnCA -expnD leq_mul2l; apply/orP; right; apply: up; lia.
+  move: more main; set y := (n * _)%N; set z := (n ^ (a + 7))%N; rewrite mulnDr; move: (_ * y)%N => q; lia.
 have b3 : (n ^ (a + 7) <= n ^ (2 * a + 6))%N by apply: up; move: a1; lia.
 have b4 : (n ^ (a + 2) <= n ^ (2 * a + 6))%N by apply: up; lia.
 have b5 : (n ^ (2 * a + 3) <= n ^ (2 * a + 6))%N by apply: up; lia.
@@ -174,12 +186,14 @@ Qed.
 (* ---- no edge is longer than 2 ---- *)
 Section Short.
 Variables (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R).
+Variable hh : nat.
 Notation N := (n%:R : R).
-Notation eps := (N ^+ (n ^ 4))^-1.
+Notation eps := ((2 ^ hh * n ^ (n ^ 4))%:R^-1 : R).
 Notation P t := (transition (G t) (w t)).
 Hypothesis n4 : (3 < n)%N.
 Hypothesis a1 : (0 < a)%N.
 Hypothesis cn : (c < n)%N.
+Hypothesis h100 : (hh <= 100)%N.
 Hypothesis F : flock eps x v G w.
 Hypothesis floor : forall t i j, (0 < t)%N -> 0 < P t i j -> (N ^+ a)^-1 <= P t i j.
 Hypothesis st : steady G w.
@@ -247,13 +261,13 @@ rewrite -ler_subl_addl le_minr; apply/andP; split; first by apply: le_trans (ler
 apply: le_trans (ler_norm _) _; apply: (@lemma_2_1 R n d x v t.+1 i j) => // -[|u] // _; exact: Hx.
 Qed.
 Lemma edges_grow t : (0 < t)%N -> exists t0, [/\ (0 < t0 <= t)%N, forall r, (t0 <= r <= t)%N -> forall i j, G r i j = G t0 i j &
-  forall i j, G t i j -> len t i j <= 1 + eps + (eps * N ^+ (2 * a + 8)) *+ chazelle_stabilisers.N (changes G) t 1 + \sum_(r < t - t0) pace R n a c r.+1].
+  forall i j, G t i j -> len t i j <= 1 + eps + (eps * N ^+ (2 * a + 8)) *+ chazelle_stabilisers.N (changes G) t 1 + \sum_(r < t - t0) pace R n a c hh r.+1].
 Proof.
-have e0 : 0 < eps by rewrite invr_gt0 exprn_gt0.
+have e0 : 0 < eps by rewrite invr_gt0 ltr0n muln_gt0 !expn_gt0 (leq_trans _ n4).
 have D0 : 0 <= eps * N ^+ (2 * a + 8) by rewrite mulr_ge0 ?exprn_ge0 // ltW.
-have S0 s : 0 <= \sum_(r < s) pace R n a c r.+1 by apply: sumr_ge0 => r _; exact: pace_ge0.
-have SD s : \sum_(r < s) pace R n a c r.+1 <= eps * N ^+ (2 * a + 8).
-  by apply: le_trans (pace_sum R n4 a1 cn s.+1); rewrite big_ord_recl /= ler_addr pace_ge0.
+have S0 s : 0 <= \sum_(r < s) pace R n a c hh r.+1 by apply: sumr_ge0 => r _; exact: pace_ge0.
+have SD s : \sum_(r < s) pace R n a c hh r.+1 <= eps * N ^+ (2 * a + 8).
+  by apply: le_trans (pace_sum R n4 a1 cn h100 s.+1); rewrite big_ord_recl /= ler_addr pace_ge0.
 elim: t => // t IH _; case: (posnP t) => [->|t0p].
   exists 1%N; split=> // [r|i j /step_le[h|[Gij h]]].
     by rewrite -eqn_leq => /eqP <-.
@@ -261,14 +275,14 @@ elim: t => // t IH _; case: (posnP t) => [->|t0p].
   have [G0 _ _ _ _] := F; move: Gij; rewrite G0 => /andP[_ l0].
   rewrite N_empty // mulr0n big_ord0 !addr0; apply: le_trans h _; apply: ler_add => //; by rewrite le_minl lexx.
 have [t0 [/andP[p le] run H]] := IH t0p; rewrite changes_next //; set m := chazelle_stabilisers.N _ t 1 in H *.
-have one i j : 1 <= 1 + eps + (eps * N ^+ (2 * a + 8)) *+ (m + changes G t.+1) + \sum_(r < j - i) pace R n a c r.+1.
+have one i j : 1 <= 1 + eps + (eps * N ^+ (2 * a + 8)) *+ (m + changes G t.+1) + \sum_(r < j - i) pace R n a c hh r.+1.
   by rewrite -!addrA ler_addl !addr_ge0 // ?mulrn_wge0 // ltW.
 have same r : (r < (t - t0).+1)%N -> P (t0 + r) = P t0.
   have all u : (u < (t - t0).+1)%N -> forall i j, G (t0 + u)%N i j = G t0 i j.
     by rewrite ltnS => h; apply: run; rewrite leq_addr /= -leq_subRL.
   move=> rs; have [_ i1] := net t0; have [_ i2] := net (t0 + r).
   by apply: transition_same => //; [exact: all | exact: (steady_run st p all rs)].
-have grow i j : G t i j -> Num.min eps (norm2 (row i (v t.+1) - row j (v t.+1))) <= pace R n a c (t - t0).+1.
+have grow i j : G t i j -> Num.min eps (norm2 (row i (v t.+1) - row j (v t.+1))) <= pace R n a c hh (t - t0).+1.
   move=> Gij; have G0ij : G t0 i j by rewrite -(run t) // le leqnn.
   have := run_pace p same G0ij; rewrite addnS subnKC // => h.
   by rewrite /pace le_minr !le_minl lexx h orbT.
@@ -404,6 +418,11 @@ End First.
 (* ---- the estimates ---- *)
 (* n^(few a c n) bounds the number of switches *)
 Definition few a c n := (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 1)%N.
+Lemma two_power n m h : (3 < n)%N -> (h <= 2 * m)%N -> (2 ^ h <= n ^ m)%N.
+Proof.
+move=> n4 hm; apply: (@leq_trans (2 ^ (2 * m))); first by rewrite leq_exp2l.
+by rewrite expnM; case: m {hm} => [|m] //; rewrite leq_exp2r.
+Qed.
 Section Estimates.
 Variables n a c : nat.
 Hypothesis n4 : (3 < n)%N.
@@ -432,6 +451,22 @@ set e := (few a c n + 2 * a + 9)%N; rewrite [(n ^ (n ^ 4 + _))%N]expnD; set T :=
 apply: (@leq_trans (T * (2 + 2 * n ^ e + 2))).
   by rewrite [(T * (_ + 2))%N]mulnDr leq_add2l leq_pmull.
 rewrite leq_mul2l; apply/orP; right; move: (four e.+2) (four e.+1) (four e) (p e); lia.
+Qed.
+(* with a threshold up to 2^100 times smaller *)
+Lemma time_room h : (h <= 100)%N -> (2 ^ h * n ^ (n ^ 4) * (2 + 2 * n ^ (few a c n + 2 * a + 9)) + 2 <= n ^ (2 * n ^ 4))%N.
+Proof.
+move=> h100; have h2 : (2 ^ h <= n ^ 50)%N by apply: two_power.
+have room : (few a c n + 2 * a + 10 + 50 + n ^ 4 <= 2 * n ^ 4)%N.
+  have cube : (50 <= n ^ 3)%N by apply: (@leq_trans (4 ^ 3)); rewrite // leq_exp2r.
+  by move: few_room cube; move: (n ^ 3)%N (n ^ 4)%N (few a c n) => y z f; lia.
+apply: (@leq_trans (n ^ (few a c n + 2 * a + 10 + 50 + n ^ 4))); last by apply: leq_pexp2l; [exact: leq_trans n4 | exact: room].
+have -> : (few a c n + 2 * a + 10 + 50 + n ^ 4 = 50 + n ^ 4 + (few a c n + 2 * a + 9).+1)%N by lia.
+rewrite [X in (_ <= X)%N]expnD [(n ^ (50 + _))%N]expnD; set e := (few a c n + 2 * a + 9)%N; set T := (n ^ (n ^ 4))%N; have T0 : (0 < T)%N by exact: p.
+have S0 : (0 < 2 ^ h * T)%N by rewrite muln_gt0 expn_gt0.
+apply: (@leq_trans (2 ^ h * T * (2 + 2 * n ^ e + 2))); first by rewrite [X in (_ <= X)%N]mulnDr leq_add2l leq_pmull.
+apply: (@leq_trans (n ^ 50 * T * (2 + 2 * n ^ e + 2))); first by rewrite leq_mul2r leq_mul2r h2 !orbT.
+have ne : (4 <= n ^ e)%N by apply: leq_trans n4 _; rewrite -{1}[n]expn1 leq_pexp2l ?(leq_trans _ n4) // /e !addnS.
+rewrite leq_mul2l; apply/orP; right; move: (four e) ne; move: (n ^ e)%N (n ^ e.+1)%N => y z; lia.
 Qed.
 (* with m switches *)
 Variable m : nat.
@@ -484,13 +519,20 @@ by rewrite -natrX ler_nat.
 Qed.
 
 (* ---- the claims ---- *)
+Lemma below_power (R : rcfType) n h : (0 < n)%N -> (2 ^ h * n ^ (n ^ 4))%:R^-1 <= (n%:R ^+ (n ^ 4))^-1 :> R.
+Proof. by move=> n0; rewrite -natrX lef_pinv ?posrE ?ltr0n ?muln_gt0 ?expn_gt0 ?n0 // ler_nat leq_pmull // expn_gt0. Qed.
 Section Claims.
 Variables (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R).
 Notation P t := (transition (G t) (w t)).
 Hypothesis n4 : (4 <= n)%N.
 Hypothesis a1 : (0 < a)%N.
 Hypothesis acn : (a + c < n)%N.
-Hypothesis F : flock (n%:R ^+ (n ^ 4))^-1 x v G w.
+(* the threshold, 2^hh times smaller than n^(-n^4) *)
+Variable hh : nat.
+Hypothesis h100 : (hh <= 100)%N.
+Notation T := (2 ^ hh * n ^ (n ^ 4))%N.
+Notation eps := (T%:R^-1 : R).
+Hypothesis F : flock eps x v G w.
 Hypothesis floor : forall t i j, (0 < t)%N -> 0 < P t i j -> (n%:R ^+ a)^-1 <= P t i j.
 Hypothesis st : steady G w.
 Hypothesis speed : forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c.
@@ -499,7 +541,8 @@ Let n0 : (0 < n)%N. Proof. exact: leq_trans n4. Qed.
 Let cn : (c < n)%N. Proof. by apply: leq_ltn_trans acn; rewrite leq_addl. Qed.
 Lemma few_switches t : (N (changes G) t 1 <= n ^ few a c n)%N.
 Proof.
-apply: (@chazelle_switches.switches R n d a c x v G (from_one G w) _ (flock_from_one F)) => //; first by exact: leq_trans n4.
+apply: (@chazelle_switches.switches_at R n d a c eps x v G (from_one G w) _ (flock_from_one F)) => //; first by exact: leq_trans n4.
+  exact: chazelle_estimates.below_smaller.
 exact: (from_one_floor F a1 floor).
 Qed.
 (* chazelle.lem3.6.ii *)
@@ -507,10 +550,15 @@ Lemma edges_short t i j : G t i j -> norm2 (row i (x t) - row j (x t)) <= 1 + (n
 Proof.
 move=> Gij; case: t Gij => [|t] Gij.
   have [G0 _ _ _ _] := F; move: Gij; rewrite G0 => /andP[_ h]; apply: (le_trans h); by rewrite ler_addl invr_ge0 exprn_ge0 ?ler0n.
-have [t1 [_ _ H]] := edges_grow n4 a1 cn F floor st speed (ltn0Sn t).
+have [t1 [_ _ H]] := edges_grow n4 a1 cn h100 F floor st speed (ltn0Sn t).
 apply: le_trans (H _ _ Gij) _; rewrite -!addrA ler_add2l !addrA.
-apply: le_trans (edge_estimate n4 acn (few_switches t.+1) R); rewrite ler_add2l.
-apply: le_trans (pace_sum R n4 a1 cn (t.+1 - t1).+1); by rewrite big_ord_recl /= ler_addr pace_ge0.
+apply: le_trans (edge_estimate n4 acn (few_switches t.+1) R).
+have below : eps <= (n%:R ^+ (n ^ 4))^-1.
+  exact: below_power.
+have pN : 0 <= n%:R ^+ (2 * a + 8) :> R by rewrite exprn_ge0 ?ler0n.
+have up := ler_wpmul2r pN below.
+apply: ler_add; first by apply: ler_add => //; exact: ler_wmuln2r.
+apply: le_trans up; apply: le_trans (pace_sum R n4 a1 cn h100 (t.+1 - t1).+1); by rewrite big_ord_recl /= ler_addr pace_ge0.
 Qed.
 Lemma edges_short2 t i j : (0 < t)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R.
 Proof.
@@ -529,10 +577,11 @@ apply: le_trans (_ : _ <= n%:R * (n ^ c + 4 * m.+1 * n ^ (2 * a + 3))%:R) _; las
 apply: norm2_le => // q; rewrite !mxE natrD natrM !natrX natrM; have tt : (0 < t <= t)%N by rewrite t0 leqnn.
 exact: (@origins_stay R n d a G w x v (fun u _ => flock_network F u) (fun u _ => @MD u) a1 floor st Hx Hv t (fun u i j h => @edges_short2 u i j (proj1 (andP h))) q t i (n%:R ^+ c) tt (fun k => first k q)).
 Qed.
-Lemma no_loss t i j : (n ^ (n ^ 4 + few a c n + 2 * a + 12) <= t.+1)%N -> G t i j -> G t.+1 i j.
+Lemma no_loss t i j : (T * (2 + 2 * n ^ (few a c n + 2 * a + 9)) + 2 <= t.+1)%N -> G t i j -> G t.+1 i j.
 Proof.
-have [_ _ _ Hx _] := F; move=> late Gij; apply: (flock_lasts F) => //.
-have := leq_trans (time_estimate n4 acn) late; set T := (n ^ (n ^ 4))%N; set M := (n ^ (few a c n + 2 * a + 9))%N => long.
+have [_ _ _ Hx _] := F; move=> long Gij; apply: (flock_lasts F) => //.
+have T0 : (0 < T)%N by rewrite muln_gt0 !expn_gt0 n0.
+move: long; set M := (n ^ (few a c n + 2 * a + 9))%N => long.
 have t0 : (0 < t)%N by move: long; rewrite addn2 ltnS; exact: leq_ltn_trans.
 have tR : 0 < t%:R :> R by rewrite ltr0n.
 pose E k : 'rV[R]_d := row k (x t.+1) - t.+1%:R *: row k (v t.+1).
@@ -544,11 +593,14 @@ have : t%:R * norm2 (row i (v t.+1) - row j (v t.+1)) <= (2 + 2 * M)%:R.
   rewrite -[t%:R]gtr0_norm // -norm2Z Ev; apply: le_trans (norm2D _ _) _; rewrite natrD; apply: ler_add; first exact: edges_short2.
   apply: le_trans (norm2D _ _) _; rewrite norm2N mul2n -addnn natrD; exact: ler_add.
 rewrite mulrC -ler_pdivl_mulr // => /le_lt_trans; apply.
-rewrite ltr_pdivr_mulr // ltr_pdivl_mull ?exprn_gt0 ?ltr0n // -natrX -natrM ltr_nat.
-by move: long; rewrite -/T addn2 ltnS.
+rewrite ltr_pdivr_mulr // ltr_pdivl_mull ?ltr0n // -natrM ltr_nat.
+by move: long; rewrite addn2 ltnS.
 Qed.
 End Claims.
 
+(* the threshold n^(-n^4) itself is the one with hh = 0 *)
+Lemma threshold_zero (R : rcfType) n : (n%:R ^+ (n ^ 4))^-1 = (2 ^ 0 * n ^ (n ^ 4))%:R^-1 :> R.
+Proof. by rewrite expn0 mul1n natrX. Qed.
 (* beyond.chazelle.losses: an edge of time t is one of time t + 1, if t + 1 is at least that late *)
 Theorem losses (R : rcfType) n d a (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :
   (4 <= n)%N -> (d <= n ^ 2)%N -> (1 <= a <= 2)%N ->
@@ -562,7 +614,7 @@ move=> n4 dn /andP[a1 a2] F floor st speed first t i j late.
 have floor2 u k l : (0 < u)%N -> 0 < transition (G u) (w u) k l -> (n%:R ^+ 2)^-1 <= transition (G u) (w u) k l.
   move=> u0 p; apply: le_trans (floor u k l u0 p); rewrite lef_pinv ?posrE ?exprn_gt0 ?ltr0n ?(leq_trans _ n4) //.
   by apply: ler_weexpn2l => //; rewrite ler1n (leq_trans _ n4).
-apply: (@no_loss R n d 2 1 x v G w) => //; apply: leq_trans late.
+rewrite threshold_zero in F; apply: (@no_loss R n d 2 1 x v G w n4 _ _ 0 _ F) => //; rewrite expn0 mul1n; apply: leq_trans (time_estimate n4 _) _ => //; apply: leq_trans late.
 by rewrite /few eq_leq //; congr (_ ^ _)%N; lia.
 Qed.
 
@@ -592,29 +644,65 @@ Variables (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> 
 Hypothesis n4 : (4 <= n)%N.
 Hypothesis a1 : (0 < a)%N.
 Hypothesis acn : (a + c < n)%N.
-Hypothesis F : flock (n%:R ^+ (n ^ 4))^-1 x v G w.
+Variable hh : nat.
+Hypothesis h100 : (hh <= 100)%N.
+Hypothesis F : flock (2 ^ hh * n ^ (n ^ 4))%:R^-1 x v G w.
 Hypothesis bits : forall t, (0 < t)%N -> chazelle_products.short_weights a (w t).
 Hypothesis st : forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i.
 Hypothesis speed : forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c.
 Let floor t i j : (0 < t)%N -> 0 < transition (G t) (w t) i j -> (n%:R ^+ a)^-1 <= transition (G t) (w t) i j.
 Proof. by move=> t0; have [_ _ MD _ _] := F; exact: (short_floor (flock_network F t) (MD t) (bits t0)). Qed.
-Theorem lemma_3_6_ii t i j : 1 + (n%:R ^+ (n ^ 3))^-1 < norm2 (row i (x t) - row j (x t)) -> ~~ G t i j.
+Lemma short_at t i j : 1 + (n%:R ^+ (n ^ 3))^-1 < norm2 (row i (x t) - row j (x t)) -> ~~ G t i j.
 Proof.
-by move=> far; apply: contraTN far => Gij; rewrite -leNgt; exact: (edges_short n4 a1 acn F floor st speed).
+by move=> far; apply: contraTN far => Gij; rewrite -leNgt; exact: (edges_short n4 a1 acn h100 F floor st speed).
 Qed.
-Theorem lemma_3_8 : (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
+Lemma lasting_at : (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
   forall t i j, (n ^ (2 * n ^ 4) <= t.+1)%N -> G t i j -> G t.+1 i j.
 Proof.
-move=> dn first t i j late; apply: (no_loss n4 a1 acn F floor st speed dn first); apply: leq_trans late.
-apply: leq_pexp2l; [exact: leq_trans n4 | move: (few_room' n4 acn); lia].
+move=> dn first t i j late; apply: (no_loss n4 a1 acn h100 F floor st speed dn first); apply: leq_trans late; exact: time_room.
 Qed.
-Theorem lemma_3_7_origins : (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
+Lemma origins_at : (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
   forall t i, (0 < t)%N -> norm2 (row i (x t) - t%:R *: row i (v t)) <= n%:R ^+ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 2 * a + 10).
 Proof.
 move=> dn first t i t0; have -> : (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 2 * a + 10 = few a c n + 2 * a + 9)%N by rewrite /few; lia.
-exact: (origin_le n4 a1 acn F floor st speed dn first).
+exact: (origin_le n4 a1 acn h100 F floor st speed dn first).
 Qed.
 End Printed.
+(* the three with the threshold n^(-n^4), and with one up to 2^100 times smaller (chazelle.hyst.remark) *)
+Section Thresholds.
+Variables (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R).
+Hypothesis n4 : (4 <= n)%N.
+Hypothesis a1 : (0 < a)%N.
+Hypothesis acn : (a + c < n)%N.
+Hypothesis F : flock (n%:R ^+ (n ^ 4))^-1 x v G w.
+Let F0 : flock (2 ^ 0 * n ^ (n ^ 4))%:R^-1 x v G w. Proof. by rewrite -threshold_zero. Qed.
+Hypothesis bits : forall t, (0 < t)%N -> chazelle_products.short_weights a (w t).
+Hypothesis st : forall t, (0 < t)%N -> (forall i j, G t.+1 i j = G t i j) -> forall i, w t.+1 i = w t i.
+Hypothesis speed : forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c.
+Theorem smaller_threshold : forall h, (h <= 100)%N -> flock ((2%:R ^+ h)^-1 * (n%:R ^+ (n ^ 4))^-1) x v G w ->
+  [/\ forall t, (N (changes G) t 1 <= n ^ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 1))%N,
+      forall t i j, 1 + (n%:R ^+ (n ^ 3))^-1 < norm2 (row i (x t) - row j (x t)) -> ~~ G t i j &
+      (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
+        (forall t i, (0 < t)%N -> norm2 (row i (x t) - t%:R *: row i (v t)) <= n%:R ^+ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 2 * a + 10)) /\
+        forall t i j, (n ^ (2 * n ^ 4) <= t.+1)%N -> G t i j -> G t.+1 i j].
+Proof.
+move=> h h100; have -> : (2%:R ^+ h)^-1 * (n%:R ^+ (n ^ 4))^-1 = (2 ^ h * n ^ (n ^ 4))%:R^-1 :> R by rewrite natrM !natrX invfM.
+move=> K; split.
+- move=> t; apply: (few_switches n4 a1 h100 K) => //.
+  move=> u i j u0; have [_ _ MD _ _] := K; exact: (short_floor (flock_network K u) (MD u) (bits u0)).
+- exact: (short_at n4 a1 acn h100 K bits st speed).
+move=> dn first; split; first exact: (origins_at n4 a1 acn h100 K bits st speed dn first).
+exact: (lasting_at n4 a1 acn h100 K bits st speed dn first).
+Qed.
+Theorem lemma_3_6_ii t i j : 1 + (n%:R ^+ (n ^ 3))^-1 < norm2 (row i (x t) - row j (x t)) -> ~~ G t i j.
+Proof. exact: (short_at n4 a1 acn (leq0n 100) F0 bits st speed). Qed.
+Theorem lemma_3_8 : (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
+  forall t i j, (n ^ (2 * n ^ 4) <= t.+1)%N -> G t i j -> G t.+1 i j.
+Proof. exact: (lasting_at n4 a1 acn (leq0n 100) F0 bits st speed). Qed.
+Theorem lemma_3_7_origins : (d <= n ^ 2)%N -> (forall i q, `|x 0%N i q| <= n%:R ^+ c) ->
+  forall t i, (0 < t)%N -> norm2 (row i (x t) - t%:R *: row i (v t)) <= n%:R ^+ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 2 * a + 10).
+Proof. exact: (origins_at n4 a1 acn (leq0n 100) F0 bits st speed). Qed.
+End Thresholds.
 (* chazelle.lem3.6.i: for every threshold, in every dimension *)
 Theorem within_unit (R : rcfType) n d (eps : R) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :
   flock eps x v G w -> forall t i j, i != j -> norm2 (row i (x t) - row j (x t)) <= 1 -> G t i j.

@@ -347,24 +347,24 @@ apply/orP; right; apply: le_lt_trans close; apply: (@lemma_2_1 R n d x v t.+1 i 
 Qed.
 End Flock.
 
-(* beyond.chazelle.switches: a and c are any natural numbers *)
-Theorem switches (R : rcfType) n d a c (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :
-  (1 < n)%N -> flock (n%:R ^+ (n ^ 4))^-1 x v G w ->
+(* for any threshold that k = n^(a(n-1)+c+6) stabilisers reach *)
+Theorem switches_at (R : rcfType) n d a c eps (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :
+  (1 < n)%N -> flock eps x v G w -> 2%:R * n%:R ^+ c * (1 - (n%:R ^+ (a * (n - 1)))^-1) ^+ (n ^ (a * (n - 1) + c + 6)) < eps ->
   (forall t i j, transition (G t) (w t) i j != 0 -> (n%:R ^+ a)^-1 <= transition (G t) (w t) i j) ->
   (forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c) ->
   forall t, (N (changes G) t 1 <= n ^ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 1))%N.
 Proof.
-move=> n1 F al sp t; have [_ _ MD _ V] := F; have net := flock_network F.
+move=> n1 F small al sp t; have [_ _ MD _ V] := F; have net := flock_network F.
 have nR : 1 <= n%:R :> R by rewrite ler1n ltnW.
 have n0 : 0 < n%:R :> R by exact: lt_le_trans ltr01 nR.
 have S u := model_D_stochastic (net u) (@MD u).
 apply: leq_trans (most_bound a c n1).
-apply: (@group_switches R d (@norm2 R d) (n%:R ^+ a)^-1 (n%:R ^+ (n ^ 4))^-1 (2%:R * n%:R ^+ c)
+apply: (@group_switches R d (@norm2 R d) (n%:R ^+ a)^-1 eps (2%:R * n%:R ^+ c)
   (norm2_0 _ _) (@norm2Z _ _) (@norm2D _ _) _ _ n _ _ _ n (fun u => transition (G u) (w u)) v) => //.
 - by rewrite invr_gt0 exprn_gt0.
 - by rewrite invf_le1 ?exprn_gt0 // exprn_ege1.
 - by rewrite mulr_ge0 ?ler0n // exprn_ge0 // ltW.
-- by rewrite mulrC -subn1 exprVn -exprM; exact: below_threshold.
+- by rewrite mulrC -subn1 exprVn -exprM.
 split=> //.
 - by move=> u; have [] := S u.
 - by move=> u i j; exact: transition_edge.
@@ -372,6 +372,13 @@ split=> //.
 apply: max_le => [|[i j] /=]; first by rewrite mulr_ge0 ?ler0n // exprn_ge0 // ltW.
 apply: le_trans (norm2D _ _) _; rewrite norm2N mulr_natl mulr2n; exact: ler_add.
 Qed.
+(* beyond.chazelle.switches: a and c are any natural numbers *)
+Theorem switches (R : rcfType) n d a c (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :
+  (1 < n)%N -> flock (n%:R ^+ (n ^ 4))^-1 x v G w ->
+  (forall t i j, transition (G t) (w t) i j != 0 -> (n%:R ^+ a)^-1 <= transition (G t) (w t) i j) ->
+  (forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c) ->
+  forall t, (N (changes G) t 1 <= n ^ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 1))%N.
+Proof. by move=> n1 F; exact: (switches_at n1 F (@below_threshold R n a c n1)). Qed.
 
 (* chazelle.lem3.1: the printed size, n^O(n^3) *)
 Theorem lemma_3_1 (R : rcfType) n d a c (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) :
