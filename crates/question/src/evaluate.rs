@@ -310,7 +310,8 @@ impl Evaluator<'_, '_> {
             Obstacle::Perhaps(function) => {
                 Failure::open(format!("the argument of `{function}` may lie outside its domain"), Some(u64::MAX))
             }
-            Obstacle::TooLarge => missing(Problem::Other("the number has too many digits to be computed".to_string())),
+            // It has a value.
+            Obstacle::TooLarge => Failure::open("the number has too many digits to be computed", None),
         }
     }
 

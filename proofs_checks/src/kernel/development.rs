@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 171] = sources![
+const SOURCES: [(&str, &str); 179] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
