@@ -151,13 +151,7 @@ pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<V
                 found.splice(*index..=*index, finer);
             }
         }
-        let witnesses: Vec<Option<Witness>> = {
-            use rayon::prelude::*;
-            let one = |(row, (worst, _)): (&Vec<Rational>, &(Worst, &str))| {
-                worst.lo.as_ref().map(|_| witness(system, &prepared, row, worst, digits))
-            };
-            rows.par_iter().zip(&found).map(one).collect()
-        };
+        let witnesses = witnesses(system, &prepared, &rows, &found, digits);
         for (check, condition, index) in asked {
             let (worst, how) = &found[index];
             parts[check].push(part(condition, worst, how, witnesses[index].clone(), digits));
@@ -413,8 +407,33 @@ fn guessed(
     Ok(Worst { lo: value, hi, at: Some(Range::point(until)), legs, ..Worst::default() })
 }
 
-fn witness(system: &System, prepared: &Prepared, row: &[Rational], worst: &Worst, digits: u32) -> Witness {
-    let mut witness = attaining(system, prepared, row, &worst.legs);
+/// A motion for each row of which a value is attained; they share the tables of the flows.
+fn witnesses(
+    system: &System,
+    prepared: &Prepared,
+    rows: &[Vec<Rational>],
+    found: &[(Worst, &str)],
+    digits: u32,
+) -> Vec<Option<Witness>> {
+    use rayon::prelude::*;
+    let legs: Vec<(usize, Rational)> = found.iter().flat_map(|(worst, _)| worst.legs.iter().cloned()).collect();
+    let longest = longest_of(&legs, prepared.motions.len());
+    let flows = Flows::new(&prepared.motions, &longest, &[], &FloatInterval::point(0.0));
+    let one = |(row, (worst, _)): (&Vec<Rational>, &(Worst, &str))| {
+        worst.lo.as_ref().map(|_| witness(system, prepared, &flows, row, worst, digits))
+    };
+    rows.par_iter().zip(found).map(one).collect()
+}
+
+fn witness(
+    system: &System,
+    prepared: &Prepared,
+    flows: &Flows<FloatInterval>,
+    row: &[Rational],
+    worst: &Worst,
+    digits: u32,
+) -> Witness {
+    let mut witness = attaining(system, prepared, flows, row, &worst.legs);
     let value = witness.value_of(system, &row[..system.states.len()], bits(digits));
     if let Some((lo, hi)) = value.ends() {
         witness.value = Range { lo, hi };
