@@ -9,6 +9,7 @@ use crate::orders::Times;
 use crate::platoon::{self, Platoon, Swung};
 use crate::prepared::Prepared;
 use crate::relaxed::relaxed;
+use crate::search::allowance;
 use crate::system::{Check, Condition, Input, Range, Side, Switching, System};
 use crate::walk::{Depth, Leg, longest_of, worst};
 use crate::witness::{Witness, attaining};
@@ -372,6 +373,25 @@ fn attained_early(
     Ok(None)
 }
 
+/// Halvings of a time after which motions are not yet lost in their enclosure.
+const SHORTER: usize = 8;
+
+/// A bad order of modes up to a time, with its enclosed value.
+fn enclosed_order(
+    prepared: &Prepared,
+    row: &[Rational],
+    until: &Rational,
+    progress: &dyn Progress,
+) -> Result<(Vec<(usize, Rational)>, Option<(Rational, Rational)>), Cancelled> {
+    let legs = bad_order(prepared, row, until, progress)?;
+    let longest = longest_of(&legs, prepared.motions.len());
+    let flows = Flows::new(&prepared.motions, &longest, &[], &FloatInterval::point(0.0));
+    let walk: Vec<Leg> = legs.iter().map(Leg::fixed).collect();
+    let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
+    let value = worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value.and_then(|value| value.ends());
+    Ok((legs, value))
+}
+
 /// A bound, and the value of a bad order of modes that was guessed.
 fn guessed(
     system: &System,
@@ -390,14 +410,19 @@ fn guessed(
     let slowest = prepared.motions.iter().filter_map(|motion| abscissa(&motion.a)).fold(f64::NEG_INFINITY, f64::max);
     let memory = Rational::from_float((30.0 / slowest.abs().max(1e-2)).ceil());
     let Some(until) = last.cloned().or(memory) else { return Ok(nothing) };
-    let legs = bad_order(prepared, row, &until, progress)?;
-    let longest = longest_of(&legs, prepared.motions.len());
-    let like = FloatInterval::point(0.0);
-    let flows = Flows::new(&prepared.motions, &longest, &[], &like);
-    let walk: Vec<Leg> = legs.iter().map(Leg::fixed).collect();
-    let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
-    let value = worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value.and_then(|value| value.ends());
-    let value = value.map(|(lo, _)| lo);
+    // Where values grow without end, the enclosure of a long motion says nothing, and that of a shorter one does.
+    let mut value: Option<Rational> = None;
+    let (mut legs, mut until, mut time) = (Vec::new(), until.clone(), until);
+    for _ in 0..if at.is_none() { SHORTER } else { 1 } {
+        let (order, ends) = enclosed_order(prepared, row, &time, progress)?;
+        if let Some((lo, _)) = ends.as_ref().filter(|(lo, _)| value.as_ref().is_none_or(|value| lo > value)) {
+            (value, legs, until) = (Some(lo.clone()), order, time.clone());
+        }
+        if ends.is_some_and(|(lo, hi)| hi - &lo <= allowance(&rational(1, 1000), &lo)) {
+            break;
+        }
+        time *= rational(1, 2);
+    }
     // The start itself may be worse than what any order makes of it in the end.
     let most = |(x, side): (&Rational, &Range)| (x * &side.lo).max(x * &side.hi);
     let begun: Rational = row.iter().zip(&prepared.start).map(most).sum();
@@ -434,9 +459,16 @@ fn witness(
     digits: u32,
 ) -> Witness {
     let mut witness = attaining(system, prepared, flows, row, &worst.legs);
-    let value = witness.value_of(system, &row[..system.states.len()], bits(digits));
-    if let Some((lo, hi)) = value.ends() {
+    // A motion of many stretches loses bits on each of them.
+    for more in [1, 4, 16] {
+        let Some((lo, hi)) = witness.value_of(system, &row[..system.states.len()], more * bits(digits)).ends() else {
+            continue;
+        };
+        let is_tight = &hi - &lo <= allowance(&rational(1, 1_000_000), &lo);
         witness.value = Range { lo, hi };
+        if is_tight {
+            break;
+        }
     }
     // The start is exact.
     if witness.at.is_zero() || worst.stays {
