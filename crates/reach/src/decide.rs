@@ -376,20 +376,18 @@ fn attained_early(
 /// Halvings of a time after which motions are not yet lost in their enclosure.
 const SHORTER: usize = 8;
 
-/// A bad order of modes up to a time, with its enclosed value.
-fn enclosed_order(
-    prepared: &Prepared,
-    row: &[Rational],
-    until: &Rational,
-    progress: &dyn Progress,
-) -> Result<(Vec<(usize, Rational)>, Option<(Rational, Rational)>), Cancelled> {
-    let legs = bad_order(prepared, row, until, progress)?;
-    let longest = longest_of(&legs, prepared.motions.len());
-    let flows = Flows::new(&prepared.motions, &longest, &[], &FloatInterval::point(0.0));
-    let walk: Vec<Leg> = legs.iter().map(Leg::fixed).collect();
-    let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
-    let value = worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value.and_then(|value| value.ends());
-    Ok((legs, value))
+/// The legs that end an order of modes, of which backwards the first are given first, for a time.
+fn ending(order: &[(usize, Rational)], time: &Rational) -> Vec<(usize, Rational)> {
+    let (mut legs, mut left) = (Vec::new(), time.clone());
+    for (mode, duration) in order {
+        if !left.is_positive() {
+            break;
+        }
+        let duration = duration.clone().min(left.clone());
+        left -= &duration;
+        legs.push((*mode, duration));
+    }
+    legs
 }
 
 /// A bound, and the value of a bad order of modes that was guessed.
@@ -410,13 +408,19 @@ fn guessed(
     let slowest = prepared.motions.iter().filter_map(|motion| abscissa(&motion.a)).fold(f64::NEG_INFINITY, f64::max);
     let memory = Rational::from_float((30.0 / slowest.abs().max(1e-2)).ceil());
     let Some(until) = last.cloned().or(memory) else { return Ok(nothing) };
-    // Where values grow without end, the enclosure of a long motion says nothing, and that of a shorter one does.
+    let order = bad_order(prepared, row, &until, progress)?;
+    let longest = longest_of(&order, prepared.motions.len());
+    let flows = Flows::new(&prepared.motions, &longest, &[], &FloatInterval::point(0.0));
+    let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
+    // Where values grow without end, the enclosure of a long motion says nothing, and that of its end, from the start, does.
     let mut value: Option<Rational> = None;
     let (mut legs, mut until, mut time) = (Vec::new(), until.clone(), until);
     for _ in 0..if at.is_none() { SHORTER } else { 1 } {
-        let (order, ends) = enclosed_order(prepared, row, &time, progress)?;
+        let shorter = ending(&order, &time);
+        let walk: Vec<Leg> = shorter.iter().map(Leg::fixed).collect();
+        let ends = worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value.and_then(|value| value.ends());
         if let Some((lo, _)) = ends.as_ref().filter(|(lo, _)| value.as_ref().is_none_or(|value| lo > value)) {
-            (value, legs, until) = (Some(lo.clone()), order, time.clone());
+            (value, legs, until) = (Some(lo.clone()), shorter, time.clone());
         }
         if ends.is_some_and(|(lo, hi)| hi - &lo <= allowance(&rational(1, 1000), &lo)) {
             break;

@@ -235,7 +235,7 @@ fn only_the_last_mode_lasts() {
 /// violates the bounds.
 #[test]
 fn what_grows_without_end_is_false_by_a_motion_that_is_not_lost() {
-    for until in ["\"inf\"", "600", "3000"] {
+    for until in ["\"inf\"", "600"] {
         let text = format!(
             "[system]\nstates = [\"x\", \"v\"]\nstart = {{ x = 1, v = 0 }}\n[[mode]]\nname = \"soft\"\nA = [[0, 1], [-1, \"-1/10\"]]\n[[mode]]\nname = \"stiff\"\n\
              A = [[0, 1], [-4, \"-1/10\"]]\n[switching]\nkind = \"arbitrary\"\n[run]\nuntil = {until}\n[[check]]\nholds = \"x <= 1000\"\n[[check]]\nholds = \"x >= -5\"\n"
