@@ -2,7 +2,9 @@
 
 use super::{CliError, certify, interrupt, output, progress};
 use flockproof::arithmetic::Progress;
-use flockproof::reach::{Decided, ReachError, System, Unbounded, Verdict, answer, bounded, certificate, decide};
+use flockproof::reach::{
+    Decided, ReachError, System, Unbounded, Unshown, Verdict, answer, bounded, certificate, decide,
+};
 use flockproof::report::{Provenance, shown};
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -91,12 +93,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let (mut written, mut missed) = (Vec::new(), Vec::new());
     if let Some(path) = &arguments.certificate {
         let wanted = found.decided.iter().find(|found| found.verdict == Verdict::False).or(found.decided.first());
-        match wanted.and_then(|found_of| certificate(&found.system, found_of.decisive())) {
-            Some(text) => {
+        let text = wanted.ok_or(Unshown::Missing);
+        match text.and_then(|found_of| certificate(&found.system, found_of.decisive())) {
+            Ok(text) => {
                 output::write_file(path, text.as_bytes())?;
                 written.push(path);
             }
-            None => missed.push("--certificate: no motion was found that it could show".to_string()),
+            Err(error) => missed.push(format!("--certificate: {error}")),
         }
     }
     if let Some(path) = &arguments.bound {

@@ -12,8 +12,38 @@ use num_traits::{Signed, ToPrimitive, Zero};
 /// Digits of the bound beyond which the motion comes.
 const DIGITS: u32 = 12;
 
-/// The certificate that the witness of a condition comes beyond its value rounded against it; none where there is no witness.
-pub fn certificate(system: &System, part: &Part) -> Option<String> {
+/// Why no motion is certified.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Unshown {
+    /// There is none, or the matrices of its system are left out.
+    #[error("no motion was found that it could show")]
+    Missing,
+    /// It is more than the checker follows.
+    #[error("the checker does not follow the motion that was found, {duration} units of time long: {reason}")]
+    Refused {
+        /// How long it lasts.
+        duration: String,
+        /// What the checker says.
+        reason: String,
+    },
+}
+
+/// The certificate that the witness of a condition comes beyond its value rounded against it, which the checker accepted.
+///
+/// # Errors
+/// [`Unshown`].
+pub fn certificate(system: &System, part: &Part) -> Result<String, Unshown> {
+    let text = motion(system, part).ok_or(Unshown::Missing)?;
+    match (flockproof_checker::check(text.as_bytes()), &part.witness) {
+        (Ok(_), _) => Ok(text),
+        (Err(refusal), witness) => {
+            let duration = witness.as_ref().map_or_else(String::new, |witness| decimal(&witness.at, 6, false));
+            Err(Unshown::Refused { duration, reason: refusal.reason })
+        }
+    }
+}
+
+fn motion(system: &System, part: &Part) -> Option<String> {
     let witness = part.witness.as_ref().filter(|witness| !witness.at.is_zero() && system.is_written_out())?;
     let condition = &part.condition;
     let turned = condition.side == Side::AtLeast;

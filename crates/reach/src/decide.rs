@@ -9,6 +9,7 @@ use crate::orders::Times;
 use crate::platoon::{self, Platoon, Swung};
 use crate::prepared::Prepared;
 use crate::relaxed::relaxed;
+use crate::search::allowance;
 use crate::system::{Check, Condition, Input, Range, Side, Switching, System};
 use crate::walk::{Depth, Leg, longest_of, worst};
 use crate::witness::{Witness, attaining};
@@ -151,13 +152,7 @@ pub fn decide(system: &System, digits: u32, progress: &dyn Progress) -> Result<V
                 found.splice(*index..=*index, finer);
             }
         }
-        let witnesses: Vec<Option<Witness>> = {
-            use rayon::prelude::*;
-            let one = |(row, (worst, _)): (&Vec<Rational>, &(Worst, &str))| {
-                worst.lo.as_ref().map(|_| witness(system, &prepared, row, worst, digits))
-            };
-            rows.par_iter().zip(&found).map(one).collect()
-        };
+        let witnesses = witnesses(system, &prepared, &rows, &found, digits);
         for (check, condition, index) in asked {
             let (worst, how) = &found[index];
             parts[check].push(part(condition, worst, how, witnesses[index].clone(), digits));
@@ -378,6 +373,23 @@ fn attained_early(
     Ok(None)
 }
 
+/// Halvings of a time after which motions are not yet lost in their enclosure.
+const SHORTER: usize = 8;
+
+/// The legs that end an order of modes, of which backwards the first are given first, for a time.
+fn ending(order: &[(usize, Rational)], time: &Rational) -> Vec<(usize, Rational)> {
+    let (mut legs, mut left) = (Vec::new(), time.clone());
+    for (mode, duration) in order {
+        if !left.is_positive() {
+            break;
+        }
+        let duration = duration.clone().min(left.clone());
+        left -= &duration;
+        legs.push((*mode, duration));
+    }
+    legs
+}
+
 /// A bound, and the value of a bad order of modes that was guessed.
 fn guessed(
     system: &System,
@@ -396,14 +408,25 @@ fn guessed(
     let slowest = prepared.motions.iter().filter_map(|motion| abscissa(&motion.a)).fold(f64::NEG_INFINITY, f64::max);
     let memory = Rational::from_float((30.0 / slowest.abs().max(1e-2)).ceil());
     let Some(until) = last.cloned().or(memory) else { return Ok(nothing) };
-    let legs = bad_order(prepared, row, &until, progress)?;
-    let longest = longest_of(&legs, prepared.motions.len());
-    let like = FloatInterval::point(0.0);
-    let flows = Flows::new(&prepared.motions, &longest, &[], &like);
-    let walk: Vec<Leg> = legs.iter().map(Leg::fixed).collect();
+    let order = bad_order(prepared, row, &until, progress)?;
+    let longest = longest_of(&order, prepared.motions.len());
+    let flows = Flows::new(&prepared.motions, &longest, &[], &FloatInterval::point(0.0));
     let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
-    let value = worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value.and_then(|value| value.ends());
-    let value = value.map(|(lo, _)| lo);
+    // Where values grow without end, the enclosure of a long motion says nothing, and that of its end, from the start, does.
+    let mut value: Option<Rational> = None;
+    let (mut legs, mut until, mut time) = (Vec::new(), until.clone(), until);
+    for _ in 0..if at.is_none() { SHORTER } else { 1 } {
+        let shorter = ending(&order, &time);
+        let walk: Vec<Leg> = shorter.iter().map(Leg::fixed).collect();
+        let ends = worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value.and_then(|value| value.ends());
+        if let Some((lo, _)) = ends.as_ref().filter(|(lo, _)| value.as_ref().is_none_or(|value| lo > value)) {
+            (value, legs, until) = (Some(lo.clone()), shorter, time.clone());
+        }
+        if ends.is_some_and(|(lo, hi)| hi - &lo <= allowance(&rational(1, 1000), &lo)) {
+            break;
+        }
+        time *= rational(1, 2);
+    }
     // The start itself may be worse than what any order makes of it in the end.
     let most = |(x, side): (&Rational, &Range)| (x * &side.lo).max(x * &side.hi);
     let begun: Rational = row.iter().zip(&prepared.start).map(most).sum();
@@ -413,11 +436,43 @@ fn guessed(
     Ok(Worst { lo: value, hi, at: Some(Range::point(until)), legs, ..Worst::default() })
 }
 
-fn witness(system: &System, prepared: &Prepared, row: &[Rational], worst: &Worst, digits: u32) -> Witness {
-    let mut witness = attaining(system, prepared, row, &worst.legs);
-    let value = witness.value_of(system, &row[..system.states.len()], bits(digits));
-    if let Some((lo, hi)) = value.ends() {
+/// A motion for each row of which a value is attained; they share the tables of the flows.
+fn witnesses(
+    system: &System,
+    prepared: &Prepared,
+    rows: &[Vec<Rational>],
+    found: &[(Worst, &str)],
+    digits: u32,
+) -> Vec<Option<Witness>> {
+    use rayon::prelude::*;
+    let legs: Vec<(usize, Rational)> = found.iter().flat_map(|(worst, _)| worst.legs.iter().cloned()).collect();
+    let longest = longest_of(&legs, prepared.motions.len());
+    let flows = Flows::new(&prepared.motions, &longest, &[], &FloatInterval::point(0.0));
+    let one = |(row, (worst, _)): (&Vec<Rational>, &(Worst, &str))| {
+        worst.lo.as_ref().map(|_| witness(system, prepared, &flows, row, worst, digits))
+    };
+    rows.par_iter().zip(found).map(one).collect()
+}
+
+fn witness(
+    system: &System,
+    prepared: &Prepared,
+    flows: &Flows<FloatInterval>,
+    row: &[Rational],
+    worst: &Worst,
+    digits: u32,
+) -> Witness {
+    let mut witness = attaining(system, prepared, flows, row, &worst.legs);
+    // A motion of many stretches loses bits on each of them.
+    for more in [1, 4, 16] {
+        let Some((lo, hi)) = witness.value_of(system, &row[..system.states.len()], more * bits(digits)).ends() else {
+            continue;
+        };
+        let is_tight = &hi - &lo <= allowance(&rational(1, 1_000_000), &lo);
         witness.value = Range { lo, hi };
+        if is_tight {
+            break;
+        }
     }
     // The start is exact.
     if witness.at.is_zero() || worst.stays {

@@ -9,6 +9,7 @@ use crate::scalar::{Matrix, Scalar, apply, dot, times};
 use crate::signs::Expansion;
 use arithmetic::{Field, Interval, Rational, Ring, Sign, rational};
 use num_traits::{Signed, ToPrimitive, Zero};
+use rayon::prelude::*;
 
 /// Steps between two entries of the coarse table.
 pub(crate) const BLOCK: usize = 64;
@@ -58,23 +59,81 @@ pub(crate) struct Flows<T> {
 }
 
 impl<T: Scalar> Flows<T> {
-    /// The flows for up to the given times, one for each mode, and the products.
+    /// The flows for up to the given times, one for each mode, and the products, whose legs last at most as long.
     pub fn new(motions: &[Motion], longest: &[Rational], chain: &[Link], like: &T) -> Self {
-        let modes = motions.iter().zip(longest).map(|(motion, longest)| Flow::new(motion, longest, like)).collect();
         let wide = Interval::from_rational(&Rational::ZERO, like.bits() + GUARD);
+        let made: Vec<(Powers, Flow<T>)> = motions
+            .par_iter()
+            .zip(longest)
+            .map(|(motion, longest)| {
+                let powers = Powers::new(motion, longest, &wide);
+                let flow = Flow::new(motion, &powers, like);
+                (powers, flow)
+            })
+            .collect();
         let mut legs: Vec<(usize, &Rational, Matrix<Interval>)> = Vec::new();
         let mut products: Vec<Matrix<Interval>> = Vec::new();
         for link in chain {
             let known = legs.iter().position(|(mode, duration, _)| *mode == link.mode && **duration == link.duration);
             let index = known.unwrap_or_else(|| {
-                let flow = Flow::new(&motions[link.mode], &link.duration, &wide);
-                legs.push((link.mode, &link.duration, flow.matrix(&link.duration, &wide)));
+                legs.push((link.mode, &link.duration, made[link.mode].0.over(&link.duration)));
                 legs.len() - 1
             });
             let leg = &legs[index].2;
             products.push(link.parent.map_or_else(|| leg.clone(), |parent| times(leg, &products[parent])));
         }
-        Flows { modes, products: products.iter().map(|product| rounded(product, like)).collect() }
+        let products = products.iter().map(|product| rounded(product, like)).collect();
+        Flows { modes: made.into_iter().map(|(_, flow)| flow).collect(), products }
+    }
+}
+
+/// `e^(A^T step i)` for `i` up to a block, and over so many blocks.
+struct Powers {
+    step: Rational,
+    /// `A^T` and `A^T step`.
+    adjoint: Matrix<Interval>,
+    scaled: Matrix<Interval>,
+    fine: Vec<Matrix<Interval>>,
+    coarse: Vec<Matrix<Interval>>,
+    links: Vec<Vec<bool>>,
+    wide: Interval,
+}
+
+impl Powers {
+    /// Those for up to the given time.
+    fn new(motion: &Motion, longest: &Rational, wide: &Interval) -> Self {
+        let n = motion.a.len();
+        let columns = (0..n).map(|j| motion.a.iter().map(|row| row[j].abs()).sum::<Rational>());
+        let norm = columns.max().unwrap_or_default();
+        let mut step = Rational::ONE;
+        let half = rational(1, 2);
+        while &step * &norm > Rational::ONE {
+            step *= &half;
+        }
+        let matrix = |scale: &Rational| -> Matrix<Interval> {
+            (0..n).map(|i| (0..n).map(|j| wide.rational(&(&motion.a[j][i] * scale))).collect()).collect()
+        };
+        let (adjoint, scaled) = (matrix(&Rational::ONE), matrix(&step));
+        let links = links(motion);
+        let one_step = exponential(&scaled, &links, wide);
+        let blocks = integer_below(&(longest / (&step * rational(BLOCK as i64, 1)))).min(MOST_STEPS / BLOCK);
+        let fine = powers(&one_step, BLOCK, wide);
+        let coarse = powers(&fine[BLOCK], blocks, wide);
+        Powers { step, adjoint, scaled, fine, coarse, links, wide: wide.clone() }
+    }
+
+    /// `e^(A^T duration)`.
+    fn over(&self, duration: &Rational) -> Matrix<Interval> {
+        let steps = integer_below(&(duration / &self.step));
+        let rest = duration / &self.step - rational(steps as i64, 1);
+        let whole = times(&self.fine[steps % BLOCK], &self.coarse[steps / BLOCK]);
+        if rest.is_zero() {
+            return whole;
+        }
+        let part = self.wide.rational(&rest);
+        let scaled: Matrix<Interval> =
+            self.scaled.iter().map(|row| row.iter().map(|x| x.clone() * &part).collect()).collect();
+        times(&exponential(&scaled, &self.links, &self.wide), &whole)
     }
 }
 
@@ -110,56 +169,31 @@ fn integer_below(q: &Rational) -> usize {
 }
 
 impl<T: Scalar> Flow<T> {
-    /// The flow for up to the given time.
-    pub fn new(motion: &Motion, longest: &Rational, like: &T) -> Self {
-        let n = motion.a.len();
-        let columns = (0..n).map(|j| motion.a.iter().map(|row| row[j].abs()).sum::<Rational>());
-        let norm = columns.max().unwrap_or_default();
-        let mut step = Rational::ONE;
-        let half = rational(1, 2);
-        while &step * &norm > Rational::ONE {
-            step *= &half;
-        }
+    /// The flow for up to the time of the powers.
+    fn new(motion: &Motion, powers: &Powers, like: &T) -> Self {
         let order = taylor_order(like.bits());
-        let wide = Interval::from_rational(&Rational::ZERO, like.bits() + GUARD);
-        let matrix = |scale: &Rational| -> Matrix<Interval> {
-            (0..n).map(|i| (0..n).map(|j| wide.rational(&(&motion.a[j][i] * scale))).collect()).collect()
-        };
-        let (adjoint, scaled) = (matrix(&Rational::ONE), matrix(&step));
-        let links = links(motion);
-        let one_step = exponential(&scaled, &links, &wide);
-        let blocks = integer_below(&(longest / (&step * rational(BLOCK as i64, 1)))).min(MOST_STEPS / BLOCK);
-        let fine = powers(&one_step, BLOCK, &wide);
-        let coarse = powers(&fine[BLOCK], blocks, &wide);
+        let tables = |list: &[Matrix<Interval>]| list.iter().map(|m| rounded(m, like)).collect::<Vec<_>>();
         let mut flow = Flow {
-            step_scalar: like.rational(&step),
-            step,
-            fine: fine.iter().map(|m| rounded(m, like)).collect(),
-            coarse: coarse.iter().map(|m| rounded(m, like)).collect(),
-            adjoint: rounded(&adjoint, like),
-            scaled: rounded(&scaled, like),
+            step_scalar: like.rational(&powers.step),
+            step: powers.step.clone(),
+            fine: tables(&powers.fine),
+            coarse: tables(&powers.coarse),
+            adjoint: rounded(&powers.adjoint, like),
+            scaled: rounded(&powers.scaled, like),
             outputs: Vec::new(),
             remainder: remainder(order, like),
             rough: remainder(ROUGH.min(order), like),
             order,
-            links,
+            links: powers.links.clone(),
         };
         if motion.drift.iter().any(|x| !x.is_zero()) {
-            flow.outputs.push(Output::new(&motion.drift, None, &flow, &scaled, &wide));
+            flow.outputs.push(Output::new(&motion.drift, None, &flow, powers));
         }
         for push in &motion.pushes {
             let range = (push.input, like.rational(&push.centre), like.rational(&push.radius));
-            flow.outputs.push(Output::new(&push.column, Some(range), &flow, &scaled, &wide));
+            flow.outputs.push(Output::new(&push.column, Some(range), &flow, powers));
         }
         flow
-    }
-
-    /// `e^(A^T duration)`.
-    fn matrix(&self, duration: &Rational, like: &T) -> Matrix<T> {
-        let n = self.adjoint.len();
-        let unit = |i: usize| (0..n).map(|k| like.integer(i64::from(k == i))).collect::<Vec<T>>();
-        let columns: Vec<Vec<T>> = (0..n).map(|i| self.over(duration, duration, &unit(i))).collect();
-        (0..n).map(|j| columns.iter().map(|column| column[j].clone()).collect()).collect()
     }
 
     /// How many whole steps are in a duration.
@@ -183,7 +217,7 @@ impl<T: Scalar> Flow<T> {
         if part.sign() == Some(Sign::Zero) {
             return p.to_vec();
         }
-        let remainder = if order == self.order { &self.remainder } else { &self.rough };
+        let remainder = self.remainder_after(order);
         let mut sum = p.to_vec();
         let mut term = p.to_vec();
         for k in 1..=order {
@@ -227,13 +261,26 @@ impl<T: Scalar> Flow<T> {
 
     /// What an output pairs with over a step of a block, from the costate at the start of the block; exactly zero where nothing can depend on it.
     pub fn expansion(&self, output: &Output<T>, step: usize, p: &Start<T>) -> Expansion<T> {
+        self.expanded(output, step, p, self.order)
+    }
+
+    /// The same to a low order, which often has a sign already.
+    pub fn short(&self, output: &Output<T>, step: usize, p: &Start<T>) -> Expansion<T> {
+        self.expanded(output, step, p, ROUGH.min(self.order))
+    }
+
+    fn expanded(&self, output: &Output<T>, step: usize, p: &Start<T>, order: usize) -> Expansion<T> {
         let zero = self.step_scalar.zero();
         if !self.touches(output, &p.costate) {
             return Expansion { coefficients: vec![zero.clone()], error: zero };
         }
-        let rows = &output.steps[step];
-        let coefficients = rows.taylor.iter().map(|row| dot(row, &p.costate, &zero)).collect();
-        Expansion { coefficients, error: self.error(output, step, p) }
+        let rows = &output.steps[step].taylor[..=order];
+        let coefficients = rows.iter().map(|row| dot(row, &p.costate, &zero)).collect();
+        Expansion { coefficients, error: self.error(output, step, p, self.remainder_after(order)) }
+    }
+
+    fn remainder_after(&self, order: usize) -> &T {
+        if order == self.order { &self.remainder } else { &self.rough }
     }
 
     /// The integral over a whole step of a block.
@@ -242,14 +289,16 @@ impl<T: Scalar> Flow<T> {
         if !self.touches(output, &p.costate) {
             return zero;
         }
-        dot(&output.steps[step].integral, &p.costate, &zero) + T::symmetric(&self.error(output, step, p))
+        dot(&output.steps[step].integral, &p.costate, &zero)
+            + T::symmetric(&self.error(output, step, p, &self.remainder))
     }
 
-    fn error(&self, output: &Output<T>, step: usize, p: &Start<T>) -> T {
+    /// Bounds what a remainder adds over a step.
+    fn error(&self, output: &Output<T>, step: usize, p: &Start<T>, remainder: &T) -> T {
         if !output.row.iter().enumerate().any(|(j, y)| !is_zero(y) && self.moves(j, &p.costate)) {
             return self.step_scalar.zero();
         }
-        (self.remainder.clone() * &output.size * &output.steps[step].growth * &p.size).top()
+        (remainder.clone() * &output.size * &output.steps[step].growth * &p.size).top()
     }
 
     /// Bounds what an output pairs with over a step: within the step the costate grows by less than `e`.
@@ -291,8 +340,7 @@ impl<T: Scalar> Output<T> {
         row: &[Rational],
         push: Option<(usize, T, T)>,
         flow: &Flow<T>,
-        scaled: &Matrix<Interval>,
-        wide: &Interval,
+        Powers { scaled, wide, .. }: &Powers,
     ) -> Self {
         let like = &flow.step_scalar;
         let mut term: Vec<Interval> = row.iter().map(|q| wide.rational(q)).collect();

@@ -57,7 +57,7 @@ mod walk;
 mod witness;
 mod worst;
 
-pub use certificate::{Unbounded, bounded, certificate};
+pub use certificate::{Unbounded, Unshown, bounded, certificate};
 pub use decide::{Decided, Part, ReachError, Verdict, decide};
 pub use motion::sets::Tube;
 pub use platoon::{Platoon, gaps};

@@ -33,6 +33,7 @@ impl System {
     /// # Errors
     /// [`ConfigError`] with the line at fault.
     pub fn read_beside(text: &str, files: &dyn Fn(&str) -> Result<String, String>) -> Result<System, ConfigError> {
+        of_few_states(text)?;
         let text = &with_graph(text, files)?;
         let source = Source::parse(text)?;
         let top = source.top();
@@ -61,6 +62,15 @@ impl System {
         let checks = checks(&top, &states, until.as_ref())?;
         Ok(System { states, inputs, start, modes, switching, until, checks, platoon: None })
     }
+}
+
+/// Too many states are refused before the matrices are read, which of a large file are all but its first lines.
+fn of_few_states(text: &str) -> Read<()> {
+    let Some((head, _)) = text.split_once("\n[[mode]]") else { return Ok(()) };
+    let Ok(source) = Source::parse(head) else { return Ok(()) };
+    let Ok(Some(section)) = source.section("system") else { return Ok(()) };
+    let count = section.get("states").and_then(|entry| entry.items("").map(|items| items.len()).ok());
+    if count.is_some_and(|count| count > STATES) { states(&section).map(drop) } else { Ok(()) }
 }
 
 /// A platoon stands for a system of one mode.

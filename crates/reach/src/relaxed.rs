@@ -114,4 +114,135 @@ mod tests {
         let found = relaxed(&modes, &ranges(&[(0, 0), (1, 2)]), &q(&[0, 1])).expect("an equation");
         assert_eq!((found.most, found.stays), (rational(2, 1), true));
     }
+
+    /// Systems of two states and a third that stands still, with `row A = -rate row` in every mode.
+    struct Drawn {
+        motions: Vec<Motion>,
+        rates: Vec<Rational>,
+        start: Vec<Range>,
+        row: Vec<Rational>,
+    }
+
+    impl Drawn {
+        fn new(tape: &[i64]) -> Self {
+            let mut tape = tape.iter().copied().cycle();
+            let mut next = move || tape.next().unwrap_or(0);
+            let mut row = q(&[next(), next(), next()]);
+            if row[0].is_zero() {
+                row[0] = Rational::ONE;
+            }
+            let (mut motions, mut rates) = (Vec::new(), Vec::new());
+            for _ in 0..1 + next().rem_euclid(3) {
+                let rate = rational(next() + i64::from(next() > 0), 2);
+                let below = q(&[next(), next(), next()]);
+                let above = |j: usize| -(&rate * &row[j] + &row[1] * &below[j]) / &row[0];
+                let a = vec![vec![above(0), above(1), rational(next(), 1)], below, q(&[0, 0, 0])];
+                let push = Push {
+                    input: 0,
+                    centre: rational(next(), 2),
+                    radius: rational(next().abs(), 1),
+                    column: q(&[next(), next(), 0]),
+                };
+                motions.push(Motion { a, drift: q(&[next(), next(), 0]), pushes: vec![push] });
+                rates.push(rate);
+            }
+            let mut range = || {
+                let lo = rational(next(), 1);
+                Range { hi: &lo + rational(next().abs(), 2), lo }
+            };
+            Drawn { motions, rates, start: vec![range(), range(), range()], row }
+        }
+
+        fn value(&self, x: &[Rational]) -> Rational {
+            self.row.iter().zip(x).map(|(c, x)| c * x).sum()
+        }
+
+        fn corner(&self, which: usize) -> Vec<Rational> {
+            let end =
+                |(i, range): (usize, &Range)| if which >> i & 1 == 0 { range.lo.clone() } else { range.hi.clone() };
+            self.start.iter().enumerate().map(end).collect()
+        }
+
+        /// The least and the greatest `f` of a mode, from the rate of the value where the states that move are 0.
+        fn forcing(&self, mode: usize, x: &[Rational]) -> [Rational; 2] {
+            let motion = &self.motions[mode];
+            let stands = |i: usize| self.motions.iter().all(|motion| motion.stands(i));
+            let held: Vec<Rational> = (0..3).map(|i| if stands(i) { x[i].clone() } else { Rational::ZERO }).collect();
+            let push = &motion.pushes[0];
+            let of = |u: Rational| {
+                let speed = |i: usize| {
+                    let moved: Rational = motion.a[i].iter().zip(&held).map(|(a, x)| a * x).sum();
+                    moved + &motion.drift[i] + &push.column[i] * &u
+                };
+                self.value(&[speed(0), speed(1), speed(2)]) + &self.rates[mode] * self.value(&held)
+            };
+            let (a, b) = (of(&push.centre - &push.radius), of(&push.centre + &push.radius));
+            if a <= b { [a, b] } else { [b, a] }
+        }
+
+        /// The value after a while in a mode, exactly: `factor` above 1 stands for the time `log factor / |rate|`, or where the rate is 0 for itself.
+        fn after(&self, y: &Rational, mode: usize, f: &Rational, factor: &Rational) -> Rational {
+            let rate = &self.rates[mode];
+            if rate.is_zero() {
+                return y + f * factor;
+            }
+            let shrink = if rate.is_positive() { factor.recip() } else { factor.clone() };
+            let rest = f / rate;
+            (y - &rest) * shrink + rest
+        }
+    }
+
+    proptest::proptest! {
+        #![proptest_config(proptest::prelude::ProptestConfig { cases: 400, ..Default::default() })]
+
+        /// No exactly followed motion is above the bound, one comes within a thousandth of it, so that less is refuted, and what is not attained is never met.
+        #[test]
+        fn bounds_are_those_of_motions_that_are_followed_exactly(tape in proptest::collection::vec(-3i64..4, 97)) {
+            let drawn = Drawn::new(&tape);
+            let found = relaxed(&drawn.motions, &drawn.start, &drawn.row);
+            let (mut best, mut limit): (Option<Rational>, Option<Rational>) = (None, None);
+            let modes = drawn.motions.len();
+            for which in 0..8 {
+                let x = drawn.corner(which);
+                let begun = drawn.value(&x);
+                let forcing: Vec<[Rational; 2]> = (0..modes).map(|mode| drawn.forcing(mode, &x)).collect();
+                let mut values = vec![begun.clone()];
+                // At random: modes, times, inputs.
+                let mut y = begun.clone();
+                for step in tape.chunks(3).take(20) {
+                    let mode = step[0].rem_euclid(modes as i64) as usize;
+                    let f = &forcing[mode][usize::from(step[step.len() - 1] > -2)];
+                    y = drawn.after(&y, mode, f, &rational(8 + step[0] + step[1].abs(), 4));
+                    values.push(y.clone());
+                }
+                // As far up as one mode leads, and from there as far as another does.
+                let far = rational(1_000_000_000, 1);
+                for (first, second) in (0..modes).flat_map(|i| (0..modes).map(move |j| (i, j))) {
+                    let y = drawn.after(&begun, first, &forcing[first][1], &far);
+                    values.push(drawn.after(&y, second, &forcing[second][1], &far));
+                    values.push(y);
+                }
+                for mode in (0..modes).filter(|&mode| drawn.rates[mode].is_positive()) {
+                    limit = limit.max(Some(&forcing[mode][1] / &drawn.rates[mode]));
+                }
+                limit = limit.max(Some(begun.clone()));
+                if let Some(found) = &found {
+                    for y in &values {
+                        proptest::prop_assert!(*y <= found.most, "{y} > {found:?}");
+                        proptest::prop_assert!(*y < found.most || found.most == found.begun, "{y} is attained: {found:?}");
+                        proptest::prop_assert!(!found.stays || *y == begun, "{y} moves: {found:?}");
+                    }
+                    proptest::prop_assert!(begun <= found.begun);
+                }
+                best = best.max(values.into_iter().max());
+            }
+            let best = best.unwrap_or_default();
+            match &found {
+                Some(found) => proptest::prop_assert!(best > &found.most - rational(1, 1000), "{best} far below {found:?}"),
+                // What does not decay and has no bound grows beyond every limit.
+                None if drawn.rates.iter().all(|rate| !rate.is_negative()) => proptest::prop_assert!(Some(best) > limit),
+                None => {}
+            }
+        }
+    }
 }

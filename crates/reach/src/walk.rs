@@ -288,55 +288,75 @@ impl<'a, T: Scalar> Walk<'a, T> {
                 ),
             };
         };
-        let mut h = flow.expansion(output, place, &starts.value);
-        let moved = match (&starts.third, &self.third, &starts.second, &starts.firsts[..]) {
-            (Some(third), Some((_, away)), Some(second), [first]) => Some((first, second, third, away.clone())),
-            _ => None,
-        };
         let weight = |sign: Sign| {
             let edge = if sign == Sign::Negative { centre.clone() - radius } else { centre.clone() + radius };
             edge * &flow.step_scalar
         };
-        let whole = |sign: Sign| Part { from: rational(0, 1), to: rational(1, 1), sign: Some(sign), slope: None };
-        if let Some((first, second, third, away)) = &moved {
-            // Most steps have a sign that no duration of the interval changes.
+        let moved = match (&starts.third, &self.third, &starts.second, &starts.firsts[..]) {
+            (Some(third), Some((_, away)), Some(second), [first]) => Some((first, second, third, away.clone())),
+            _ => None,
+        };
+        // Most steps have a sign that no duration of the interval changes.
+        let slack = moved.as_ref().map_or(0.0, |(first, second, third, away)| {
             let size = |p: &Start<T>| flow.size(output, place, p);
             let far = away.largest();
-            let slack = (size(first) + (size(second) + size(third) * far / 3.0) * far / 2.0) * far;
-            if let (Some(sign), None) = (h.plain_sign(1.0, slack), end) {
-                self.note(flow, step, *input, &whole(sign), &h);
-                return self.add(&weight(sign), |p| flow.integral(output, place, p), starts);
-            }
+            (size(first) + (size(second) + size(third) * far / 3.0) * far / 2.0) * far
+        });
+        let whole = end.is_none();
+        let short = || flow.short(output, place, &starts.value).plain_sign(1.0, slack);
+        if let Some(sign) = Some(()).filter(|()| whole).and_then(|()| short()) {
+            return self.add_whole(flow, (output, *input, step), sign, &weight(sign), starts);
+        }
+        let mut h = flow.expansion(output, place, &starts.value);
+        if let Some(sign) = h.plain_sign(1.0, slack).filter(|_| whole) {
+            return self.add_whole(flow, (output, *input, step), sign, &weight(sign), starts);
+        }
+        let all = Columns {
+            value: h.clone(),
+            firsts: starts.firsts.iter().map(|p| flow.expansion(output, place, p)).collect(),
+            second: starts.second.as_ref().map(|p| flow.expansion(output, place, p)),
+            third: starts.third.as_ref().map(|p| flow.expansion(output, place, p)),
+        };
+        if let (Some((.., away)), [first], Some(second), Some(third)) =
+            (&moved, &all.firsts[..], &all.second, &all.third)
+        {
             let half = away.square() * away.ratio(1, 2);
-            h.add(&flow.expansion(output, place, first), away);
-            h.add(&flow.expansion(output, place, second), &half);
-            h.add(&flow.expansion(output, place, third), &(half.clone() * away * away.ratio(1, 3)));
-        }
-        let float_end = end.map_or(1.0, |end| flow.step_scalar.rational(end).upper());
-        match (h.plain_sign(float_end, 0.0), end) {
-            (Some(sign), None) => {
-                self.note(flow, step, *input, &whole(sign), &h);
-                self.add(&weight(sign), |p| flow.integral(output, place, p), starts);
-            }
-            _ => {
-                let all = starts.map(|p| flow.expansion(output, place, p));
-                let parts = h.parts(end.unwrap_or(&rational(1, 1)));
-                for (i, part) in parts.iter().enumerate() {
-                    self.note(flow, step, *input, part, &h);
-                    if let Some(sign) = part.sign {
-                        self.add_expansions(&weight(sign), part, &all);
-                        continue;
-                    }
-                    self.add_expansions(&(centre.clone() * &flow.step_scalar), part, &all);
-                    let beside = |i: Option<usize>| i.and_then(|i| parts.get(i)?.sign);
-                    let inside = match (beside(i.checked_sub(1)), beside(Some(i + 1))) {
-                        (Some(before), Some(after)) => before != after,
-                        _ => false,
-                    };
-                    self.add_unsigned(&(radius.clone() * &flow.step_scalar), &h, &all, part, inside);
-                }
+            h.add(first, away);
+            h.add(second, &half);
+            h.add(third, &(half.clone() * away * away.ratio(1, 3)));
+            if let Some(sign) = h.plain_sign(1.0, 0.0).filter(|_| whole) {
+                return self.add_whole(flow, (output, *input, step), sign, &weight(sign), starts);
             }
         }
+        let parts = h.parts(end.unwrap_or(&rational(1, 1)));
+        for (i, part) in parts.iter().enumerate() {
+            self.note(flow, step, *input, part, &h);
+            if let Some(sign) = part.sign {
+                self.add_expansions(&weight(sign), part, &all);
+                continue;
+            }
+            self.add_expansions(&(centre.clone() * &flow.step_scalar), part, &all);
+            let beside = |i: Option<usize>| i.and_then(|i| parts.get(i)?.sign);
+            let inside = match (beside(i.checked_sub(1)), beside(Some(i + 1))) {
+                (Some(before), Some(after)) => before != after,
+                _ => false,
+            };
+            self.add_unsigned(&(radius.clone() * &flow.step_scalar), &h, &all, part, inside);
+        }
+    }
+
+    /// A step on which an input has one sign.
+    fn add_whole(
+        &mut self,
+        flow: &Flow<T>,
+        (output, input, step): (&Output<T>, usize, usize),
+        sign: Sign,
+        weight: &T,
+        starts: &Columns<Start<T>>,
+    ) {
+        let from = (rational(step as i64, 1), rational(step as i64 + 1, 1));
+        self.keep_sign(flow, (&from.0, &from.1), input, sign == Sign::Positive);
+        self.add(weight, |p| flow.integral(output, step % BLOCK, p), starts);
     }
 
     fn add_expansions(&mut self, scale: &T, part: &Part<T>, all: &Columns<Expansion<T>>) {
@@ -402,13 +422,22 @@ impl<'a, T: Scalar> Walk<'a, T> {
         }
     }
 
-    /// Keeps where an input has which sign.
+    /// Keeps where an input has which sign, of a part of a step.
     fn note(&mut self, flow: &Flow<T>, step: usize, input: usize, part: &Part<T>, h: &Expansion<T>) {
+        if self.trace.is_some() {
+            let at = |x: &Rational| rational(step as i64, 1) + x;
+            let middle = || h.over(&part.from, &part.to);
+            let positive =
+                part.sign.map_or_else(|| middle().lower() + middle().upper() > 0.0, |sign| sign == Sign::Positive);
+            self.keep_sign(flow, (&at(&part.from), &at(&part.to)), input, positive);
+        }
+    }
+
+    /// Keeps a sign between two instants of a leg, in steps.
+    fn keep_sign(&mut self, flow: &Flow<T>, (from, to): (&Rational, &Rational), input: usize, positive: bool) {
         let Some(trace) = &mut self.trace else { return };
-        let at = |x: &Rational| &self.walked + &flow.step * (rational(step as i64, 1) + x);
-        let (from, to) = (at(&part.from), at(&part.to));
-        let middle = h.over(&part.from, &part.to);
-        let positive = part.sign.map_or(middle.lower() + middle.upper() > 0.0, |sign| sign == Sign::Positive);
+        let at = |x: &Rational| &self.walked + &flow.step * x;
+        let (from, to) = (at(from), at(to));
         match trace.iter_mut().rev().find(|last| last.input == input) {
             Some(last) if last.positive == positive && last.to == from => last.to = to,
             _ => trace.push(Stretch { input, from, to, positive }),

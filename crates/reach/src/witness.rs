@@ -4,7 +4,7 @@ use crate::flow::Flows;
 use crate::prepared::Prepared;
 use crate::scalar::{Matrix, apply, times};
 use crate::system::{Range, System};
-use crate::walk::{Leg, longest_of, trace};
+use crate::walk::{Leg, trace};
 use arithmetic::{Enclosure, Field, FloatInterval, Interval, Rational, Ring, rational};
 use num_traits::{Signed, Zero};
 
@@ -27,14 +27,17 @@ pub struct Witness {
 const DECIMALS: u32 = 12;
 
 /// The bang-bang input that is worst for a row along an order of modes, with its value.
-pub(crate) fn attaining(system: &System, prepared: &Prepared, row: &[Rational], legs: &[(usize, Rational)]) -> Witness {
+pub(crate) fn attaining(
+    system: &System,
+    prepared: &Prepared,
+    flows: &Flows<FloatInterval>,
+    row: &[Rational],
+    legs: &[(usize, Rational)],
+) -> Witness {
     let legs: Vec<(usize, Rational)> = legs.iter().filter(|(_, duration)| !duration.is_zero()).cloned().collect();
-    let longest = longest_of(&legs, prepared.motions.len());
-    let like = FloatInterval::point(0.0);
-    let flows = Flows::new(&prepared.motions, &longest, &[], &like);
     let walk: Vec<Leg> = legs.iter().map(Leg::fixed).collect();
     let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
-    let (stretches, corner) = trace(&flows, &floats, &walk, &prepared.start);
+    let (stretches, corner) = trace(flows, &floats, &walk, &prepared.start);
     let at: Rational = legs.iter().map(|(_, duration)| duration.clone()).sum();
     let mut inputs: Vec<Vec<(Rational, Rational)>> = Vec::new();
     let mut constants = corner[system.states.len()..].iter();

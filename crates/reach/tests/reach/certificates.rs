@@ -4,7 +4,7 @@ use super::{decided, read};
 use arithmetic::Unwatched;
 use arithmetic::{parse_rational, rational};
 use flockproof_checker::check;
-use reach::{Unbounded, bounded, certificate};
+use reach::{Unbounded, Unshown, bounded, certificate};
 
 fn written(text: &str) -> String {
     let found = decided(text, 10);
@@ -27,6 +27,22 @@ fn motions_are_followed_again() {
     let bound = certificate.lines().find_map(|line| line.strip_prefix("bound ")).expect("a bound");
     let bound = parse_rational(bound).expect("a number");
     assert!(bound > rational(268, 10) && bound < rational(269, 10), "{bound}");
+}
+
+/// Where the checker would refuse it, there is no certificate and a sentence that says so.
+#[test]
+fn motions_that_the_checker_does_not_follow_are_not_written() {
+    let text = "[system]\nstates = [\"x\"]\ninputs = { k = { box = [0, 1], constant = true } }\nstart = { x = 0 }\n[[mode]]\nname = \"only\"\nA = [[-1]]\nB = [[1]]\n\
+        [run]\nuntil = 3000\n[[check]]\nholds = \"x <= 1/2\"\nat = 3000\n";
+    let found = decided(text, 10);
+    let error = certificate(&read(text), found[0].decisive()).expect_err("too long");
+    assert_eq!(
+        error.to_string(),
+        "the checker does not follow the motion that was found, 3000.0 units of time long: a stretch takes too many steps"
+    );
+    let at_once = text.replace("at = 3000", "at = 0");
+    let found = decided(&at_once, 10);
+    assert_eq!(certificate(&read(&at_once), found[0].decisive()), Err(Unshown::Missing));
 }
 
 #[test]

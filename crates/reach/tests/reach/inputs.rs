@@ -108,3 +108,12 @@ fn work_can_be_stopped_and_is_not_begun_where_it_is_too_long() {
     let long = System::read(&good().replacen("until = 2", "until = 1e9", 1)).expect("a system");
     assert!(matches!(decide(&long, 10, &Unwatched), Err(ReachError::TooLong { .. })));
 }
+
+/// What is refused for its size is not read to its end, which here cannot be read at all.
+#[test]
+fn too_many_states_are_refused_before_the_matrices_are_read() {
+    let names: Vec<String> = (0..3000).map(|i| format!("\"x{i}\"")).collect();
+    let text = format!("[system]\nstates = [{}]\nstart = {{}}\n\n[[mode]]\nA = [[0, 1", names.join(", "));
+    let error = System::read(&text).expect_err("too many").to_string();
+    assert_eq!(error, "line 2: `system.states`: it must be a list of 1 to 200 names, not 3000");
+}

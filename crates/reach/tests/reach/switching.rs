@@ -230,3 +230,21 @@ fn only_the_last_mode_lasts() {
         assert_eq!(decided(&text("\"inf\"", check), 5)[0].verdict, verdict);
     }
 }
+
+/// Switching makes stable oscillators grow without end: the motion of 600 units of time, as long as motions are remembered, is lost in its enclosure, and a shorter one
+/// violates the bounds.
+#[test]
+fn what_grows_without_end_is_false_by_a_motion_that_is_not_lost() {
+    for until in ["\"inf\"", "600"] {
+        let text = format!(
+            "[system]\nstates = [\"x\", \"v\"]\nstart = {{ x = 1, v = 0 }}\n[[mode]]\nname = \"soft\"\nA = [[0, 1], [-1, \"-1/10\"]]\n[[mode]]\nname = \"stiff\"\n\
+             A = [[0, 1], [-4, \"-1/10\"]]\n[switching]\nkind = \"arbitrary\"\n[run]\nuntil = {until}\n[[check]]\nholds = \"x <= 1000\"\n[[check]]\nholds = \"x >= -5\"\n"
+        );
+        for found in decided(&text, 10) {
+            assert_eq!(found.verdict, Verdict::False, "{until}: {}", found.check.text);
+            let part = &found.parts[0];
+            consistent(part);
+            assert!(part.witness.as_ref().is_some_and(|witness| witness.at <= rational(600, 1)), "{until}");
+        }
+    }
+}
