@@ -376,6 +376,15 @@ fn attained_early(
 /// Halvings of a time after which motions are not yet lost in their enclosure.
 const SHORTER: usize = 8;
 
+/// The greatest value of a row at the end of legs, backwards from there, in floats.
+fn enclosed(prepared: &Prepared, row: &[Rational], legs: &[(usize, Rational)]) -> Option<(Rational, Rational)> {
+    let longest = longest_of(legs, prepared.motions.len());
+    let flows = Flows::new(&prepared.motions, &longest, &[], &FloatInterval::point(0.0));
+    let walk: Vec<Leg> = legs.iter().map(Leg::fixed).collect();
+    let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
+    worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value?.ends()
+}
+
 /// The legs that end an order of modes, of which backwards the first are given first, for a time.
 fn ending(order: &[(usize, Rational)], time: &Rational) -> Vec<(usize, Rational)> {
     let (mut legs, mut left) = (Vec::new(), time.clone());
@@ -409,24 +418,23 @@ fn guessed(
     let memory = Rational::from_float((30.0 / slowest.abs().max(1e-2)).ceil());
     let Some(until) = last.cloned().or(memory) else { return Ok(nothing) };
     let order = bad_order(prepared, row, &until, progress)?;
-    let longest = longest_of(&order, prepared.motions.len());
-    let flows = Flows::new(&prepared.motions, &longest, &[], &FloatInterval::point(0.0));
-    let floats: Vec<FloatInterval> = row.iter().map(FloatInterval::from_rational).collect();
-    // Where values grow without end, the enclosure of a long motion says nothing, and that of its end, from the start, does.
-    let mut value: Option<Rational> = None;
-    let (mut legs, mut until, mut time) = (Vec::new(), until.clone(), until);
-    for _ in 0..if at.is_none() { SHORTER } else { 1 } {
-        let shorter = ending(&order, &time);
-        let walk: Vec<Leg> = shorter.iter().map(Leg::fixed).collect();
-        let ends = worst(&flows, &floats, &walk, &prepared.start, Depth::Value).value.and_then(|value| value.ends());
-        if let Some((lo, _)) = ends.as_ref().filter(|(lo, _)| value.as_ref().is_none_or(|value| lo > value)) {
-            (value, legs, until) = (Some(lo.clone()), shorter, time.clone());
+    let (mut legs, mut value) = (order.clone(), enclosed(prepared, row, &order));
+    let is_lost = |value: &Option<(Rational, Rational)>| {
+        value.as_ref().is_none_or(|(lo, hi)| hi - lo > allowance(&rational(1, 1000), lo))
+    };
+    let mut until = until;
+    // Where values grow without end, the enclosure of a long motion says nothing, and that of a shorter one does.
+    if at.is_none() && is_lost(&value) {
+        for _ in 0..SHORTER {
+            until *= rational(1, 2);
+            if !is_lost(&enclosed(prepared, row, &ending(&order, &until))) {
+                break;
+            }
         }
-        if ends.is_some_and(|(lo, hi)| hi - &lo <= allowance(&rational(1, 1000), &lo)) {
-            break;
-        }
-        time *= rational(1, 2);
+        legs = bad_order(prepared, row, &until, progress)?;
+        value = enclosed(prepared, row, &legs);
     }
+    let value = value.map(|(lo, _)| lo);
     // The start itself may be worse than what any order makes of it in the end.
     let most = |(x, side): (&Rational, &Range)| (x * &side.lo).max(x * &side.hi);
     let begun: Rational = row.iter().zip(&prepared.start).map(most).sum();

@@ -38,7 +38,7 @@ fn motions_that_the_checker_does_not_follow_are_not_written() {
     let error = certificate(&read(text), found[0].decisive()).expect_err("too long");
     assert_eq!(
         error.to_string(),
-        "the checker does not follow the motion that was found, 3000.0 units of time long: a stretch takes too many steps"
+        "the checker does not follow the motion that was found, 3000 units of time long: a stretch takes too many steps"
     );
     let at_once = text.replace("at = 3000", "at = 0");
     let found = decided(&at_once, 10);
