@@ -17,11 +17,15 @@ const MOST_TERMS: usize = 24;
 /// What a scale is multiplied by: the same number for all `x`, or at each `x` one in an interval.
 #[derive(Debug, Clone)]
 enum Coefficient {
-    Constant(Exact),
+    Constant(Box<Exact>),
     Within(Extended),
 }
 
 impl Coefficient {
+    fn constant(c: Exact) -> Self {
+        Coefficient::Constant(Box::new(c))
+    }
+
     fn enclosed(&self) -> Extended {
         match self {
             Coefficient::Constant(c) => c.enclosed(),
@@ -32,7 +36,7 @@ impl Coefficient {
     /// Two that belong to one `x`.
     fn with(&self, other: &Self, exact: fn(Exact, &Exact) -> Exact, of: fn(Extended, Extended) -> Extended) -> Self {
         match (self, other) {
-            (Coefficient::Constant(a), Coefficient::Constant(b)) => Coefficient::Constant(exact(a.clone(), b)),
+            (Coefficient::Constant(a), Coefficient::Constant(b)) => Coefficient::constant(exact(a.as_ref().clone(), b)),
             _ => Coefficient::Within(of(self.enclosed(), other.enclosed())),
         }
     }
@@ -47,7 +51,7 @@ impl Coefficient {
 
     fn square(&self) -> Self {
         match self {
-            Coefficient::Constant(c) => Coefficient::Constant(c.square()),
+            Coefficient::Constant(c) => Coefficient::constant(c.square()),
             Coefficient::Within(range) => Coefficient::Within(range.square()),
         }
     }
@@ -113,12 +117,12 @@ fn open<T>() -> Result<T, ArithmeticError> {
 impl Tail {
     /// A constant.
     pub fn constant(c: Exact, from: &Extended, one: &Exact) -> Self {
-        Tail { one: one.clone(), from: *from, terms: Vec::new() }.made(vec![(Scale::one(), Coefficient::Constant(c))])
+        Tail { one: one.clone(), from: *from, terms: Vec::new() }.made(vec![(Scale::one(), Coefficient::constant(c))])
     }
 
     /// `x^power`.
     pub fn power_of_argument(power: Rational, from: &Extended, one: &Exact) -> Self {
-        let terms = vec![(Scale::power(power), Coefficient::Constant(one.clone()))];
+        let terms = vec![(Scale::power(power), Coefficient::constant(one.clone()))];
         Tail { one: one.clone(), from: *from, terms }
     }
 
@@ -156,7 +160,7 @@ impl Tail {
     }
 
     fn negated(a: &Self) -> Self {
-        let minus = Coefficient::Constant(-a.one.clone());
+        let minus = Coefficient::constant(-a.one.clone());
         Tail { terms: a.terms.iter().map(|(scale, c)| (scale.clone(), c.times(&minus))).collect(), ..a.clone() }
     }
 
@@ -198,7 +202,7 @@ impl Tail {
     fn split(&self) -> Option<Split> {
         let ((scale, c), rest) = self.terms.split_first()?;
         let inverse = match c {
-            Coefficient::Constant(c) => Coefficient::Constant(c.sign().and_then(|_| c.recip().ok())?),
+            Coefficient::Constant(c) => Coefficient::constant(c.sign().and_then(|_| c.recip().ok())?),
             Coefficient::Within(range) => Coefficient::Within(range.recip().ok().filter(|inverse| inverse.defined)?),
         };
         let rest = Tail { terms: rest.to_vec(), ..self.clone() }.times_term(&(scale.raised(&rational(-1, 1)), inverse));
@@ -215,7 +219,7 @@ impl Tail {
         }
         for a in &coefficients[1..] {
             power = power * self;
-            sum = sum + power.times_term(&(Scale::one(), Coefficient::Constant(a.clone())));
+            sum = sum + power.times_term(&(Scale::one(), Coefficient::constant(a.clone())));
         }
         power = power * self;
         sum + power.times_term(&(Scale::one(), Coefficient::Within(remainder)))
@@ -245,7 +249,7 @@ impl Tail {
         let whole = || -> Option<Tail> {
             let split = self.split()?;
             let lead = match &split.lead.1 {
-                Coefficient::Constant(c) => Coefficient::Constant(exact(c).ok()?),
+                Coefficient::Constant(c) => Coefficient::constant(exact(c).ok()?),
                 Coefficient::Within(range) => Coefficient::Within(of(range).ok().filter(|value| value.defined)?),
             };
             Some(split.rest.binomial(q, split.range).ok()?.times_term(&(split.lead.0.raised(q), lead)))
@@ -272,7 +276,7 @@ impl Tail {
     fn as_constant(&self) -> Option<Exact> {
         match &self.terms[..] {
             [] => Some(self.one.zero()),
-            [(scale, Coefficient::Constant(c))] if scale.growth() == Ordering::Equal => Some(c.clone()),
+            [(scale, Coefficient::Constant(c))] if scale.growth() == Ordering::Equal => Some(c.as_ref().clone()),
             _ => None,
         }
     }
@@ -291,7 +295,7 @@ impl Tail {
         let [growing, constant, falling] = self.parts();
         let scale = growing.exponential_scale()?;
         let lead = match constant.as_constant() {
-            Some(c) => Coefficient::Constant(c.exp().ok()?),
+            Some(c) => Coefficient::constant(c.exp().ok()?),
             None => Coefficient::Within(constant.enclosed()?.exp().ok()?),
         };
         let remainder = with_zero(falling.enclosed()?).exp().ok()? * Extended::of(&factorial(ORDER).recip());
@@ -302,12 +306,12 @@ impl Tail {
     fn expanded_log(&self) -> Option<Self> {
         let Split { lead: (scale, c), rest, range } = self.split()?;
         let first = match &c {
-            Coefficient::Constant(c) => Coefficient::Constant(c.ln().ok()?),
+            Coefficient::Constant(c) => Coefficient::constant(c.ln().ok()?),
             Coefficient::Within(range) => Coefficient::Within(range.ln().ok().filter(|value| value.defined)?),
         };
         let mut terms = vec![(Scale::one(), first)];
         for (scale, factor) in scale.logarithm()? {
-            terms.push((scale, Coefficient::Constant(self.one.rational(&factor))));
+            terms.push((scale, Coefficient::constant(self.one.rational(&factor))));
         }
         let sign = |k: usize| if k % 2 == 1 { 1 } else { -1 };
         let coefficient = |k: usize| match k {
@@ -369,7 +373,7 @@ impl Ring for Tail {
     }
 
     fn square(&self) -> Self {
-        let two = Coefficient::Constant(self.one.integer(2));
+        let two = Coefficient::constant(self.one.integer(2));
         let mut terms = Vec::new();
         for (k, (s, c)) in self.terms.iter().enumerate() {
             terms.push((s.times(s), c.square()));
