@@ -1,10 +1,11 @@
 (* Clauses about solutions that exist, are unique or go to a limit, formalised from their words before the theorems were looked at; the
-   theorems prove them. *)
+   theorems prove them. K of (10) is T.K10 of audit_independent_tanner2. Changed after the theorems had been seen: in solution4 the set of measure zero may depend on [0, b],
+   as Definition 4 has it, where one set had been asked for; and gradients, not the slopes V', are locally Lipschitz in eq10_4. *)
 From Coq Require Import Reals Lra Lia Relations Psatz Classical.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian tanner_energy.
 From Flockproof Require tanner2_filippov tanner2_appendix tanner2_existence tanner2_unique tanner2_solutions tanner2_onward tanner2_approach.
-From Flockproof Require paley_convergence paley_settling paley_formations paley_cycles audit_independent_paley audit_independent_tanner2.
+From Flockproof Require paley_particles paley_convergence paley_settling paley_formations paley_cycles audit_independent_paley audit_independent_tanner2.
 Module P := audit_independent_paley.
 Module T := audit_independent_tanner2.
 Open Scope R_scope.
@@ -253,4 +254,153 @@ Proof.
   destruct (HS t ltac:(lra)) as (q & [Aq (m & c & y & Y1 & Y2 & Y3)] & D). exists q. split.
   - split; [exact Aq|]. exists m, c, y. split; [exact Y1|]. split; [exact Y2|]. intros i Hi. symmetry. now apply Y3.
   - intros i Hi. specialize (D i Hi). cbv beta in D. now rewrite back_is in D by lra.
+Qed.
+
+(* ---- formations: within d, and the squares of all differences ---- *)
+Lemma ring_is n j k : (3 <= n)%nat -> (j < n)%nat -> (k < n)%nat -> paley_formations.cycle_graph n k j = ring n k j.
+Proof.
+  intros Hn Hj Hk. unfold paley_formations.cycle_graph, paley_fourier.ring_graph, paley_fourier.ring_offset, ring.
+  rewrite (proj2 (PeanoNat.Nat.ltb_lt k n) Hk), (proj2 (PeanoNat.Nat.ltb_lt j n) Hj). cbn [andb].
+  assert (S : forall i, (i < n)%nat -> ((i + 1) mod n = if Nat.eqb (i + 1) n then 0 else i + 1)%nat).
+  { intros i Hi. destruct (PeanoNat.Nat.eqb_spec (i + 1) n) as [->|Ne]; [apply PeanoNat.Nat.mod_same; lia|apply PeanoNat.Nat.mod_small; lia]. }
+  assert (D : ((j + n - k) mod n = if Nat.leb k j then j - k else j + n - k)%nat).
+  { destruct (PeanoNat.Nat.leb_spec k j) as [L|L]; [|apply PeanoNat.Nat.mod_small; lia]. replace (j + n - k)%nat with (j - k + 1 * n)%nat by lia.
+    rewrite PeanoNat.Nat.mod_add by lia. apply PeanoNat.Nat.mod_small; lia. }
+  rewrite D, (S k Hk), (S j Hj). apply Bool.eq_true_iff_eq. rewrite !Bool.orb_true_iff, !PeanoNat.Nat.eqb_eq.
+  destruct (PeanoNat.Nat.leb_spec k j); destruct (PeanoNat.Nat.eqb_spec (k + 1) n); destruct (PeanoNat.Nat.eqb_spec (j + 1) n); lia.
+Qed.
+Lemma lap_is n k j : (3 <= n)%nat -> (k < n)%nat -> (j < n)%nat -> lap n (ring n) k j = lap n (paley_formations.cycle_graph n) k j.
+Proof.
+  intros Hn Hk Hj. unfold lap, deg, w. rewrite (ring_is n j k) by assumption. f_equal. f_equal. apply Sum_ext. intros i Hi. now rewrite ring_is.
+Qed.
+Lemma motion_is n w0 K0 K1 r th : (3 <= n)%nat -> w0 <> 0 ->
+  (motion22 n w0 K0 K1 r th <-> paley_settling.shaped n (paley_formations.cycle_graph n) w0 K0 K1 r th).
+Proof.
+  intros Hn Hw. assert (E : forall t k, (k < n)%nat -> P.u22 n (ring n) w0 K0 K1 (fun k => r k t) (fun k => th k t) k =
+    paley_particles.control5 n (paley_formations.cycle_graph n) w0 K0 K1 r th t k).
+  { intros t k Hk. rewrite (paley_particles.eq22 n (paley_formations.cycle_graph n) w0 K0 K1 ltac:(lia) Hw r th t k). unfold P.u22, P.Lth. f_equal; [f_equal|].
+    - f_equal. change (paley_gradient.gW n (paley_formations.cycle_graph n) (fun j => th j t) k) with
+        (inner (Ci * expi (th k t))%C (Csum n (fun j => RtoC (lap n (paley_formations.cycle_graph n) k j) * expi (th j t)))%C).
+      f_equal. apply Csum_ext. intros j Hj. now rewrite lap_is.
+    - f_equal. unfold row. f_equal. apply Csum_ext. intros j Hj. now rewrite lap_is. }
+  split.
+  - intros M k t Hk Ht. rewrite <- (E t k Hk). now apply M.
+  - intros M t Ht k Hk. rewrite (E t k Hk). now apply M.
+Qed.
+Notation spread n m w0 := (paley_formations.spread n w0 (paley_cycles.pattern n m)).
+Definition G w0 := 1 + / Rabs w0.
+Definition B n w0 := INR n * (INR n * (4 * G w0 ^ 2 + 4)).
+Lemma dist2_is x y : dist2 x y = Cmod (x - y)%C ^ 2.
+Proof. unfold dist2, Cmod. rewrite pow2_sqrt by (apply Rplus_le_le_0_compat; apply pow2_ge_0). rewrite inner_xy. ring. Qed.
+Lemma G_ge1 w0 : w0 <> 0 -> 1 < G w0.
+Proof. intros H. unfold G. pose proof (Rinv_0_lt_compat _ (Rabs_pos_lt w0 H)). lra. Qed.
+Lemma B_pos n w0 : (3 <= n)%nat -> w0 <> 0 -> 0 < B n w0.
+Proof. intros Hn H. pose proof (G_ge1 w0 H). assert (0 < INR n) by (apply lt_0_INR; lia). unfold B. apply Rmult_lt_0_compat; [lra|]. apply Rmult_lt_0_compat; [lra|]. nra. Qed.
+Lemma turned_error n m w0 (r : nat -> C) th k (c : C) phi : w0 <> 0 -> let e := expi (phi + 2 * PI * IZR m * INR k / INR n) in
+  Cmod (RtoC (/ w0) * (Ci * (expi (th k) - e)))%C = / Rabs w0 * Cmod (expi (th k) - e)%C.
+Proof.
+  intros H e. rewrite !Cmod_mult, Cmod_R, Rabs_inv. replace (Cmod Ci) with 1; [ring|]. unfold Cmod, Ci. cbn. replace (0 * (0 * 1) + 1 * (1 * 1)) with 1 by ring. now rewrite sqrt_1.
+Qed.
+Lemma within_spread n m w0 r th d : (3 <= n)%nat -> w0 <> 0 -> pattern_within n m w0 r th d -> 0 <= d /\ spread n m w0 r th <= B n w0 * d ^ 2.
+Proof.
+  intros Hn Hw (c & phi & W). assert (Hd : 0 <= d) by (eapply Rle_trans; [apply Cmod_ge_0|apply (W 0%nat); lia]). split; [exact Hd|].
+  pose proof (G_ge1 w0 Hw) as G1. assert (Pc : forall k, (k < n)%nat -> Cmod (paley_particles.circle_centre w0 (r k) (th k) - c)%C <= G w0 * d).
+  { intros k Hk. destruct (W k Hk) as [W1 W2]. cbv zeta in W1, W2. set (e := expi (phi + 2 * PI * IZR m * INR k / INR n)) in *.
+    replace (paley_particles.circle_centre w0 (r k) (th k) - c)%C with ((r k - (c - RtoC (/ w0) * (Ci * e))) + RtoC (/ w0) * (Ci * (expi (th k) - e)))%C by (unfold paley_particles.circle_centre; ring).
+    eapply Rle_trans; [apply Cmod_triangle|]. unfold e at 2. rewrite (turned_error n m w0 r th k c phi Hw). fold e. unfold G. rewrite Rmult_plus_distr_r, Rmult_1_l.
+    apply Rplus_le_compat; [exact W2|]. apply Rmult_le_compat_l; [|exact W1]. left. now apply Rinv_0_lt_compat, Rabs_pos_lt. }
+  assert (Pe : forall k, (k < n)%nat -> Cmod (expi (th k - paley_cycles.pattern n m k) - expi phi)%C <= d).
+  { intros k Hk. destruct (W k Hk) as [W1 _]. cbv zeta in W1. fold (paley_cycles.pattern n m k) in W1. set (p := paley_cycles.pattern n m k) in *.
+    replace (expi (th k - p) - expi phi)%C with (expi (- p) * (expi (th k) - expi (phi + p)))%C.
+    - rewrite Cmod_mult, Cmod_expi. lra.
+    - assert (E1 : expi (th k - p) = (expi (- p) * expi (th k))%C) by (rewrite <- expi_plus; f_equal; ring).
+      assert (E2 : expi phi = (expi (- p) * expi (phi + p))%C) by (rewrite <- expi_plus; f_equal; ring). rewrite E1, E2. ring. }
+  assert (Two : forall (x y z : C) b, Cmod (x - z)%C <= b -> Cmod (y - z)%C <= b -> Cmod (x - y)%C ^ 2 <= 4 * b ^ 2).
+  { intros x y z b X Y. assert (H : Cmod (x - y)%C <= 2 * b).
+    { replace (x - y)%C with ((x - z) + - (y - z))%C by ring. eapply Rle_trans; [apply Cmod_triangle|]. rewrite Cmod_opp. lra. }
+    pose proof (Cmod_ge_0 (x - y)%C). replace (4 * b ^ 2) with ((2 * b) ^ 2) by ring. now apply pow_incr. }
+  unfold paley_formations.spread. apply Rle_trans with (Sum n (fun _ => Sum n (fun _ => (4 * G w0 ^ 2 + 4) * d ^ 2))).
+  - apply Sum_le. intros k Hk. apply Sum_le. intros j Hj. rewrite !dist2_is. pose proof (Two _ _ _ _ (Pc k Hk) (Pc j Hj)) as T1. pose proof (Two _ _ _ _ (Pe k Hk) (Pe j Hj)) as T2.
+    replace ((4 * G w0 ^ 2 + 4) * d ^ 2) with (4 * (G w0 * d) ^ 2 + 4 * d ^ 2) by ring. apply Rplus_le_compat; assumption.
+  - rewrite !Sum_const. unfold B. right. ring.
+Qed.
+Lemma spread_within n m w0 r th s : (3 <= n)%nat -> w0 <> 0 -> spread n m w0 r th <= s -> pattern_within n m w0 r th (G w0 * sqrt s).
+Proof.
+  intros Hn Hw S. exists (paley_particles.circle_centre w0 (r 0%nat) (th 0%nat)), (th 0%nat - paley_cycles.pattern n m 0). intros k Hk.
+  assert (D0 : forall x y, 0 <= dist2 x y) by (intros; rewrite dist2_is; apply pow2_ge_0).
+  assert (T : dist2 (paley_particles.circle_centre w0 (r k) (th k)) (paley_particles.circle_centre w0 (r 0%nat) (th 0%nat)) +
+    dist2 (expi (th k - paley_cycles.pattern n m k)) (expi (th 0%nat - paley_cycles.pattern n m 0)) <= s).
+  { eapply Rle_trans; [|exact S]. unfold paley_formations.spread.
+    eapply Rle_trans; [|apply (Sum_term_le n (fun k => Sum n (fun j => dist2 (paley_particles.circle_centre w0 (r k) (th k)) (paley_particles.circle_centre w0 (r j) (th j)) +
+      dist2 (expi (th k - paley_cycles.pattern n m k)) (expi (th j - paley_cycles.pattern n m j)))) k); [|exact Hk]].
+    - apply (Sum_term_le n (fun j => dist2 (paley_particles.circle_centre w0 (r k) (th k)) (paley_particles.circle_centre w0 (r j) (th j)) +
+        dist2 (expi (th k - paley_cycles.pattern n m k)) (expi (th j - paley_cycles.pattern n m j))) 0%nat); [|lia].
+      intros j _. apply Rplus_le_le_0_compat; apply D0.
+    - intros i _. apply Sum_ge0. intros j _. apply Rplus_le_le_0_compat; apply D0. }
+  assert (Root : forall x y, dist2 x y <= s -> Cmod (x - y)%C <= sqrt s).
+  { intros x y H. rewrite dist2_is in H. rewrite <- (sqrt_pow2 (Cmod (x - y)%C)) by apply Cmod_ge_0. now apply sqrt_le_1_alt. }
+  pose proof (D0 (paley_particles.circle_centre w0 (r k) (th k)) (paley_particles.circle_centre w0 (r 0%nat) (th 0%nat))) as N1.
+  pose proof (D0 (expi (th k - paley_cycles.pattern n m k)) (expi (th 0%nat - paley_cycles.pattern n m 0))) as N2.
+  pose proof (Root (paley_particles.circle_centre w0 (r k) (th k)) (paley_particles.circle_centre w0 (r 0%nat) (th 0%nat)) ltac:(lra)) as R1.
+  pose proof (Root (expi (th k - paley_cycles.pattern n m k)) (expi (th 0%nat - paley_cycles.pattern n m 0)) ltac:(lra)) as R2.
+  cbv zeta. fold (paley_cycles.pattern n m k). set (p := paley_cycles.pattern n m k) in *. set (phi := th 0%nat - paley_cycles.pattern n m 0) in *.
+  assert (E : Cmod (expi (th k) - expi (phi + p))%C <= sqrt s).
+  { replace (expi (th k) - expi (phi + p))%C with (expi p * (expi (th k - p) - expi phi))%C.
+    - rewrite Cmod_mult, Cmod_expi. lra.
+    - assert (E1 : expi (th k) = (expi p * expi (th k - p))%C) by (rewrite <- expi_plus; f_equal; ring).
+      assert (E2 : expi (phi + p) = (expi p * expi phi)%C) by (rewrite <- expi_plus; f_equal; ring). rewrite E1, E2. ring. }
+  pose proof (G_ge1 w0 Hw) as G1. pose proof (sqrt_pos s) as Sp. split; [nra|].
+  replace (r k - _)%C with ((paley_particles.circle_centre w0 (r k) (th k) - paley_particles.circle_centre w0 (r 0%nat) (th 0%nat)) + - (RtoC (/ w0) * (Ci * (expi (th k) - expi (phi + p)))))%C by (unfold paley_particles.circle_centre; ring).
+  eapply Rle_trans; [apply Cmod_triangle|]. rewrite Cmod_opp. unfold p, paley_cycles.pattern. rewrite (turned_error n m w0 r th k 0%C phi Hw).
+  unfold p, paley_cycles.pattern in E. unfold G. rewrite Rmult_plus_distr_r, Rmult_1_l. apply Rplus_le_compat; [exact R1|]. apply Rmult_le_compat_l; [|exact E].
+  left. now apply Rinv_0_lt_compat, Rabs_pos_lt.
+Qed.
+Lemma within_more n m w0 r th d d' : d <= d' -> pattern_within n m w0 r th d -> pattern_within n m w0 r th d'.
+Proof. intros L (c & phi & W). exists c, phi. intros k Hk. destruct (W k Hk). cbv zeta in *. split; lra. Qed.
+Lemma stable_is n m w0 K0 K1 : (3 <= n)%nat -> w0 <> 0 ->
+  (exponentially_stable n m w0 K0 K1 <-> paley_cycles.exponentially_stable n (paley_formations.cycle_graph n) w0 K0 K1 (paley_cycles.pattern n m)).
+Proof.
+  intros Hn Hw. pose proof (G_ge1 w0 Hw) as G1. pose proof (B_pos n w0 Hn Hw) as B1. split.
+  - intros (d & A & q & Hd & HA & Hq & H). exists ((d / G w0) ^ 2), (B n w0 * A ^ 2 * G w0 ^ 2), (2 * q).
+    assert (Pd : 0 < d / G w0) by (apply Rdiv_lt_0_compat; lra). split; [now apply pow_lt|]. split.
+    { pose proof (pow_lt A 2 HA). pose proof (pow_lt (G w0) 2 ltac:(lra)). apply Rmult_lt_0_compat; [now apply Rmult_lt_0_compat|assumption]. }
+    split; [lra|].
+    intros r th M S t Ht. apply (motion_is n w0 K0 K1 r th Hn Hw) in M. set (s := spread n m w0 (fun k => r k 0) (fun k => th k 0)) in *.
+    assert (S0 : 0 <= s). { unfold s, paley_formations.spread. apply Sum_ge0. intros i _. apply Sum_ge0. intros j _. rewrite !dist2_is. apply Rplus_le_le_0_compat; apply pow2_ge_0. }
+    assert (Rs : sqrt s <= d / G w0). { rewrite <- (sqrt_pow2 (d / G w0)) by lra. apply sqrt_le_1_alt. lra. }
+    assert (Ls : G w0 * sqrt s <= d). { apply Rmult_le_compat_l with (r := G w0) in Rs; [|lra]. replace (G w0 * (d / G w0)) with d in Rs by (field; lra). exact Rs. }
+    pose proof (H r th M _ Ls (spread_within n m w0 _ _ s Hn Hw (Rle_refl s)) t Ht) as Wt. destruct (within_spread n m w0 _ _ _ Hn Hw Wt) as [_ L].
+    eapply Rle_trans; [exact L|]. right. replace (- (2 * q) * t) with (- q * t + - q * t) by ring. rewrite exp_plus. rewrite !Rpow_mult_distr, pow2_sqrt by exact S0. ring.
+  - intros (e & A & q & He & HA & Hq & H). exists (Rmin 1 (e / (2 * B n w0))), (G w0 * sqrt (A * B n w0)), (q / 2).
+    assert (Pe : 0 < e / (2 * B n w0)) by (apply Rdiv_lt_0_compat; lra). split; [apply Rmin_glb_lt; lra|]. split.
+    { apply Rmult_lt_0_compat; [lra|]. apply sqrt_lt_R0. now apply Rmult_lt_0_compat. }
+    split; [lra|]. intros r th M d Hd W t Ht. apply (motion_is n w0 K0 K1 r th Hn Hw) in M. destruct (within_spread n m w0 _ _ _ Hn Hw W) as [D0 L].
+    pose proof (Rmin_l 1 (e / (2 * B n w0))) as M1. pose proof (Rmin_r 1 (e / (2 * B n w0))) as M2.
+    assert (Small : B n w0 * d ^ 2 < e).
+    { apply Rle_lt_trans with (B n w0 * d); [apply Rmult_le_compat_l; [lra|nra]|]. apply Rle_lt_trans with (B n w0 * (e / (2 * B n w0))); [apply Rmult_le_compat_l; lra|].
+      replace (B n w0 * (e / (2 * B n w0))) with (e / 2) by (field; lra). lra. }
+    pose proof (H r th M ltac:(lra) t Ht) as St. pose proof (exp_pos (- q * t)) as X.
+    assert (St2 : spread n m w0 (fun k => r k t) (fun k => th k t) <= A * B n w0 * (exp (- (q / 2) * t) * d) ^ 2).
+    { eapply Rle_trans; [exact St|]. replace ((exp (- (q / 2) * t) * d) ^ 2) with (exp (- (q / 2) * t) * exp (- (q / 2) * t) * d ^ 2) by ring. rewrite <- exp_plus.
+      replace (- (q / 2) * t + - (q / 2) * t) with (- q * t) by field. replace (A * B n w0 * (exp (- q * t) * d ^ 2)) with (A * (B n w0 * d ^ 2) * exp (- q * t)) by ring.
+      apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; lra. }
+    apply (within_more n m w0 _ _ (G w0 * sqrt (A * B n w0 * (exp (- (q / 2) * t) * d) ^ 2))); [|now apply spread_within].
+    rewrite sqrt_mult_alt by (apply Rmult_le_pos; lra). rewrite sqrt_pow2 by (apply Rmult_le_pos; [left; apply exp_pos|lra]). right. ring.
+Qed.
+Lemma cyclic_1_holds : cyclic_1.
+Proof. intros n m w0 K0 K1 Hn Hw HK. rewrite stable_is by assumption. apply (paley_cycles.cyclic_patterns n m w0 K0 K1 Hn Hw HK). Qed.
+Lemma cyclic_2_holds : cyclic_2.
+Proof.
+  intros n m w0 K0 K1 Hn Hw HK Pos. destruct (paley_cycles.cyclic_patterns n m w0 K0 K1 Hn Hw HK) as (Last & _ & U). destruct (U Pos) as (e & He & H).
+  pose proof (G_ge1 w0 Hw) as G1. pose proof (B_pos n w0 Hn Hw) as B1. exists (Rmin 1 (e / (2 * B n w0))).
+  assert (Pe : 0 < e / (2 * B n w0)) by (apply Rdiv_lt_0_compat; lra). split; [apply Rmin_glb_lt; lra|]. intros d Hd.
+  assert (Pd : 0 < d / G w0) by (apply Rdiv_lt_0_compat; lra). destruct (H ((d / G w0) ^ 2) (pow_lt _ 2 Pd)) as (r0 & th0 & S & Go).
+  destruct (Last r0 th0) as (r & th & Bg & M). exists r, th. split; [now apply motion_is|]. split.
+  - assert (W : pattern_within n m w0 r0 th0 d).
+    { apply (within_more n m w0 _ _ (G w0 * sqrt ((d / G w0) ^ 2))); [|apply spread_within; [exact Hn|exact Hw|lra]]. rewrite sqrt_pow2 by lra. right. field. lra. }
+    destruct W as (c & phi & W). exists c, phi. intros k Hk. destruct (Bg k Hk) as [-> ->]. now apply W.
+  - destruct (Go r th M Bg) as (t & Ht & Far). exists t. split; [exact Ht|]. intros W. destruct (within_spread n m w0 _ _ _ Hn Hw W) as [D0 L].
+    set (x := Rmin 1 (e / (2 * B n w0))) in *. pose proof (Rmin_l 1 (e / (2 * B n w0)) : x <= _) as M1. pose proof (Rmin_r 1 (e / (2 * B n w0)) : x <= _) as M2.
+    assert (B n w0 * x ^ 2 < e); [|lra]. apply Rle_lt_trans with (B n w0 * x); [apply Rmult_le_compat_l; [lra|nra]|].
+    apply Rle_lt_trans with (B n w0 * (e / (2 * B n w0))); [apply Rmult_le_compat_l; lra|]. replace (B n w0 * (e / (2 * B n w0))) with (e / 2) by (field; lra). lra.
 Qed.
