@@ -1,10 +1,11 @@
 (* Clauses about solutions that exist, are unique or go to a limit, formalised from their words before the theorems were looked at; the
-   theorems prove them. K of (10) is T.K10 of audit_independent_tanner2. Changed after the theorems had been seen: in solution4 the set of measure zero may depend on [0, b],
+   theorems prove them. K of (10) is T.K10 of audit_independent_tanner2, which
+   K10_within compares with Definition 4. Changed after the theorems had been seen: in solution4 the set of measure zero may depend on [0, b],
    as Definition 4 has it, where one set had been asked for; and gradients, not the slopes V', are locally Lipschitz in eq10_4. *)
 From Coq Require Import Reals Lra Lia Relations Psatz Classical.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian tanner_energy.
-From Flockproof Require tanner2_filippov tanner2_appendix tanner2_existence tanner2_unique tanner2_solutions tanner2_onward tanner2_approach.
+From Flockproof Require inclusions tanner_flock tanner2_filippov tanner2_limits tanner2_appendix tanner2_existence tanner2_unique tanner2_solutions tanner2_onward tanner2_approach.
 From Flockproof Require paley_particles paley_convergence paley_settling paley_formations paley_cycles audit_independent_paley audit_independent_tanner2.
 Module P := audit_independent_paley.
 Module T := audit_independent_tanner2.
@@ -70,6 +71,16 @@ Definition critical n V' R0 (q : nat -> C) := T.apart_at n complete q /\ exists 
 Definition thm2_pot : Prop := forall n V V' R0 r v, 0 < R0 -> T.potentials n complete V V' -> solution10 n V' R0 always r v ->
   (forall t, 0 <= t -> strongly_connected n (T.by_distance (fun i => r i t) R0)) ->
   forall e, 0 < e -> exists S, 0 <= S /\ forall t, S <= t -> exists q, critical n V' R0 q /\ forall i, (i < n)%nat -> Cmod (r i t - q i)%C < e.
+
+(* the whole vector field of (10) on R^(4n), agent i at 4i, 4i + 1 with the velocity at 4i + 2, 4i + 3: where no agents coincide, T.K10, the convex hull of its limits off the pairs at
+   the distance R, is within K of Definition 4, whatever set of measure zero is left out *)
+Definition place (x : nat -> R) i : C := (x (4 * i)%nat, x (4 * i + 1)%nat).
+Definition speed (x : nat -> R) i : C := (x (4 * i + 2)%nat, x (4 * i + 3)%nat).
+Definition state (q u : nat -> C) (j : nat) : R := let i := Nat.div j 4 in
+  match Nat.modulo j 4 with 0 => fst (q i) | 1 => snd (q i) | 2 => fst (u i) | _ => snd (u i) end%nat.
+Definition field10 n V' R0 (x : nat -> R) : nat -> R := state (speed x) (T.law4 n (T.by_distance (place x) R0) V' (place x) (speed x)).
+Definition K10_within : Prop := forall n V V' R0 r v z, T.potentials n complete V V' -> T.apart_at n complete r -> T.K10 n V' R0 r v z ->
+  K (4 * n) (field10 n V' R0) (state r v) (state v z).
 
 (* ---- beyond.paley.cyclic_patterns: neighbours on the ring ---- *)
 Definition ring (n : nat) : graph := fun j k => (Nat.eqb k ((j + 1) mod n) || Nat.eqb j ((k + 1) mod n))%bool.
@@ -403,4 +414,102 @@ Proof.
     set (x := Rmin 1 (e / (2 * B n w0))) in *. pose proof (Rmin_l 1 (e / (2 * B n w0)) : x <= _) as M1. pose proof (Rmin_r 1 (e / (2 * B n w0)) : x <= _) as M2.
     assert (B n w0 * x ^ 2 < e); [|lra]. apply Rle_lt_trans with (B n w0 * x); [apply Rmult_le_compat_l; [lra|nra]|].
     apply Rle_lt_trans with (B n w0 * (e / (2 * B n w0))); [apply Rmult_le_compat_l; lra|]. replace (B n w0 * (e / (2 * B n w0))) with (e / 2) by (field; lra). lra.
+Qed.
+
+(* ---- the whole vector field ---- *)
+Lemma at_agent (q u : nat -> C) i : state q u (4 * i) = fst (q i) /\ state q u (4 * i + 1) = snd (q i) /\ state q u (4 * i + 2) = fst (u i) /\ state q u (4 * i + 3) = snd (u i).
+Proof.
+  unfold state. assert (H : forall k, (k < 4)%nat -> ((4 * i + k) mod 4 = k /\ (4 * i + k) / 4 = i)%nat).
+  { intros k Hk. replace (4 * i + k)%nat with (k + i * 4)%nat by lia. rewrite PeanoNat.Nat.mod_add, PeanoNat.Nat.div_add by lia. split; [now apply PeanoNat.Nat.mod_small|].
+    rewrite PeanoNat.Nat.div_small by exact Hk. lia. }
+  pose proof (H 0%nat ltac:(lia)) as [A0 B0]. rewrite PeanoNat.Nat.add_0_r in A0, B0. pose proof (H 1%nat ltac:(lia)) as [A1 B1]. pose proof (H 2%nat ltac:(lia)) as [A2 B2].
+  pose proof (H 3%nat ltac:(lia)) as [A3 B3]. rewrite A0, B0, A1, B1, A2, B2, A3, B3. now repeat split.
+Qed.
+Lemma state_close n (q u q' u' : nat -> C) e : (forall i, (i < n)%nat -> Cmod (q i - q' i)%C < e /\ Cmod (u i - u' i)%C < e) ->
+  forall j, (j < 4 * n)%nat -> Rabs (state q u j - state q' u' j) < e.
+Proof.
+  intros H j Hj. assert (Hi : (j / 4 < n)%nat) by (apply PeanoNat.Nat.div_lt_upper_bound; lia). destruct (H _ Hi) as [H1 H2]. unfold state.
+  pose proof (parts (q (j / 4)%nat - q' (j / 4)%nat)%C) as [P1 P2]. pose proof (parts (u (j / 4)%nat - u' (j / 4)%nat)%C) as [P3 P4]. cbn [fst snd Cminus Cplus Copp] in *.
+  unfold Rminus. destruct (j mod 4)%nat as [|[|[|]]]; lra.
+Qed.
+Lemma agents_close n x q u d : inclusions.near (4 * n) d x (state q u) -> forall i, (i < n)%nat -> Cmod (place x i - q i)%C < 2 * d /\ Cmod (speed x i - u i)%C < 2 * d.
+Proof.
+  intros H i Hi. destruct (at_agent q u i) as (E0 & E1 & E2 & E3).
+  pose proof (H (4 * i)%nat ltac:(lia)) as H0. pose proof (H (4 * i + 1)%nat ltac:(lia)) as H1. pose proof (H (4 * i + 2)%nat ltac:(lia)) as H2. pose proof (H (4 * i + 3)%nat ltac:(lia)) as H3.
+  rewrite E0 in H0. rewrite E1 in H1. rewrite E2 in H2. rewrite E3 in H3.
+  split; (eapply Rle_lt_trans; [apply paley_convergence.Cmod_le|]); unfold place, speed, Rminus in *; cbn [fst snd Cminus Cplus Copp]; lra.
+Qed.
+Lemma stay_apart n (r : nat -> C) : T.apart_at n complete r -> exists d, 0 < d /\ forall q : nat -> C, (forall i, (i < n)%nat -> Cmod (q i - r i)%C < d) -> T.apart_at n complete q.
+Proof.
+  intros A. destruct (tanner2_filippov.small2 n (fun i j d => complete i j = true -> forall q : nat -> C, Cmod (q i - r i)%C < d -> Cmod (q j - r j)%C < d -> q i <> q j)) as (d & Hd & Q).
+  - intros i j d d' H L Cm q H1 H2. apply (H Cm); lra.
+  - intros i j Hi Hj. destruct (complete i j) eqn:Cm; [|exists 1; split; [lra|discriminate]]. pose proof (A i j Hi Hj Cm) as N.
+    assert (P : 0 < Cmod (r i - r j)%C) by (apply tanner_flock.norm_neq; exact N). exists (Cmod (r i - r j)%C / 2). split; [lra|]. intros _ q H1 H2 E.
+    assert (L : Cmod (r i - r j)%C <= Cmod (q j - r j)%C + Cmod (q i - r i)%C); [|lra].
+    replace (r i - r j)%C with ((q j - r j) + - (q i - r i))%C by (rewrite E; ring). eapply Rle_trans; [apply Cmod_triangle|]. rewrite Cmod_opp. lra.
+  - exists d. split; [exact Hd|]. intros q H i j Hi Hj Cm. apply (Q i j Hi Hj Cm q); now apply H.
+Qed.
+Lemma stay_linked n (q : nat -> C) R0 : (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (q i - q j)%C <> R0) -> exists d, 0 < d /\
+  forall p : nat -> C, (forall i, (i < n)%nat -> Cmod (p i - q i)%C < d) -> tanner2_limits.same_pairs n (T.by_distance p R0) (T.by_distance q R0).
+Proof.
+  intros Gn. destruct (tanner2_filippov.small2 n (fun i j d => i <> j -> forall p : nat -> C, Cmod (p i - q i)%C < d -> Cmod (p j - q j)%C < d -> (Cmod (p i - p j)%C < R0 <-> Cmod (q i - q j)%C < R0)))
+    as (d & Hd & Q).
+  - intros i j d d' H L Ne p H1 H2. apply (H Ne); lra.
+  - intros i j Hi Hj. destruct (PeanoNat.Nat.eq_dec i j) as [->|Ne]; [exists 1; split; [lra|congruence]|]. pose proof (Gn i j Hi Hj Ne) as N.
+    exists (Rabs (Cmod (q i - q j)%C - R0) / 2). split; [apply Rdiv_lt_0_compat; [apply Rabs_pos_lt|]; lra|]. intros _ p H1 H2.
+    assert (L1 : Cmod (p i - p j)%C <= Cmod (q i - q j)%C + (Cmod (p i - q i)%C + Cmod (p j - q j)%C)).
+    { replace (p i - p j)%C with ((q i - q j) + ((p i - q i) + - (p j - q j)))%C by ring. eapply Rle_trans; [apply Cmod_triangle|]. apply Rplus_le_compat_l. eapply Rle_trans; [apply Cmod_triangle|].
+      rewrite Cmod_opp. lra. }
+    assert (L2 : Cmod (q i - q j)%C <= Cmod (p i - p j)%C + (Cmod (p i - q i)%C + Cmod (p j - q j)%C)).
+    { replace (q i - q j)%C with ((p i - p j) + (- (p i - q i) + (p j - q j)))%C by ring. eapply Rle_trans; [apply Cmod_triangle|]. apply Rplus_le_compat_l. eapply Rle_trans; [apply Cmod_triangle|].
+      rewrite Cmod_opp. lra. }
+    unfold Rabs in *. destruct (Rcase_abs (Cmod (q i - q j)%C - R0)); split; lra.
+  - exists d. split; [exact Hd|]. intros p H i j Hi Hj. unfold T.by_distance. destruct (PeanoNat.Nat.eqb_spec i j) as [E|Ne]; [reflexivity|]. pose proof (Q i j Hi Hj Ne p (H i Hi) (H j Hj)) as I.
+    cbn [negb andb]. destruct (Rlt_dec (Cmod (p i - p j)%C) R0); destruct (Rlt_dec (Cmod (q i - q j)%C) R0); tauto || reflexivity.
+Qed.
+Lemma one_value n V V' R0 r v y Z d e : T.potentials n complete V V' -> T.apart_at n complete r -> T.limit_of_law n V' R0 r v y -> null (4 * n) Z -> 0 < d -> 0 < e ->
+  exists x, ~ Z x /\ (forall j, (j < 4 * n)%nat -> Rabs (x j - state r v j) < d) /\ forall j, (j < 4 * n)%nat -> Rabs (field10 n V' R0 x j - state v y j) < e.
+Proof.
+  intros P A L HZ Hd He. destruct (stay_apart n r A) as (d0 & H0 & S0). set (h := Rmin d0 (Rmin d e) / 4).
+  pose proof (Rmin_l d0 (Rmin d e)) as M1. pose proof (Rmin_r d0 (Rmin d e)) as M2. pose proof (Rmin_l d e) as M3. pose proof (Rmin_r d e) as M4.
+  assert (Hh : 0 < h) by (unfold h; apply Rdiv_lt_0_compat; [repeat apply Rmin_glb_lt; assumption|lra]). destruct (L h Hh) as (q & u & Q1 & Q2 & Q3).
+  assert (Aq : T.apart_at n complete q) by (apply S0; intros i Hi; destruct (Q1 i Hi); unfold h in *; lra). set (g := T.by_distance q R0).
+  destruct (tanner2_limits.law4_near n V V' q u P Aq g h (fun i _ => proj2 (tanner2_filippov.by_distance_simple q R0) i) Hh) as (d2 & H2 & S2).
+  destruct (stay_linked n q R0 Q2) as (d3 & H3 & S3). set (w := Rmin (Rmin d2 d3) h / 2).
+  pose proof (Rmin_l (Rmin d2 d3) h) as M5. pose proof (Rmin_r (Rmin d2 d3) h) as M6. pose proof (Rmin_l d2 d3) as M7. pose proof (Rmin_r d2 d3) as M8.
+  assert (Hw : 0 < w) by (unfold w; apply Rdiv_lt_0_compat; [repeat apply Rmin_glb_lt; assumption|lra]).
+  destruct (classic (exists x, ~ Z x /\ inclusions.near (4 * n) w x (state q u))) as [(x & Nx & Bx)|No].
+  2: { exfalso. apply (tanner2_existence.box_not_null (4 * n) (state q u) w Hw). apply (tanner2_existence.null_sub (4 * n) _ Z); [|now apply null_is].
+    intros x Bx. apply NNPP. intros Nx. apply No. now exists x. }
+  pose proof (agents_close n x q u w Bx) as Cl. exists x. split; [exact Nx|]. split.
+  - intros j Hj. pose proof (Bx j Hj) as B1. pose proof (state_close n q u r v h Q1 j Hj) as B2.
+    replace (x j - state r v j) with ((x j - state q u j) + (state q u j - state r v j)) by ring. eapply Rle_lt_trans; [apply Rabs_triang|]. unfold w, h in *. lra.
+  - unfold field10. apply state_close. intros i Hi. destruct (Cl i Hi) as [C1 C2]. destruct (Q1 i Hi) as [_ U1]. split.
+    + replace (speed x i - v i)%C with ((speed x i - u i) + (u i - v i))%C by ring. eapply Rle_lt_trans; [apply Cmod_triangle|]. unfold w, h in *. lra.
+    + assert (Same : T.law4 n (T.by_distance (place x) R0) V' (place x) (speed x) i = T.law4 n g V' (place x) (speed x) i).
+      { apply (tanner2_limits.law4_pairs n (T.by_distance (place x) R0) g V' (place x) (speed x) i); [|exact Hi]. apply S3. intros k Hk. destruct (Cl k Hk). unfold w in *. lra. }
+      rewrite Same. assert (Nr : Cmod (T.law4 n g V' (place x) (speed x) i - T.law4 n g V' q u i)%C < h).
+      { apply (S2 (place x) (speed x)); [|exact Hi]. intros k Hk. destruct (Cl k Hk). unfold w in *. split; lra. }
+      replace (_ - y i)%C with ((T.law4 n g V' (place x) (speed x) i - T.law4 n g V' q u i) + (T.law4 n g V' q u i - y i))%C by ring.
+      eapply Rle_lt_trans; [apply Cmod_triangle|]. pose proof (Q3 i Hi) as Q4. fold g in Q4. unfold h in *. lra.
+Qed.
+Lemma Csum_parts m (c : nat -> R) (y : nat -> C) : fst (Csum m (fun k => RtoC (c k) * y k)%C) = Sum m (fun k => c k * fst (y k)) /\
+  snd (Csum m (fun k => RtoC (c k) * y k)%C) = Sum m (fun k => c k * snd (y k)).
+Proof. induction m as [|m [I1 I2]]; [split; reflexivity|]. cbn [Csum Sum]. rewrite <- I1, <- I2. split; cbn; ring. Qed.
+Lemma K10_within_holds : K10_within.
+Proof.
+  intros n V V' R0 r v z P A (m & c & y & Y1 & Y2 & Y3) Z d e HZ Hd He.
+  assert (Pts : exists x : nat -> nat -> R, forall k, (k < m)%nat -> ~ Z (x k) /\ (forall j, (j < 4 * n)%nat -> Rabs (x k j - state r v j) < d) /\
+    forall j, (j < 4 * n)%nat -> Rabs (field10 n V' R0 (x k) j - state v (y k) j) < e / 2).
+  { clear Y2 Y3. induction m as [|m IH]; [exists (fun _ _ => 0); intros; lia|]. destruct IH as [x X]; [intros k Hk; apply Y1; lia|].
+    destruct (one_value n V V' R0 r v (y m) Z d (e / 2) P A (proj2 (Y1 m ltac:(lia))) HZ Hd ltac:(lra)) as [p Hp].
+    exists (fun k => if Nat.eqb k m then p else x k). intros k Hk. destruct (PeanoNat.Nat.eqb_spec k m) as [->|Nk]; [exact Hp|apply X; lia]. }
+  destruct Pts as [x X]. exists m, c, x. split; [intros k Hk; now apply Y1|]. split; [exact Y2|]. split; [intros k Hk; destruct (X k Hk) as (X1 & X2 & _); now split|].
+  intros j Hj. assert (Hi : (j / 4 < n)%nat) by (apply PeanoNat.Nat.div_lt_upper_bound; lia).
+  assert (E : state v z j = Sum m (fun k => c k * state v (y k) j)).
+  { unfold state. rewrite (Y3 _ Hi). destruct (Csum_parts m c (fun k => y k (j / 4)%nat)) as [F1 F2]. cbv beta in F1, F2. rewrite F1, F2.
+    destruct (j mod 4)%nat as [|[|[|]]]; [| |reflexivity|reflexivity]; rewrite Sum_scal_r, Y2; ring. }
+  rewrite E, <- Sum_minus. apply Rle_lt_trans with (Sum m (fun k => c k * (e / 2))); [|rewrite Sum_scal_r, Y2; lra].
+  eapply Rle_trans; [apply Sum_Rabs|]. apply Sum_le. intros k Hk. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq (c k)) by now apply Y1.
+  apply Rmult_le_compat_l; [now apply Y1|]. left. now apply X.
 Qed.
