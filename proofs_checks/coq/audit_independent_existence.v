@@ -72,6 +72,13 @@ Definition thm2_pot : Prop := forall n V V' R0 r v, 0 < R0 -> T.potentials n com
   (forall t, 0 <= t -> strongly_connected n (T.by_distance (fun i => r i t) R0)) ->
   forall e, 0 < e -> exists S, 0 <= S /\ forall t, S <= t -> exists q, critical n V' R0 q /\ forall i, (i < n)%nat -> Cmod (r i t - q i)%C < e.
 
+(* critical configurations where no pair is at the distance R *)
+Definition critical_there : Prop := forall n V V' R0 q, 0 < R0 -> T.potentials n complete V V' -> T.apart_at n complete q ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (q i - q j)%C <> R0) ->
+  (critical n V' R0 q <-> forall i, (i < n)%nat -> T.gradV n (T.by_distance q R0) V' q i = 0%C).
+(* thm2_vel and thm2_pot speak of every solution: each one until T goes on for all time *)
+Definition goes_on : Prop := forall n V V' R0 S r v, 0 < R0 -> 0 < S -> T.potentials n complete V V' -> solution10 n V' R0 (before S) r v ->
+  exists q u, solution10 n V' R0 always q u /\ forall t i, 0 <= t < S -> q i t = r i t /\ u i t = v i t.
 (* the whole vector field of (10) on R^(4n), agent i at 4i, 4i + 1 with the velocity at 4i + 2, 4i + 3: where no agents coincide, T.K10, the convex hull of its limits off the pairs at
    the distance R, is within K of Definition 4, whatever set of measure zero is left out *)
 Definition place (x : nat -> R) i : C := (x (4 * i)%nat, x (4 * i + 1)%nat).
@@ -512,4 +519,20 @@ Proof.
   rewrite E, <- Sum_minus. apply Rle_lt_trans with (Sum m (fun k => c k * (e / 2))); [|rewrite Sum_scal_r, Y2; lra].
   eapply Rle_trans; [apply Sum_Rabs|]. apply Sum_le. intros k Hk. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq (c k)) by now apply Y1.
   apply Rmult_le_compat_l; [now apply Y1|]. left. now apply X.
+Qed.
+
+Lemma critical_there_holds : critical_there.
+Proof.
+  intros n V V' R0 q HR P A Gn. split.
+  - intros [_ (m & c & y & Y1 & Y2 & Y3)]. apply (proj2 (proj2 (tanner2_approach.all_solutions_approach n V V' R0 HR P))); [|exact Gn].
+    split; [exact A|]. exists m, c, y. split; [exact Y1|]. split; [exact Y2|]. intros i Hi. symmetry. now apply Y3.
+  - intros Z. split; [exact A|]. exists 1%nat, (fun _ => 1), (fun _ i => T.gradV n (T.by_distance q R0) V' q i). split; [|split; [cbn; ring|]].
+    + intros k _. split; [lra|]. intros e He. exists q. assert (N : forall z : C, Cmod (z - z)%C < e) by (intros z; replace (z - z)%C with (RtoC 0) by ring; now rewrite Cmod_0).
+      split; [intros; apply N|]. split; [exact Gn|]. intros; apply N.
+    + intros i Hi. cbn [Csum]. rewrite (Z i Hi). apply injective_projections; cbn; ring.
+Qed.
+Lemma goes_on_holds : goes_on.
+Proof.
+  intros n V V' R0 S r v HR HS P M. destruct (proj2 (proj1 (tanner2_onward.all_solutions_agree n V V' R0 HR P)) S _ _ HS (until_is _ _ _ _ _ _ M)) as (q & u & E & Q).
+  exists q, u. split; [now apply of_motion10|]. intros t i Ht. destruct (E t i ltac:(lra)) as [-> ->]. now rewrite !back_is by lra.
 Qed.
