@@ -191,6 +191,7 @@ const SOURCES: [(&str, &str); 179] = sources![
     "audit_independent_derivative",
     "audit_independent_growth",
     "audit_independent_formations",
+    "audit_independent_existence",
 ];
 
 /// A file of the development.
