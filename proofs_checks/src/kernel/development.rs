@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 179] = sources![
+const SOURCES: [(&str, &str); 180] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
