@@ -293,6 +293,11 @@ impl Division<'_> {
         if let Some(error) = missing.first {
             return Err(error);
         }
+        // Over all reals margins are known at some points only, and nothing bounds the smallest one from below.
+        if whole.has_line() {
+            let all = std::iter::once(&mut found.margin).chain(&mut found.inequalities);
+            all.for_each(|own| own.lo = f64::NEG_INFINITY);
+        }
         found.boxes = found.boxes.max(1);
         if let Some(open) = left {
             found.open = found.open.max(1);

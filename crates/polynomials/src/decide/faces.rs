@@ -185,14 +185,19 @@ fn crossed(domain: &[Side], free: &[usize], direction: &[Rational]) -> Option<Ve
     both.into_iter().filter(|faces| !faces.is_empty()).min_by_key(Vec::len)
 }
 
-/// The sides through which rays from 0 leave the domain; of all reals those of the cube from -1 to 1. At 0 itself the clause has to be true.
+/// The sides through which rays from 0 leave the domain; of all reals, and of all on one side of 0, those of the cube from -1 to 1. At 0 itself the clause has to be
+/// true.
 fn ahead<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) -> Option<Vec<Vec<Side>>> {
     let zero = rational(0, 1);
-    let is_line = |k: &usize| domain[*k].lo.is_none() && domain[*k].hi.is_none();
+    let is_cone =
+        |k: &usize| [&domain[*k].lo, &domain[*k].hi].iter().all(|end| end.as_ref().is_none_or(|q| q.is_zero()));
     let is_bounded = |k: &usize| domain[*k].lo.is_some() && domain[*k].hi.is_some();
     let mut box_of = domain.to_vec();
-    if free.iter().all(is_line) {
-        free.iter().for_each(|&k| box_of[k] = Side::between(rational(-1, 1), rational(1, 1)));
+    if free.iter().all(is_cone) {
+        for &k in free {
+            let end = |end: &Option<Rational>, far| end.clone().unwrap_or_else(|| rational(far, 1));
+            box_of[k] = Side::between(end(&domain[k].lo, -1), end(&domain[k].hi, 1));
+        }
     } else if !free.iter().all(is_bounded) {
         return None;
     }

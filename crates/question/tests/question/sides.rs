@@ -59,6 +59,20 @@ fn what_fails_somewhere_is_not_said_to_hold() {
     }
 }
 
+/// Over all reals a margin at some points bounds the smallest one from above only.
+#[test]
+fn margins_over_all_reals_have_no_lower_end_of_their_own() {
+    for (family, property) in [
+        ("x = \"any\"\nwhere = \"x > 0\"", "exp(-1/x)/x <= exp(-1)"),
+        ("x = \"any\"\nwhere = \"x >= 1\"", "sqrt(x - 1) <= x + 1/2"),
+        ("x = \"any\"\ny = \"any\"\nwhere = \"x > 0 and y > 0\"", "x*log(x/y) >= x - y"),
+    ] {
+        let found = answer(&asked(family, property, "1 < 0"));
+        assert_eq!(found.verdict, Verdict::Holds, "{property}: {}", found.why);
+        assert!(found.margin.is_none_or(|margin| margin.lo <= 0.0), "{property}: {:?}", found.margin);
+    }
+}
+
 /// A margin that is 0 is told at a point at which it is.
 #[test]
 fn the_point_of_a_margin_is_one_of_equality() {
