@@ -160,10 +160,11 @@ fn look<F: Function>(clause: &[Literal<F>], cell: &Cell, places: &[Place]) -> St
         None if places.iter().any(|place| is_true_around(clause, &cell.sides, place)) => {
             Standing::Closed(vec![Method::Expansion], None)
         }
-        None => match if is_rough || is_far(&cell.sides) { is_true_from_end(clause, &cell.sides) } else { None } {
+        None if is_rough || is_far(&cell.sides) => match is_true_from_end(clause, &cell.sides) {
             Some(zero) => Standing::Closed(vec![Method::Ends], zero),
             None => Standing::Split(slopes),
         },
+        None => Standing::Split(slopes),
     }
 }
 
