@@ -310,8 +310,7 @@ impl Evaluator<'_, '_> {
             Obstacle::Perhaps(function) => {
                 Failure::open(format!("the argument of `{function}` may lie outside its domain"), Some(u64::MAX))
             }
-            // It has a value.
-            Obstacle::TooLarge => Failure::open("the number has too many digits to be computed", None),
+            Obstacle::TooLarge => missing(Problem::Other("the number has too many digits to be computed".to_string())),
         }
     }
 
