@@ -2,7 +2,7 @@
 
 use super::local::{is_positive_definite, polish, seeded};
 use super::parted::system;
-use super::places::{Place, has_value, points_near, vanishes};
+use super::places::{Place, free, has_value, points_near, vanishes};
 use super::{Extended, roots};
 use crate::function::{Function, Literal, Side};
 use crate::symbolic::{Extension, Symbolic};
@@ -20,12 +20,20 @@ const MOST_FREE: usize = 8;
 
 /// A point of the domain at which the function of a literal is 0, which is proved; `None` where none was found.
 pub(super) fn zero<F: Function>(literal: &Literal<F>, domain: &[Side]) -> Option<Vec<Place>> {
-    let free: Vec<usize> = (0..domain.len()).filter(|&k| domain[k].as_point().is_none()).collect();
+    let free = free(domain);
     if free.is_empty() || free.len() > MOST_FREE || domain.iter().any(|side| side.integer || side.is_empty()) {
         return None;
     }
     let search = Search { literal, domain, ends: domain.iter().map(Side::floats).collect(), free };
     search.starts().into_iter().find_map(|start| search.from(start)).or_else(|| search.root())
+}
+
+/// A float at a share between 0 and 1 of a side, or of a part of it that is bounded.
+pub(super) fn at_share(side: &Side, share: f64) -> f64 {
+    match side.floats() {
+        (lo, hi) if (hi - lo).is_finite() => lo + (hi - lo) * share,
+        (lo, hi) => (side.middle().to_f64().unwrap_or(0.0) + 6.0 * (share - 0.5)).clamp(lo, hi),
+    }
 }
 
 struct Search<'a, F> {
@@ -44,12 +52,8 @@ impl<F: Function> Search<'_, F> {
         let mut share = || (stream.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
         let mut start = |round: usize| -> Vec<f64> {
             let one = |side: &Side| {
-                let (middle, share) = (side.middle().to_f64().unwrap_or(0.0), share());
-                match side.floats() {
-                    _ if round == 0 => middle,
-                    (lo, hi) if (hi - lo).is_finite() => lo + (hi - lo) * share,
-                    (lo, hi) => (middle + 6.0 * (share - 0.5)).clamp(lo, hi),
-                }
+                let share = share();
+                if round == 0 { side.middle().to_f64().unwrap_or(0.0) } else { at_share(side, share) }
             };
             self.domain.iter().map(one).collect()
         };
@@ -238,7 +242,7 @@ fn krawczyk(
 /// the second derivatives are positive definite on it.
 pub(super) fn least<F: Function>(function: &F, x: &[f64], domain: &[Side]) -> Option<Extended> {
     const REACHES: [f64; 3] = [1e-10, 1e-8, 1e-6];
-    let free: Vec<usize> = (0..domain.len()).filter(|&k| domain[k].as_point().is_none()).collect();
+    let free = free(domain);
     if free.is_empty() || free.len() > MOST_FREE || free.iter().any(|&k| domain[k].integer) {
         return None;
     }

@@ -1,14 +1,15 @@
 //! Functions that keep their sign along lines: those that depend on differences or sums only, and homogeneous ones. What holds on the sides of the domain through
 //! which the lines leave it holds on all of it.
 
+use super::attained::at_share;
 use super::local::{Signs, at_point, seeded};
-use super::{Decision, Effort, Proof};
+use super::places::{free, simple};
+use super::{Decision, Effort, Proof, on_rest};
 use crate::function::{Function, Literal, Side};
 use crate::symbolic::{Extension, Symbolic};
 use arithmetic::{Cancelled, Dual, Field, Progress, Rational, Ring, random, rational};
 use nalgebra::DMatrix;
 use num_traits::{Signed as _, Zero};
-use rand_chacha::rand_core::Rng;
 
 /// Largest number of variables that are looked at.
 const MOST: usize = 5;
@@ -31,7 +32,7 @@ pub(super) fn decided<F: Function>(
     effort: Effort,
     progress: &dyn Progress,
 ) -> Result<Option<Decision>, Cancelled> {
-    let free: Vec<usize> = (0..domain.len()).filter(|&k| domain[k].as_point().is_none()).collect();
+    let free = free(domain);
     if !(2..=MOST).contains(&free.len()) || free.iter().any(|&k| domain[k].integer) {
         return Ok(None);
     }
@@ -48,7 +49,7 @@ pub(super) fn decided<F: Function>(
     let share = Effort { boxes: effort.boxes / 2, ..effort };
     let mut proof = Proof::default();
     for face in &faces {
-        match super::on_rest(clause, face, share, progress)? {
+        match on_rest(clause, face, share, progress)? {
             Decision::Holds(own) => {
                 proof.methods.extend(own.methods);
                 proof.zeros.extend(own.zeros);
@@ -65,23 +66,12 @@ pub(super) fn decided<F: Function>(
     Ok(Some(Decision::Holds(proof)))
 }
 
-/// A point inside, one of several.
-fn inside(domain: &[Side], stream: &mut impl Rng) -> Vec<f64> {
-    let mut one = |side: &Side| {
-        let (lo, hi) = side.floats();
-        let (lo, hi) =
-            (if lo.is_finite() { lo } else { hi.min(2.0) - 4.0 }, if hi.is_finite() { hi } else { lo.max(-2.0) + 4.0 });
-        lo + random::uniform(stream) * (hi - lo)
-    };
-    domain.iter().map(&mut one).collect()
-}
-
 /// Slopes of all literals at a few points, in floats: a row for each.
 fn slopes<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) -> Vec<(Vec<f64>, f64, Vec<f64>)> {
     let mut stream = random::generator("inequality", "lines", domain.len() as u64);
     let mut rows = Vec::new();
     for _ in 0..POINTS {
-        let x = inside(domain, &mut stream);
+        let x: Vec<f64> = domain.iter().map(|side| at_share(side, random::uniform(&mut stream))).collect();
         for literal in clause {
             let slope = |&k: &usize| literal.function.value(&seeded(&x, k)).ok().map(|value| value.derivative);
             let row: Option<Vec<f64>> = free.iter().map(slope).collect();
@@ -111,7 +101,7 @@ fn parallel<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize])
     let size = row.amax();
     let mut direction = vec![rational(0, 1); domain.len()];
     for (&k, x) in free.iter().zip(row.iter()) {
-        direction[k] = super::places::simple(x / size, FINE, 64)?;
+        direction[k] = simple(x / size, FINE, 64)?;
     }
     let along = |x: &[Symbolic]| {
         x.iter().zip(&direction).map(|(x, rate)| Dual::new(x.clone(), x.rational(rate))).collect::<Vec<_>>()
@@ -149,8 +139,7 @@ fn are_homogeneous<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[
         let degree = |(row, value, x): &(Vec<f64>, f64, Vec<f64>)| {
             (value.abs() > 1e-6).then(|| row.iter().zip(x).map(|(slope, x)| slope * x).sum::<f64>() / value)
         };
-        let Some(degree) = rows.iter().find_map(degree).and_then(|degree| super::places::simple(degree, 1e-9, 24))
-        else {
+        let Some(degree) = rows.iter().find_map(degree).and_then(|degree| simple(degree, 1e-9, 24)) else {
             return false;
         };
         let scales = |found: Dual<Symbolic>| {

@@ -1,6 +1,7 @@
 //! A clause as inequalities between polynomials.
 
 use super::elimination::{Goal, Polynomial, Variables};
+use super::places::free;
 use super::prover::{Prover, is_tautology};
 use super::{Effort, MANY, Method, Proof};
 use crate::function::{Compared, Function, Literal, Side};
@@ -23,7 +24,7 @@ pub(super) fn prove<F: Function>(
     effort: Effort,
     progress: &dyn Progress,
 ) -> Result<Outcome, Cancelled> {
-    let many = domain.iter().filter(|side| side.as_point().is_none()).count() > MANY;
+    let many = free(domain).len() > MANY;
     let symbolic = |grid: i64| {
         let extension = Extension::with_grid(domain.len(), grid);
         let known = |(x, side): (Symbolic, &Side)| side.as_point().map_or_else(|| x.clone(), |q| x.rational(q));

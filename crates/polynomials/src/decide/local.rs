@@ -1,7 +1,7 @@
 //! One function on one box: enclosures, slopes, convexity, expansions.
 
 use super::exact::{self, Exact};
-use super::places::{Place, exactly, points_near};
+use super::places::{Place, exactly, free, only_free, points_near};
 use super::tail::{End, Tail};
 use super::{Extended, Method};
 use crate::function::{Compared, Function, Literal, Side};
@@ -207,9 +207,7 @@ impl<F: Function> Sided<'_, F> {
 
     /// In one number, above 0 but for one zero.
     fn but_at_zero(&self, sides: &[Side]) -> Option<Local> {
-        let mut free = (0..sides.len()).filter(|&k| sides[k].as_point().is_none());
-        let (only, None) = (free.next()?, free.next()) else { return None };
-        self.by_expansion(sides, only).filter(|found| matches!(found, Local::TrueBut(_)))
+        self.by_expansion(sides, only_free(sides)?).filter(|found| matches!(found, Local::TrueBut(_)))
     }
 
     /// Variables along which the function only grows, or only falls, are put to their ends; what is left is looked at anew.
@@ -247,7 +245,7 @@ impl<F: Function> Sided<'_, F> {
                 return Local::True { method: Method::Slopes, zero: None };
             }
         }
-        let free: Vec<usize> = (0..left.len()).filter(|&k| left[k].as_point().is_none()).collect();
+        let free = free(&left);
         if free.is_empty() {
             let point: Option<Vec<Rational>> = left.iter().map(|side| side.as_point().cloned()).collect();
             let found = point.and_then(|point| self.by_least(point, Method::Slopes));

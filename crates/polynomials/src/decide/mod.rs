@@ -235,8 +235,7 @@ fn on_box<F: Function>(
         return Ok(Decision::Fails(at));
     }
     // Boxes of many numbers say little, and cost much.
-    let many = domain.iter().filter(|side| side.as_point().is_none()).count() > MANY;
-    if (effort.certified || many)
+    if (effort.certified || places::free(domain).len() > MANY)
         && let goals::Outcome::Proved(proof) =
             goals::prove(clause, domain, Effort { certified: true, ..effort }, progress)?
     {

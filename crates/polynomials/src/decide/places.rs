@@ -384,11 +384,14 @@ fn spread(side: &Side) -> Vec<f64> {
     (0..POINTS).map(point).collect()
 }
 
+/// The sides that are not numbers.
+pub(super) fn free(sides: &[Side]) -> Vec<usize> {
+    (0..sides.len()).filter(|&k| sides[k].as_point().is_none()).collect()
+}
+
 /// The only side that is not a number.
 pub(super) fn only_free(sides: &[Side]) -> Option<usize> {
-    let mut free = (0..sides.len()).filter(|&k| sides[k].as_point().is_none());
-    let (only, None) = (free.next()?, free.next()) else { return None };
-    Some(only)
+    if let [only] = free(sides)[..] { Some(only) } else { None }
 }
 
 /// Floats in the domain, which has one free number, near which a literal may be 0.

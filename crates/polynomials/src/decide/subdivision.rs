@@ -52,6 +52,15 @@ fn one<F: Function>(literal: &Literal<F>, sides: &[Side]) -> Local {
     }
 }
 
+/// Whether some literal is shown to be true by a rule for functions of one sign.
+fn one_is_true<F: Function>(clause: &[Literal<F>], rule: impl Fn(Sided<F>) -> bool) -> bool {
+    clause.iter().any(|literal| match literal.compared {
+        Compared::Positive | Compared::NotNegative => rule(sided(literal, false)),
+        Compared::NotZero => [false, true].iter().any(|&turned| rule(sided(literal, turned))),
+        Compared::Zero => false,
+    })
+}
+
 /// Whether the clause is true on a box around a place: there exactly, and on either side of it by one literal.
 fn is_true_around<F: Function>(clause: &[Literal<F>], sides: &[Side], place: &Place) -> bool {
     let Some(free) = only_free(sides) else { return false };
@@ -59,30 +68,16 @@ fn is_true_around<F: Function>(clause: &[Literal<F>], sides: &[Side], place: &Pl
     let Side { lo, hi, .. } = &sides[free];
     let inside = lo.as_ref().is_none_or(|lo| Extended::of(lo).hi < at.lo)
         && hi.as_ref().is_none_or(|hi| at.hi < Extended::of(hi).lo);
-    let beside = |literal: &Literal<F>, above: bool| match literal.compared {
-        Compared::Positive | Compared::NotNegative => sided(literal, false).beside(sides, free, place, above),
-        Compared::NotZero => {
-            [false, true].iter().any(|&turned| sided(literal, turned).beside(sides, free, place, above))
-        }
-        Compared::Zero => false,
-    };
     let point: Vec<Rational> = sides.iter().map(Side::middle).collect();
     inside
-        && [false, true].iter().all(|&above| clause.iter().any(|literal| beside(literal, above)))
+        && [false, true].iter().all(|&above| one_is_true(clause, |own| own.beside(sides, free, place, above)))
         && matches!(truth(clause, &place.on_line(&point, free)), Signs::Holds { .. })
 }
 
 /// What is true at one end of a box in one number, and from there on, or at infinity: the points at which it was looked at exactly.
 fn is_true_from_end<F: Function>(clause: &[Literal<F>], sides: &[Side]) -> Option<Option<Vec<Rational>>> {
     let free = only_free(sides).filter(|&k| !sides[k].integer)?;
-    let beside = |end: End, from: Extended| {
-        let own = |literal: &Literal<F>, negative| sided(literal, negative).is_true_at_end(sides, free, end, from);
-        clause.iter().any(|literal| match literal.compared {
-            Compared::Positive | Compared::NotNegative => own(literal, false),
-            Compared::NotZero => own(literal, false) || own(literal, true),
-            Compared::Zero => false,
-        })
-    };
+    let beside = |end: End, from: Extended| one_is_true(clause, |own| own.is_true_at_end(sides, free, end, from));
     let is_true = |there: &[Side]| clause.iter().any(|literal| matches!(one(literal, there), Local::True { .. }));
     let far = |end: End, from: &Rational| (*from > rational(1, 1) && beside(end, Extended::of(from))).then_some(None);
     match (&sides[free].lo, &sides[free].hi) {

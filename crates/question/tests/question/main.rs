@@ -52,6 +52,15 @@ fn verdict(family: &str, property: &str) -> Verdict {
     answer(&asked(family, property, "1 < 0")).verdict
 }
 
+/// A property holds with 0 in the place of `EPS`, and is false with each of these numbers there.
+fn holds_exactly(family: &str, property: &str, altered: &[&str]) {
+    let found = answer(&asked(family, &property.replace("EPS", "0"), "1 < 0"));
+    assert_eq!(found.verdict, Verdict::Holds, "{property}: {}", found.why);
+    for small in altered {
+        assert_eq!(verdict(family, &property.replace("EPS", small)), Verdict::False, "{property} with {small}");
+    }
+}
+
 /// Why a question is refused, when it is read or when it is decided.
 fn refusal(text: &str) -> String {
     refused_by(read(text))
