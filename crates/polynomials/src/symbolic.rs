@@ -8,6 +8,7 @@ use arithmetic::{ArithmeticError, Field, Rational, Ring, Sign, Signed, operators
 use num_traits::{Signed as _, Zero};
 use std::sync::{Arc, Mutex, PoisonError};
 
+pub(crate) use value::Part;
 pub use value::Settled;
 
 type Polynomial = Multivariate<Rational>;
@@ -59,6 +60,8 @@ struct Inner {
     relations: Vec<Polynomial>,
     /// What functions were asked of, as it stood, where that is wanted.
     heard: Option<Vec<Fraction>>,
+    /// Arguments that are not negative.
+    not_negative: Vec<usize>,
 }
 
 /// Where the new variables of one computation are kept.
@@ -112,6 +115,18 @@ impl Extension {
         extension
     }
 
+    /// For functions of so many arguments, of which a polynomial is 0.
+    pub(crate) fn where_zero(arity: usize, polynomial: Polynomial) -> Self {
+        let extension = Extension::new(arity);
+        extension.with(|inner| inner.relations.push(polynomial));
+        extension
+    }
+
+    /// These arguments are not negative.
+    pub(crate) fn are_not_negative(&self, arguments: Vec<usize>) {
+        self.with(|inner| inner.not_negative = arguments);
+    }
+
     /// What functions were asked of.
     pub(crate) fn heard(&self) -> Vec<Symbolic> {
         let heard = self.with(|inner| inner.heard.clone()).unwrap_or_default();
@@ -131,6 +146,37 @@ impl Extension {
     /// The arguments.
     pub fn arguments(&self) -> Vec<Symbolic> {
         (0..self.arity).map(|k| self.of(Multivariate::x(k))).collect()
+    }
+
+    /// A polynomial in the arguments.
+    pub(crate) fn of_polynomial(&self, polynomial: Polynomial) -> Symbolic {
+        self.of(polynomial)
+    }
+
+    /// Arguments with the degrees of roots of products in which they stand.
+    pub(crate) fn degrees_of_roots(&self) -> Vec<(usize, u64)> {
+        let calls = self.with(|inner| inner.calls.clone());
+        let called = calls.into_iter().filter_map(|(function, argument, _)| match function {
+            Function::Root(degree) => Some((argument, degree)),
+            _ => None,
+        });
+        let roots = self.meanings().into_iter().filter_map(|meaning| match meaning {
+            Meaning::Root(over, under) if under.as_constant().is_some() => Some(((over, Vec::new()), 2)),
+            _ => None,
+        });
+        let all = called.chain(roots).collect::<Vec<_>>().into_iter();
+        let powers = |(fraction, degree)| {
+            let powers = Symbolic { fraction, extension: self.clone() }.as_powers().map_or_else(Vec::new, |own| own.1);
+            powers.into_iter().filter(|(k, _)| *k < self.arity).map(move |(k, _)| (k, degree))
+        };
+        all.flat_map(powers).collect()
+    }
+
+    /// The arguments of which logarithms, or roots of a higher degree than 2, were taken.
+    pub(crate) fn inside_logarithms(&self) -> Vec<usize> {
+        let calls = self.with(|inner| inner.calls.clone());
+        let wanted = calls.into_iter().filter(|call| matches!(call.0, Function::Logarithm | Function::Root(_)));
+        wanted.flat_map(|(_, fraction, _)| Symbolic { fraction, extension: self.clone() }.depends_on()).collect()
     }
 
     fn of(&self, polynomial: Polynomial) -> Symbolic {
@@ -332,8 +378,34 @@ impl Symbolic {
         if let Some(c) = self.as_constant() {
             return self.rational(&c.abs());
         }
+        if self.is_not_negative() {
+            return self.clone();
+        }
         let meaning = Meaning::Absolute(self.fraction.0.clone(), self.denominator());
         self.extension.of(Multivariate::x(self.extension.known(meaning)))
+    }
+
+    /// Whether it is a positive multiple of a quotient of products of arguments that are not negative.
+    fn is_not_negative(&self) -> bool {
+        let Some((c, powers)) = self.as_powers() else { return false };
+        let known = self.extension.with(|inner| inner.not_negative.clone());
+        c.is_positive() && !known.is_empty() && powers.iter().all(|(k, _)| known.contains(k))
+    }
+
+    /// As a multiple of a product of powers of variables.
+    fn as_powers(&self) -> Option<(Rational, Vec<(usize, i64)>)> {
+        let mut terms = self.fraction.0.terms();
+        let (Some((monomial, c)), None) = (terms.next(), terms.next()) else { return None };
+        let over = monomial.iter().enumerate().filter(|(_, power)| **power > 0);
+        let mut powers: Vec<(usize, i64)> = over.map(|(k, power)| (k, i64::from(*power))).collect();
+        for (divisor, power) in self.parts().1 {
+            let (monomial, _) = divisor.terms().next().filter(|_| divisor.terms().len() == 1)?;
+            if monomial.iter().sum::<u32>() != 1 {
+                return None;
+            }
+            powers.push((monomial.len() - 1, -i64::from(power)));
+        }
+        Some((c.clone(), powers))
     }
 
     /// The larger of two functions, or the smaller one, by the absolute value of their difference.

@@ -347,9 +347,10 @@ impl Division<'_> {
         }
     }
 
-    /// What was found, or nothing where a value is missing, which is kept; the first one is told.
+    /// What was found, or nothing where a value is missing, which is kept; the first one is told. A value that is too long is not missing: it is not known.
     fn unless_missing<T>(found: Result<T, QuestionError>, missing: &mut Missing) -> Result<Option<T>, QuestionError> {
         match found {
+            Err(QuestionError::At { problem, .. }) if problem.is_length() => Ok(None),
             Err(error @ QuestionError::At { .. }) => {
                 missing.first.get_or_insert(error);
                 missing.count += 1;

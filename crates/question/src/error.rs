@@ -56,6 +56,9 @@ pub enum Problem {
     /// A platoon of which there is no peak.
     #[error("the platoon is not stable, so that it has no peak (z'' = f (z - m) + g (z' - m'): negative gains pull)")]
     NotStable,
+    /// A number that exists, and is too long to be written down.
+    #[error("the number has too many digits to be computed")]
+    TooManyDigits,
     /// A number that cannot be read.
     #[error(transparent)]
     Number(#[from] NumberError),
@@ -170,6 +173,14 @@ fn outside(function: &str) -> String {
 }
 
 impl Problem {
+    /// Whether there is a number, which is too long.
+    pub(crate) fn is_length(&self) -> bool {
+        match self {
+            Problem::Where { problem, .. } => problem.is_length(),
+            problem => *problem == Problem::TooManyDigits,
+        }
+    }
+
     /// The same with the case in which it arises.
     pub(crate) fn there(self, bindings: &crate::bindings::Bindings) -> Self {
         match bindings.iter().next() {

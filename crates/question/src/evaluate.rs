@@ -310,7 +310,7 @@ impl Evaluator<'_, '_> {
             Obstacle::Perhaps(function) => {
                 Failure::open(format!("the argument of `{function}` may lie outside its domain"), Some(u64::MAX))
             }
-            Obstacle::TooLarge => missing(Problem::Other("the number has too many digits to be computed".to_string())),
+            Obstacle::TooLarge => missing(Problem::TooManyDigits),
         }
     }
 

@@ -20,6 +20,8 @@ pub(super) struct Goal {
 pub(super) struct Variables<'a> {
     pub domain: &'a [Side],
     pub meanings: Vec<Meaning>,
+    /// The ranges of cosines and sines on the domain.
+    pub angles: Vec<Option<Side>>,
 }
 
 /// Of degree at most 1 in a variable whose square is `over/under`: the constant and the linear part, times a positive number.
@@ -46,7 +48,10 @@ impl Variables<'_> {
     pub fn side(&self, variable: usize) -> Side {
         let Some(k) = variable.checked_sub(self.domain.len()) else { return self.domain[variable].clone() };
         match &self.meanings[k] {
-            Meaning::Cosine | Meaning::Sine => Side::between(rational(-1, 1), rational(1, 1)),
+            Meaning::Cosine | Meaning::Sine => {
+                let whole = || Side::between(rational(-1, 1), rational(1, 1));
+                self.angles.get(k).cloned().flatten().unwrap_or_else(whole)
+            }
             Meaning::Root(over, under) if under.as_constant().is_some() => {
                 let least = self.range(over).lo.max(0.0).sqrt().next_down().max(0.0);
                 Side { lo: Some(Rational::from_float(least).unwrap_or_default()), ..Side::line() }
@@ -81,6 +86,17 @@ impl Variables<'_> {
         self.range(p).lo > 0.0 || (0..self.meanings.len()).any(exponential)
     }
 
+    /// A polynomial without the exponentials that all its terms have as factors: they are above 0.
+    pub fn without_positive(&self, p: &Polynomial) -> Polynomial {
+        let positive = (0..self.meanings.len()).filter(|&k| self.meanings[k] == Meaning::Positive);
+        positive.map(|k| Multivariate::x(self.domain.len() + k)).fold(p.clone(), |mut rest, x| {
+            while let Some(divided) = rest.divided_by(&x).filter(|_| !rest.is_zero()) {
+                rest = divided;
+            }
+            rest
+        })
+    }
+
     /// Encloses the values of a polynomial, whatever the variables are.
     pub fn range(&self, p: &Polynomial) -> Extended {
         let hull = |k: usize| {
@@ -92,14 +108,23 @@ impl Variables<'_> {
         p.at(&at, &zero, |c| zero.rational(c))
     }
 
-    /// Goals without the last root or absolute value, that together are the goal; `None` where there is none in it.
-    pub fn without_last(&self, goal: &Goal) -> Option<Vec<Goal>> {
+    /// The square of a root of a polynomial.
+    pub fn square_of(&self, variable: usize) -> Option<Polynomial> {
+        match self.meanings.get(variable.checked_sub(self.domain.len())?)? {
+            Meaning::Root(over, under) => Some(over.scaled(&under.as_constant()?.recip())),
+            _ => None,
+        }
+    }
+
+    /// Goals without the last root or absolute value, that together are the goal; `None` where there is none in it. Roots of polynomials stay if that is asked.
+    pub fn without_last(&self, goal: &Goal, roots_stay: bool) -> Option<Vec<Goal>> {
         let arity = self.domain.len();
         let used = |variable: usize| {
             goal.target.degree_in(variable) > 0 || goal.constraints.iter().any(|(p, _)| p.degree_in(variable) > 0)
         };
         let place = (0..self.meanings.len())
             .rev()
+            .filter(|&k| !(roots_stay && self.square_of(arity + k).is_some()))
             .find(|&k| used(arity + k) && matches!(self.meanings[k], Meaning::Root(..) | Meaning::Absolute(..)))?;
         match &self.meanings[place] {
             Meaning::Absolute(over, under) => {

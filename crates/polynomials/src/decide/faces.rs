@@ -1,4 +1,4 @@
-//! Functions that keep their sign along lines: those that depend on differences or sums only, and homogeneous ones. What holds on the sides of the domain through
+//! Functions that keep their sign along lines: those that depend on differences or sums only, up to exponentials as factors, and homogeneous ones. What holds on the sides of the domain through
 //! which the lines leave it holds on all of it.
 
 use super::attained::at_share;
@@ -66,51 +66,79 @@ pub(super) fn decided<F: Function>(
     Ok(Some(Decision::Holds(proof)))
 }
 
-/// Slopes of all literals at a few points, in floats: a row for each.
-fn slopes<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) -> Vec<(Vec<f64>, f64, Vec<f64>)> {
+/// What a literal is at a point, in floats.
+struct Seen {
+    slopes: Vec<f64>,
+    value: f64,
+    /// The free numbers of the point.
+    at: Vec<f64>,
+    literal: usize,
+}
+
+/// All literals with their slopes at a few points.
+fn slopes<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) -> Vec<Seen> {
     let mut stream = random::generator("inequality", "lines", domain.len() as u64);
     let mut rows = Vec::new();
     for _ in 0..POINTS {
         let x: Vec<f64> = domain.iter().map(|side| at_share(side, random::uniform(&mut stream))).collect();
-        for literal in clause {
+        for (number, literal) in clause.iter().enumerate() {
             let slope = |&k: &usize| literal.function.value(&seeded(&x, k)).ok().map(|value| value.derivative);
             let row: Option<Vec<f64>> = free.iter().map(slope).collect();
             let value = literal.function.value(&x[..]).ok();
             if let (Some(row), Some(value)) = (row, value)
                 && row.iter().chain([&value]).all(|y| y.is_finite())
             {
-                rows.push((row, value, free.iter().map(|&k| x[k]).collect()));
+                rows.push(Seen { slopes: row, value, at: free.iter().map(|&k| x[k]).collect(), literal: number });
             }
         }
     }
     rows
 }
 
-/// A direction along which no literal changes at all: proposed by the slopes at a few points, shown by identity.
+/// A direction along which each literal changes at a rate that is a multiple of it: proposed by the slopes at a few points, shown by identity.
 fn parallel<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize]) -> Option<Vec<Rational>> {
     const FINE: f64 = 1e-9;
-    let rows = slopes(clause, domain, free);
-    let matrix =
-        DMatrix::from_fn(rows.len().max(free.len()), free.len(), |i, j| rows.get(i).map_or(0.0, |row| row.0[j]));
-    let parts = matrix.svd(false, true);
-    let least = parts.singular_values.imin();
-    if rows.len() < free.len() || parts.singular_values[least] > FINE * parts.singular_values.max() {
-        return None;
-    }
-    let row = parts.v_t?.row(least).clone_owned();
-    let size = row.amax();
-    let mut direction = vec![rational(0, 1); domain.len()];
-    for (&k, x) in free.iter().zip(row.iter()) {
-        direction[k] = simple(x / size, FINE, 64)?;
-    }
-    let along = |x: &[Symbolic]| {
-        x.iter().zip(&direction).map(|(x, rate)| Dual::new(x.clone(), x.rational(rate))).collect::<Vec<_>>()
-    };
-    let stays = |literal: &Literal<F>| {
-        derivative(literal, domain, along)
-            .is_some_and(|found| found.derivative.as_constant().is_some_and(|c| c.is_zero()))
-    };
-    (direction.iter().any(|rate| !rate.is_zero()) && clause.iter().all(stays)).then_some(direction)
+    let rows: Vec<Vec<f64>> = slopes(clause, domain, free)
+        .into_iter()
+        .map(|seen| {
+            let mut row = seen.slopes;
+            row.extend((0..clause.len()).map(|k| if k == seen.literal { -seen.value } else { 0.0 }));
+            let size = row.iter().fold(0.0f64, |size, x| size.max(x.abs()));
+            row.iter().map(|x| if size > 0.0 { x / size } else { *x }).collect()
+        })
+        .collect();
+    // First without multiples, since what does not change at all is simpler.
+    [0, clause.len()].into_iter().find_map(|more| {
+        let columns = free.len() + more;
+        let matrix =
+            DMatrix::from_fn(rows.len().max(columns), columns, |i, j| rows.get(i).map_or(0.0, |row: &Vec<f64>| row[j]));
+        let parts = matrix.svd(false, true);
+        let least = parts.singular_values.imin();
+        if rows.len() < columns || parts.singular_values[least] > FINE * parts.singular_values.max() {
+            return None;
+        }
+        let row = parts.v_t?.row(least).clone_owned();
+        let size = row.iter().take(free.len()).fold(0.0f64, |size, x| size.max(x.abs()));
+        let mut direction = vec![rational(0, 1); domain.len()];
+        for (&k, x) in free.iter().zip(row.iter()) {
+            direction[k] = simple(x / size, FINE, 64)?;
+        }
+        let multiple = |k: usize| if more > 0 { simple(row[free.len() + k] / size, FINE, 64) } else { Some(rational(0, 1)) };
+        let along = |x: &[Symbolic]| {
+            x.iter().zip(&direction).map(|(x, rate)| Dual::new(x.clone(), x.rational(rate))).collect::<Vec<_>>()
+        };
+        let stays = |(k, literal): (usize, &Literal<F>)| {
+            let changes = |multiple: Rational| is_multiple(derivative(literal, domain, along), &multiple);
+            multiple(k).is_some_and(changes)
+        };
+        (direction.iter().any(|rate| !rate.is_zero()) && clause.iter().enumerate().all(stays)).then_some(direction)
+    })
+}
+
+/// Whether a rate is this multiple of the value, by identity.
+fn is_multiple(found: Option<Dual<Symbolic>>, multiple: &Rational) -> bool {
+    let rest = found.map(|found| found.derivative - found.value.clone() * found.value.rational(multiple));
+    rest.is_some_and(|rest| rest.as_constant().is_some_and(|c| c.is_zero()))
 }
 
 /// A literal as a function, with its rate along a direction of each point.
@@ -136,17 +164,14 @@ fn are_homogeneous<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[
     };
     clause.iter().all(|literal| {
         let rows = slopes(std::slice::from_ref(literal), domain, free);
-        let degree = |(row, value, x): &(Vec<f64>, f64, Vec<f64>)| {
-            (value.abs() > 1e-6).then(|| row.iter().zip(x).map(|(slope, x)| slope * x).sum::<f64>() / value)
+        let degree = |seen: &Seen| {
+            let rate: f64 = seen.slopes.iter().zip(&seen.at).map(|(slope, x)| slope * x).sum();
+            (seen.value.abs() > 1e-6).then(|| rate / seen.value)
         };
         let Some(degree) = rows.iter().find_map(degree).and_then(|degree| simple(degree, 1e-9, 24)) else {
             return false;
         };
-        let scales = |found: Dual<Symbolic>| {
-            let rest = found.derivative - found.value.clone() * found.value.rational(&degree);
-            rest.as_constant().is_some_and(|c| c.is_zero())
-        };
-        derivative(literal, domain, along).is_some_and(scales)
+        is_multiple(derivative(literal, domain, along), &degree)
     })
 }
 

@@ -3,10 +3,11 @@
 use super::elimination::{Goal, Polynomial, Variables};
 use super::places::free;
 use super::prover::{Prover, is_tautology};
+use super::rewritten::range;
 use super::{Effort, MANY, Method, Proof};
 use crate::function::{Compared, Function, Literal, Side};
-use crate::symbolic::{Extension, Symbolic};
-use arithmetic::{Cancelled, Field, Progress, Sign};
+use crate::symbolic::{Extension, Meaning, Symbolic};
+use arithmetic::{Cancelled, Field, Progress, Ring, Sign, rational};
 
 /// Exponentials and sines of multiples of larger fractions are variables of their own.
 const FINEST: i64 = 4;
@@ -40,8 +41,14 @@ pub(super) fn prove<F: Function>(
     if many && !(extension.meanings().is_empty() && extension.divisors().is_empty()) {
         return Ok(Outcome::Open(Vec::new()));
     }
-    let variables = Variables { domain, meanings: extension.meanings() };
-    let mut prover = Prover { variables, effort, progress, proof: Proof::default(), degrees: Vec::new() };
+    let meanings = extension.meanings();
+    let angle = |(place, meaning): (usize, &Meaning)| match meaning {
+        Meaning::Cosine | Meaning::Sine => range(&extension.variable_at(place)?, domain),
+        _ => None,
+    };
+    let angles = meanings.iter().enumerate().map(angle).collect();
+    let variables = Variables { domain, meanings, angles };
+    let mut prover = Prover { variables, effort, progress, proof: Proof::default(), degrees: Vec::new(), roots_stay: false };
     // Numerator times the divisors of odd power: of the sign of the function wherever that is defined.
     let mut cleared: Vec<Option<Polynomial>> = Vec::new();
     for value in &values {
@@ -86,11 +93,18 @@ pub(super) fn prove<F: Function>(
             target: target.clone(),
             strict,
         };
+        // Where `p != 0` is known, `f >= c p^(2 k)` says that `f > 0`.
+        let above = |target: &Polynomial| -> Vec<Vec<Goal>> {
+            let excluded = cleared.iter().zip(clause).filter(|(_, other)| other.compared == Compared::Zero && !many);
+            let excluded = excluded.filter_map(|(p, _)| p.as_ref()).filter(|_| !effort.certified);
+            let apart = excluded.flat_map(|p| above_power(target, p)).map(|rest| vec![goal(&rest, false)]);
+            std::iter::once(vec![goal(target, true)]).chain(apart).collect()
+        };
         let ways: Vec<Vec<Goal>> = match literal.compared {
-            Compared::Positive => vec![vec![goal(target, true)]],
+            Compared::Positive => above(target),
             Compared::NotNegative => vec![vec![goal(target, false)]],
             Compared::Zero => vec![vec![goal(target, false), goal(&-target.clone(), false)]],
-            Compared::NotZero => vec![vec![goal(target, true)], vec![goal(&-target.clone(), true)]],
+            Compared::NotZero => [above(target), above(&-target.clone())].concat(),
         };
         for goals in ways {
             if prover.all(goals)? {
@@ -102,4 +116,12 @@ pub(super) fn prove<F: Function>(
     degrees.sort_unstable();
     degrees.dedup();
     Ok(Outcome::Open(degrees))
+}
+
+/// `f - c p^(2 k)` for a few multiples and powers of a polynomial that is not 0.
+fn above_power(f: &Polynomial, p: &Polynomial) -> Vec<Polynomial> {
+    const SHARES: [(i64, i64); 3] = [(1, 1), (1, 8), (1, 1000)];
+    let most = u64::from(f.degree() / (2 * p.degree()).max(1));
+    let powers = (1..=most).filter(|_| p.degree() > 0).map(|k| p.power(2 * k));
+    powers.flat_map(|power| SHARES.map(|(c, d)| f.clone() - power.scaled(&rational(c, d)))).collect()
 }

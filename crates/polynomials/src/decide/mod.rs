@@ -13,6 +13,7 @@ mod places;
 mod points;
 mod prover;
 mod reduction;
+mod rewritten;
 mod roots;
 mod scale;
 mod solutions;
@@ -279,6 +280,9 @@ fn on_box<F: Function>(
         }
         goals::Outcome::Open(degrees) => degrees,
     };
+    if let Some(decision) = rewritten::decided(clause, domain, effort, progress)? {
+        return Ok(with_zeros(decision, found.zeros));
+    }
     let rest = if effort.boxes <= FIRST_BOXES {
         Decision::Undecided(open)
     } else {

@@ -19,6 +19,8 @@ use std::fmt;
 enum Outer {
     Itself,
     TimesPi,
+    /// Over pi.
+    OverPi,
     Exponential,
     /// The root of this degree.
     Root(u32),
@@ -71,7 +73,7 @@ impl Place {
     }
 
     /// The number in closed form, in the scalar of `like`.
-    fn value<T: Number>(&self, like: &T) -> Result<T, ArithmeticError> {
+    pub(super) fn value<T: Number>(&self, like: &T) -> Result<T, ArithmeticError> {
         let open = || ArithmeticError::Domain("a number in closed form");
         if self.outer == Outer::Between {
             return Err(open());
@@ -81,6 +83,7 @@ impl Place {
         match self.outer {
             Outer::Itself => Ok(inside),
             Outer::TimesPi => Ok(inside * like.circle()?),
+            Outer::OverPi => inside.over(&like.circle()?),
             Outer::Exponential => inside.exp(),
             // Of a negative number, whose degree is odd, the negative of a root.
             Outer::Root(degree) if self.inside_is_negative() => Ok(-(-inside).root(degree.into())?),
@@ -148,6 +151,11 @@ impl Place {
 
     pub(super) fn of(q: Rational) -> Self {
         Place::rational(Outer::Itself, q)
+    }
+
+    /// The exponential of a number.
+    pub(super) fn exponential(q: Rational) -> Self {
+        Place::rational(Outer::Exponential, q)
     }
 }
 
@@ -258,6 +266,8 @@ impl fmt::Display for Place {
         match self.outer {
             Outer::Itself => f.write_str(&inside),
             Outer::TimesPi => f.write_str(&times(&self.a, "pi")),
+            Outer::OverPi if self.a.is_integer() => write!(f, "{}/pi", self.a),
+            Outer::OverPi => write!(f, "{}/({}*pi)", self.a.numer(), self.a.denom()),
             Outer::Exponential => write!(f, "exp({inside})"),
             Outer::Root(degree) => match (self.inside_is_negative(), self.b.is_zero()) {
                 (false, true) if self.a.is_integer() => write!(f, "{inside}^(1/{degree})"),
@@ -335,6 +345,8 @@ fn forms(x: f64) -> Vec<Place> {
     });
     let turns = x / std::f64::consts::PI;
     list.extend(simple(turns, fine(turns), PARTS).map(|q| Place::rational(Outer::TimesPi, q)));
+    let over = x * std::f64::consts::PI;
+    list.extend(simple(over, fine(over), PARTS).map(|q| Place::rational(Outer::OverPi, q)));
     list
 }
 

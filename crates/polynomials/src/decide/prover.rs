@@ -33,6 +33,8 @@ pub(super) struct Prover<'a> {
     pub progress: &'a dyn Progress,
     pub proof: Proof,
     pub degrees: Vec<u32>,
+    /// Whether roots of polynomials are numbers with a known square, in sums of squares.
+    pub roots_stay: bool,
 }
 
 /// Whether two literals leave no point out: `p >= 0` or `-p > 0`, `p >= 0` or `p != 0`, and the like.
@@ -77,7 +79,13 @@ impl Prover<'_> {
     /// Proves all of them; where that does not succeed, nothing is kept but the degrees.
     pub fn all(&mut self, goals: Vec<Goal>) -> Result<bool, Cancelled> {
         let before = self.proof.clone();
-        let proved = self.each(goals)?;
+        let arity = self.variables.len();
+        let mut proved = self.each(goals.clone())?;
+        if !proved && self.effort.squares && (0..arity).any(|k| self.variables.square_of(k).is_some()) {
+            self.roots_stay = true;
+            proved = self.each(goals)?;
+            self.roots_stay = false;
+        }
         if !proved {
             self.proof = Proof { boxes: self.proof.boxes, ..before };
         }
@@ -93,7 +101,7 @@ impl Prover<'_> {
             if done + queue.len() > MOST_GOALS {
                 return Ok(false);
             }
-            match self.variables.without_last(&goal) {
+            match self.variables.without_last(&goal, self.roots_stay) {
                 Some(parts) => queue.extend(parts),
                 None if self.polynomial(&goal)? => {}
                 None => return Ok(false),
@@ -104,6 +112,7 @@ impl Prover<'_> {
 
     /// A goal of polynomials.
     fn polynomial(&mut self, goal: &Goal) -> Result<bool, Cancelled> {
+        let goal = &Goal { target: self.variables.without_positive(&goal.target), ..goal.clone() };
         let fits = |c: &Rational| if goal.strict { c.is_positive() } else { !c.is_negative() };
         if goal.target.as_constant().is_some_and(|c| fits(&c)) {
             return Ok(true);
@@ -130,9 +139,12 @@ impl Prover<'_> {
         }
         let arity = self.variables.len();
         let mut used: Vec<usize> = (0..arity).filter(|&k| goal.target.degree_in(k) > 0).collect();
-        // Constraints bring their variables with them.
+        // Constraints bring their variables with them, and so do roots.
         loop {
             let before = used.len();
+            for square in used.clone().into_iter().filter_map(|k| self.variables.square_of(k)) {
+                used.extend((0..arity).filter(|&k| square.degree_in(k) > 0));
+            }
             for (p, _) in &goal.constraints {
                 let own: Vec<usize> = (0..arity).filter(|&k| p.degree_in(k) > 0).collect();
                 if own.iter().any(|k| used.contains(k)) {
@@ -183,10 +195,13 @@ impl Prover<'_> {
         sides: &[(usize, Side)],
     ) -> Result<bool, Cancelled> {
         let one = || Multivariate::of(rational(1, 1));
+        let square = |k: usize| match self.variables.is_sine(k) {
+            true => Some(one() - Multivariate::x(k - 1).square()),
+            false => self.variables.square_of(k),
+        };
         let relations: Vec<Relation> = sides
             .iter()
-            .filter(|(k, _)| self.variables.is_sine(*k))
-            .map(|(k, _)| Relation { variable: *k, square: one() - Multivariate::x(k - 1).square() })
+            .filter_map(|(k, _)| square(*k).map(|square| Relation { variable: *k, square }))
             .collect();
         // As a problem of its own variables only.
         let arity = goal.target.arity().max(sides.iter().map(|(k, _)| k + 1).max().unwrap_or(0));
@@ -234,11 +249,12 @@ impl Prover<'_> {
         }
         let mut all: Vec<Polynomial> = Vec::new();
         // The circle says as much as the bounds of its coordinates.
-        let round = |k: usize| relations.iter().any(|relation| relation.variable == k || relation.variable == k + 1);
-        for (variable, side) in sides.iter().filter(|(variable, _)| !round(*variable)) {
+        let round = |k: usize| self.variables.is_sine(k) || self.variables.is_sine(k + 1);
+        for (variable, side) in sides {
             let x = Multivariate::x(*variable);
-            all.extend(side.lo.iter().map(|lo| x.clone() - Multivariate::of(lo.clone())));
-            all.extend(side.hi.iter().map(|hi| Multivariate::of(hi.clone()) - x.clone()));
+            let says = |end: &&Rational| !round(*variable) || end.abs() < rational(1, 1);
+            all.extend(side.lo.iter().filter(says).map(|lo| x.clone() - Multivariate::of(lo.clone())));
+            all.extend(side.hi.iter().filter(says).map(|hi| Multivariate::of(hi.clone()) - x.clone()));
         }
         let own = constraints.iter().map(|(p, _)| p.clone());
         all = own.chain(all).collect();

@@ -72,6 +72,20 @@ impl Certificate {
         self.defect().is_zero()
     }
 
+    /// The same with the inequalities `e >= 0` and `-e >= 0` in the place of the last equality: `4 c e = (c + 1)² e - (c - 1)² e`.
+    pub(super) fn without_last_equality(mut self) -> Self {
+        if let (Some(equality), Some(cofactor)) = (self.equalities.pop(), self.cofactors.pop()) {
+            for (sign, own) in [(1, equality.clone()), (-1, -equality)] {
+                let root = cofactor.clone() + Multivariate::of(rational(sign, 1));
+                if !root.is_zero() {
+                    self.terms.push((vec![self.constraints.len()], vec![(rational(1, 4), root)]));
+                }
+                self.constraints.push(own);
+            }
+        }
+        self
+    }
+
     /// The left side of the identity less its right side, as far as there are cofactors.
     pub(super) fn defect(&self) -> Polynomial {
         let one = Multivariate::of(rational(1, 1));

@@ -104,9 +104,35 @@ impl Problem {
             }
             tried.push(attempt.degree);
         }
+        if let Some(on_surface) = self.on_surface() {
+            match on_surface.search(progress)? {
+                Search::Found(found) => return Ok(Search::Found(Box::new(found.without_last_equality()))),
+                Search::Nothing(degrees) => tried.extend(degrees),
+            }
+        }
         tried.sort_unstable();
         tried.dedup();
         Ok(Search::Nothing(tried))
+    }
+
+    /// The same where two constraints, `p >= 0` and `-p >= 0`, are read as an equation for the square of a variable.
+    fn on_surface(&self) -> Option<Problem> {
+        if !self.relations.is_empty() {
+            return None;
+        }
+        let all = self.constraints.iter().enumerate();
+        let (pair, relation) = all.filter_map(|(i, p)| {
+            let j = self.constraints.iter().position(|q| *q == -p.clone())?;
+            (0..p.arity()).rev().find_map(|variable| {
+                let parts = p.in_variable(variable);
+                let [rest, linear, lead] = &parts[..] else { return None };
+                let lead = lead.as_constant().filter(|_| linear.is_zero())?;
+                Some(([i, j], Relation { variable, square: rest.scaled(&-lead.recip()) }))
+            })
+        }).next()?;
+        let left = self.constraints.iter().enumerate().filter(|(k, _)| !pair.contains(k));
+        let constraints = left.map(|(_, p)| p.clone()).collect();
+        Some(Problem { constraints, relations: vec![relation], ..self.clone() })
     }
 
     /// A polynomial of degree 2 has one Gram matrix, which nobody needs to guess: with more numbers than floats could propose for. `None` where it is not

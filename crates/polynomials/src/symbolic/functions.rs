@@ -237,24 +237,11 @@ impl Symbolic {
     /// Of a product of exponentials, times a number, by half of the arguments; of a number by its prime factors. Only where there are no arguments: there all that is
     /// wanted is whether a number is zero.
     fn root_of_constant(&self) -> Result<Option<Self>, ArithmeticError> {
-        let mut terms = self.fraction.0.terms();
-        let (Some((monomial, c)), None) = (terms.next(), terms.next()) else { return Ok(None) };
-        if self.extension.arity > 0 || c.is_negative() {
+        let Some((c, powers)) = self.as_powers().filter(|(c, _)| self.extension.arity == 0 && !c.is_negative()) else {
             return Ok(None);
-        }
+        };
         let meanings = self.extension.meanings();
         let mut argument = self.zero();
-        let (_, divisors) = self.parts();
-        let mut powers: Vec<(usize, i64)> =
-            monomial.iter().enumerate().map(|(k, power)| (k, i64::from(*power))).filter(|own| own.1 > 0).collect();
-        for (divisor, power) in &divisors {
-            let mut own = divisor.terms();
-            let (Some((monomial, _)), None) = (own.next(), own.next()) else { return Ok(None) };
-            if monomial.iter().sum::<u32>() != 1 {
-                return Ok(None);
-            }
-            powers.push((monomial.len() - 1, -i64::from(*power)));
-        }
         for (k, power) in powers {
             if meanings.get(k) != Some(&Meaning::Positive) {
                 return Ok(None);
@@ -277,6 +264,59 @@ impl Symbolic {
             }
         }
         Ok(Some(root))
+    }
+
+    /// The root of a product of powers: of arguments that are not negative, to multiples of the degree, and of exponentials where `exponentials`.
+    fn root_of_powers(&self, degree: u64, exponentials: bool) -> Result<Option<Self>, ArithmeticError> {
+        let of_function = |(c, powers): &(Rational, Vec<_>)| c.is_positive() && !powers.is_empty();
+        let Some((c, powers)) = self.as_powers().filter(of_function) else { return Ok(None) };
+        let (arity, known) = (self.extension.arity, self.extension.with(|inner| inner.not_negative.clone()));
+        let (mut product, mut argument) = (self.one(), self.zero());
+        for (k, power) in powers {
+            let is_exponential = || {
+                let own = |call: &(Function, Fraction, usize)| call.0 == Function::Exponential && call.2 == k;
+                exponentials && self.extension.with(|inner| inner.calls.iter().any(own))
+            };
+            if k < arity && known.contains(&k) && power.unsigned_abs().is_multiple_of(degree) {
+                let own = self.extension.of(Multivariate::x(k)).power(power.unsigned_abs() / degree);
+                product = product * if power < 0 { own.recip()? } else { own };
+            } else if is_exponential() {
+                argument = argument + self.log_variable(k)? * self.ratio(power, degree as i64);
+            } else {
+                return Ok(None);
+            }
+        }
+        let number = if degree == 2 { self.rational(&c).sqrt()? } else { self.root_of_number(&c, degree)? };
+        Ok(Some(product * argument.exp()? * number))
+    }
+
+    /// `exp(s f)` with a number `s > 0`, for a sum in which multiples of logarithms are terms: the product of the powers of what they were taken of, and of exponentials.
+    /// `None` where there is no such logarithm of a function.
+    pub(crate) fn exponentiated(&self) -> Option<Self> {
+        const MOST: usize = 12;
+        let (sum, powers) = &self.fraction;
+        if powers.iter().any(|power| *power > 0) || sum.terms().len() > MOST {
+            return None;
+        }
+        let logarithms: Vec<usize> = self.extension.with(|inner| {
+            let calls = inner.calls.iter().filter(|call| call.0 == Function::Logarithm);
+            calls.filter(|call| call.1.0.as_constant().is_none()).map(|call| call.2).collect()
+        });
+        let mut scale: i64 = 1;
+        let mut is_one = false;
+        for (monomial, c) in sum.terms() {
+            if !logarithms.iter().any(|k| monomial.get(*k).is_some_and(|power| *power > 0)) {
+                continue;
+            }
+            if monomial.iter().sum::<u32>() > 1 {
+                return None;
+            }
+            scale = num_integer::lcm(scale, c.denom().to_i64().filter(|d| *d <= MOST_COUNT)?);
+            is_one = true;
+        }
+        let factor = |(monomial, c): (&Vec<u32>, &Rational)| self.exp_of_term(monomial, &(c * rational(scale, 1)));
+        let product = sum.terms().try_fold(self.one(), |product, term| Ok::<_, ArithmeticError>(product * factor(term)?));
+        product.ok().filter(|_| is_one && scale <= MOST_COUNT)
     }
 
     /// Sine and cosine of an angle that is not taken apart: exact at multiples of `pi/12`.
@@ -366,6 +406,9 @@ impl Number for Symbolic {
         if let Some(root) = self.root_of_constant()? {
             return Ok(root);
         }
+        if let Some(root) = self.root_of_powers(2, false)? {
+            return Ok(root);
+        }
         let meaning = Meaning::Root(self.fraction.0.clone(), self.denominator());
         Ok(self.extension.of(Multivariate::x(self.extension.known(meaning))))
     }
@@ -378,6 +421,9 @@ impl Number for Symbolic {
             Some(c) if c.is_positive() => self.root_of_number(&c, degree),
             Some(_) => Ok(self.zero()),
             None => {
+                if let Some(root) = self.root_of_powers(degree, true)? {
+                    return Ok(root);
+                }
                 let root = self.extension.of(Multivariate::x(self.call(Function::Root(degree))));
                 // Of numbers, that is: of functions the power is only known where there is a root.
                 if self.extension.arity == 0 && self.parts().1.is_empty() {

@@ -1,8 +1,8 @@
 //! The other way: what a function is at numbers of any scalar, and how fast it changes where its arguments do.
 
-use super::{Fraction, Function, Meaning, Polynomial, Symbolic};
+use super::{Extension, Fraction, Function, Meaning, Polynomial, Symbolic};
 use crate::function::Function as Valued;
-use arithmetic::{ArithmeticError, Dual, Number};
+use arithmetic::{ArithmeticError, Dual, Number, rational};
 
 /// All that the variables of a computation stand for.
 #[derive(Debug, Clone)]
@@ -45,8 +45,8 @@ impl Variables {
         }
     }
 
-    /// Which of the new variables a function depends on, in the end; those behind a variable stand before it.
-    fn needed(&self, function: &Fraction) -> Vec<bool> {
+    /// Which of the new variables a function depends on, in the end; those behind a variable stand before it. What stands behind `held` is not asked for.
+    fn needed(&self, function: &Fraction, held: Option<usize>) -> Vec<bool> {
         let mut needed = vec![false; self.meanings.len()];
         let note = |needed: &mut [bool], polynomials: Vec<&Polynomial>| {
             for (monomial, _) in polynomials.into_iter().flat_map(|polynomial| polynomial.terms()) {
@@ -56,11 +56,30 @@ impl Variables {
         };
         note(&mut needed, self.of_fraction(function));
         for place in (0..needed.len()).rev() {
-            if needed[place] {
+            if needed[place] && held != Some(self.arity + place) {
                 note(&mut needed, self.behind(self.arity + place));
             }
         }
         needed
+    }
+
+    /// The arguments that a function depends on, other than by what stands behind `held`.
+    fn arguments(&self, function: &Fraction, held: Option<usize>) -> Vec<usize> {
+        let needed = self.needed(function, held);
+        let behind = (0..needed.len()).filter(|place| needed[*place] && held != Some(self.arity + *place));
+        let behind = behind.flat_map(|place| self.behind(self.arity + place));
+        let all: Vec<&Polynomial> = self.of_fraction(function).into_iter().chain(behind).collect();
+        let has = |k: &usize| all.iter().any(|polynomial| polynomial.degree_in(*k) > 0);
+        (0..self.arity).filter(has).collect()
+    }
+
+    /// Whether something is known of all that a function consists of.
+    fn are_known(&self, needed: &[bool]) -> bool {
+        let is_known = |place: usize| match self.meanings[place] {
+            Meaning::Any | Meaning::Positive | Meaning::Cosine => self.call(self.arity + place).is_some(),
+            _ => true,
+        };
+        (0..needed.len()).all(|place| !needed[place] || is_known(place))
     }
 
     fn value<T: Number>(&self, (numerator, powers): &Fraction, point: &[T], like: &T) -> Result<T, ArithmeticError> {
@@ -89,7 +108,8 @@ impl Variables {
                 match function {
                     Function::Cosine => argument.cos(),
                     Function::Exponential => argument.exp(),
-                    Function::Logarithm => argument.ln().or_else(|_| (-argument).ln()),
+                    // Of the absolute value, by the square: intervals below 0 would count as without a value.
+                    Function::Logarithm => Ok(argument.square().ln()? * like.ratio(1, 2)),
                     Function::Root(degree) => argument.root(*degree),
                     Function::Other("atan") => argument.atan(),
                     Function::Other(_) => Err(unknown()),
@@ -103,7 +123,7 @@ impl Symbolic {
     /// Whether it has a derivative wherever it has a value: nothing stands under a root or between bars.
     pub fn is_smooth(&self) -> bool {
         let variables = Variables::of(self);
-        let needed = variables.needed(&self.fraction);
+        let needed = variables.needed(&self.fraction, None);
         let is_root =
             |place: usize| matches!(variables.call(variables.arity + place), Some((super::Function::Root(_), ..)));
         let has_kink = |place: usize| {
@@ -115,7 +135,7 @@ impl Symbolic {
     /// Whether something in it is divided by what is no number.
     pub fn has_divisors(&self) -> bool {
         let variables = Variables::of(self);
-        let needed = variables.needed(&self.fraction);
+        let needed = variables.needed(&self.fraction, None);
         let divides = |meaning: &Meaning| matches!(meaning, Meaning::Reciprocal(_));
         self.fraction.1.iter().any(|power| *power > 0)
             || variables.meanings.iter().zip(needed).any(|(meaning, is_needed)| is_needed && divides(meaning))
@@ -133,13 +153,32 @@ impl Symbolic {
 
     /// The arguments that it depends on.
     pub fn depends_on(&self) -> Vec<usize> {
-        let variables = Variables::of(self);
-        let needed = variables.needed(&self.fraction);
-        let behind = (0..needed.len()).filter(|place| needed[*place]);
-        let behind = behind.flat_map(|place| variables.behind(variables.arity + place));
-        let all: Vec<&Polynomial> = variables.of_fraction(&self.fraction).into_iter().chain(behind).collect();
-        let has = |k: &usize| all.iter().any(|polynomial| polynomial.degree_in(*k) > 0);
-        (0..variables.arity).filter(has).collect()
+        Variables::of(self).arguments(&self.fraction, None)
+    }
+
+    /// Functions of different arguments whose sum it is; itself where it is no such sum.
+    pub(crate) fn summands(&self) -> Vec<Symbolic> {
+        if self.fraction.1.iter().any(|power| *power > 0) {
+            return vec![self.clone()];
+        }
+        let mut groups: Vec<(Vec<usize>, Polynomial)> = Vec::new();
+        for (monomial, c) in self.fraction.0.terms() {
+            let term = Polynomial::from_terms([(monomial.clone(), c.clone())], &rational(0, 1));
+            let mut own = (self.extension.of_polynomial(term.clone()).depends_on(), term);
+            let apart = |group: &(Vec<usize>, Polynomial)| !group.0.iter().any(|k| own.0.contains(k));
+            let (rest, joined): (Vec<_>, Vec<_>) = groups.into_iter().partition(apart);
+            groups = rest;
+            for (arguments, sum) in joined {
+                own = ([own.0, arguments].concat(), own.1 + sum);
+            }
+            groups.push(own);
+        }
+        // Constants belong to any.
+        let (constants, mut groups): (Vec<_>, Vec<_>) = groups.into_iter().partition(|group| group.0.is_empty());
+        if let Some(first) = groups.first_mut() {
+            first.1 = constants.into_iter().fold(first.1.clone(), |sum, (_, own)| sum + own);
+        }
+        groups.into_iter().map(|(_, sum)| self.extension.of_polynomial(sum)).collect()
     }
 
     /// How fast it changes where its arguments change at these rates, by the chain rule: at every point where it has a value and a derivative.
@@ -159,13 +198,75 @@ pub struct Settled {
     variables: Variables,
     needed: Vec<bool>,
     fraction: Fraction,
+    /// A new variable, and the argument in whose place its value is given.
+    held: Option<(usize, usize)>,
 }
 
 impl Symbolic {
     /// It as a function of its arguments.
     pub fn settled(&self) -> Settled {
+        self.holding(None)
+    }
+
+    /// The same with the value of one of its new variables as an argument, in the place of another one.
+    fn holding(&self, held: Option<(usize, usize)>) -> Settled {
         let variables = Variables::of(self);
-        Settled { needed: variables.needed(&self.fraction), variables, fraction: self.fraction.clone() }
+        let needed = variables.needed(&self.fraction, held.map(|own| own.0));
+        Settled { needed, variables, fraction: self.fraction.clone(), held }
+    }
+
+    /// It as a function of its arguments, where something is known of all that it consists of.
+    pub(crate) fn known(&self) -> Option<Settled> {
+        Some(self.settled()).filter(|own| own.variables.are_known(&own.needed))
+    }
+
+    /// It as a function of the value of a function in it, in the place of one of the arguments of that, and of all others; `None` where it depends on one of those otherwise.
+    pub(crate) fn as_function_of(&self, part: &Part) -> Option<Settled> {
+        let direct = Variables::of(self).arguments(&self.fraction, Some(part.variable));
+        let known = |own: &Settled| {
+            let is_held = |place: usize| own.variables.arity + place == part.variable;
+            let asked: Vec<bool> = (0..own.needed.len()).map(|place| own.needed[place] && !is_held(place)).collect();
+            own.variables.are_known(&asked)
+        };
+        let whole = !direct.iter().any(|k| part.arguments.contains(k));
+        whole.then(|| self.holding(Some((part.variable, part.arguments[0])))).filter(known)
+    }
+}
+
+/// A function that stands in others.
+pub(crate) struct Part {
+    variable: usize,
+    /// The arguments that it depends on, at least one.
+    pub arguments: Vec<usize>,
+    /// It as a function of them.
+    pub function: Settled,
+    /// Whether it is above 0 wherever it has a value.
+    pub is_positive: bool,
+}
+
+impl Extension {
+    /// A new variable as a function of the arguments, where it is known.
+    pub(crate) fn variable_at(&self, place: usize) -> Option<Settled> {
+        self.of(Polynomial::x(self.arity + place)).known()
+    }
+
+    /// The roots, exponentials and logarithms that were asked for, which depend on arguments.
+    pub(crate) fn functions(&self) -> Vec<Part> {
+        let calls = self.with(|inner| inner.calls.clone());
+        let wanted = |function: &Function| {
+            matches!(function, Function::Exponential | Function::Logarithm | Function::Root(_) | Function::Other("atan"))
+        };
+        let called = calls.iter().filter(|(function, ..)| wanted(function)).map(|(function, _, variable)| (*variable, *function == Function::Exponential));
+        let roots = self.meanings().into_iter().enumerate();
+        let roots = roots.filter(|(_, meaning)| matches!(meaning, Meaning::Root(..) | Meaning::Absolute(..)));
+        let roots = roots.map(|(place, _)| (self.arity + place, false));
+        let part = |(variable, is_positive): (usize, bool)| {
+            let own = self.of(Polynomial::x(variable));
+            let arguments = own.depends_on();
+            let function = own.known().filter(|_| !arguments.is_empty())?;
+            Some(Part { variable, arguments, function, is_positive })
+        };
+        called.chain(roots).collect::<Vec<_>>().into_iter().filter_map(part).collect()
     }
 }
 
@@ -174,9 +275,11 @@ impl Valued for Settled {
         let like = at.first().ok_or(ArithmeticError::Domain("a variable"))?;
         let mut point = at.to_vec();
         for (place, is_needed) in self.needed.iter().enumerate() {
-            point.push(match is_needed {
-                true => self.variables.meant(self.variables.arity + place, &point, like)?,
-                false => like.zero(),
+            let variable = self.variables.arity + place;
+            point.push(match (self.held, is_needed) {
+                (Some((held, argument)), _) if held == variable => at[argument].clone(),
+                (_, true) => self.variables.meant(variable, &point, like)?,
+                _ => like.zero(),
             });
         }
         self.variables.value(&self.fraction, &point, like)

@@ -1,0 +1,314 @@
+//! The same clause in other numbers: what its functions have in common as one number, exponentials in the place of logarithms, powers in the place of numbers under roots.
+
+use super::local::Signs;
+use super::places::{Place, free, truth};
+use super::{Decision, Effort, Extended, FIRST_BOXES, Proof, on_rest};
+use crate::function::{Compared, Function, Literal, Side};
+use crate::multivariate::Multivariate;
+use crate::symbolic::{Extension, Part, Settled, Symbolic};
+use arithmetic::{Cancelled, Number, Progress, Rational, Ring, rational};
+use num_traits::Zero;
+
+/// More common parts are not looked at.
+const MOST_PARTS: usize = 6;
+
+/// A rewritten question takes this share of the boxes.
+const SHARE: u64 = 4;
+
+/// Largest power in the place of a number under roots.
+const MOST_POWER: u64 = 24;
+
+/// A clause that implies the given one, and its domain.
+struct Rewritten {
+    clause: Vec<Literal<Settled>>,
+    domain: Vec<Side>,
+}
+
+/// Decides the clause in other numbers; `None` where there are none, or where it stays open there.
+pub(super) fn decided<F: Function>(
+    clause: &[Literal<F>],
+    domain: &[Side],
+    effort: Effort,
+    progress: &dyn Progress,
+) -> Result<Option<Decision>, Cancelled> {
+    let boxes = effort.boxes / SHARE;
+    let is_asked = !free(domain).is_empty() && free(domain).iter().all(|&k| !domain[k].integer);
+    // Whoever asks decides separately where there is a value: simplified functions may have one where the given ones have none.
+    if boxes < FIRST_BOXES || !is_asked || !clause.iter().all(|literal| literal.guarded) {
+        return Ok(None);
+    }
+    let effort = Effort { boxes, ..effort };
+    let one_at_a_time = |rewritten: Vec<Rewritten>| -> Result<Option<Decision>, Cancelled> {
+        for own in rewritten {
+            if let Decision::Holds(proof) = on_rest(&own.clause, &own.domain, effort, progress)? {
+                return Ok(Some(Decision::Holds(Proof { zeros: Vec::new(), places: Vec::new(), ..proof })));
+            }
+        }
+        Ok(None)
+    };
+    if let Some(decision) = by_summands(clause, domain, effort, progress)? {
+        return Ok(Some(decision));
+    }
+    if let Some(decision) = one_at_a_time(without_logarithms(clause, domain).into_iter().collect())? {
+        return Ok(Some(decision));
+    }
+    if let Some(decision) = one_at_a_time(by_parts(clause, domain))? {
+        return Ok(Some(decision));
+    }
+    if let Some(decision) = one_at_a_time(without_roots(clause, domain).into_iter().collect())? {
+        return Ok(Some(decision));
+    }
+    by_exponential(clause, domain, effort, progress)
+}
+
+/// The functions of a clause over an extension whose arguments, from `skipped` on, are those of the domain.
+fn functions<F: Function>(clause: &[Literal<F>], arguments: &[Symbolic], domain: &[Side]) -> Vec<Option<Symbolic>> {
+    let known = |(x, side): (&Symbolic, &Side)| match side.as_point() {
+        Some(q) => arithmetic::Field::rational(x, q),
+        None => x.clone(),
+    };
+    let arguments: Vec<Symbolic> = arguments.iter().zip(domain).map(known).collect();
+    clause.iter().map(|literal| literal.function.value(&arguments).ok()).collect()
+}
+
+fn literal<F>(own: &Literal<F>, function: Settled) -> Literal<Settled> {
+    Literal { function, compared: own.compared, guarded: true }
+}
+
+/// `exp(f) >= 1` in the place of `f >= 0`, where `f` is a sum with multiples of logarithms.
+fn without_logarithms<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Option<Rewritten> {
+    let extension = Extension::new(domain.len());
+    let values = functions(clause, &extension.arguments(), domain);
+    let mut is_new = false;
+    let mut without = |(own, value): (&Literal<F>, Option<Symbolic>)| {
+        let value = value?;
+        let product = value.exponentiated();
+        is_new |= product.is_some();
+        let function = product.map_or_else(|| value.clone(), |product| product - value.one());
+        Some(literal(own, function.known()?))
+    };
+    let clause: Vec<_> = clause.iter().zip(values).filter_map(&mut without).collect();
+    is_new.then(|| Rewritten { clause, domain: domain.to_vec() })
+}
+
+/// The clause as one of a number that its functions have in common, and of fewer others.
+fn by_parts<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Vec<Rewritten> {
+    let extension = Extension::listening(domain.len());
+    let values = functions(clause, &extension.arguments(), domain);
+    let heard = extension.heard();
+    let polynomials = heard.iter().filter(|own| own.is_polynomial() && own.as_constant().is_none());
+    let mut found: Vec<Polynomial> = Vec::new();
+    for own in polynomials.filter(|own| own.depends_on().len() > 1) {
+        let (p, _) = own.parts();
+        let p = p.clone() - Multivariate::of(p.value(&vec![rational(0, 1); domain.len()]));
+        if !found.contains(&p) && !found.contains(&-p.clone()) {
+            found.push(p);
+        }
+    }
+    let of_polynomials = found.iter().filter_map(|part| of_polynomial(clause, domain, part));
+    let functions = extension.functions();
+    let of_functions = functions.iter().filter_map(|part| of_function(clause, &values, domain, part));
+    of_polynomials.chain(of_functions).take(MOST_PARTS).collect()
+}
+
+type Polynomial = Multivariate<Rational>;
+
+/// What a function is on a domain.
+pub(super) fn range<F: Function>(function: &F, domain: &[Side]) -> Option<Side> {
+    let hull: Vec<Extended> = domain.iter().map(|side| Extended::hull(side.lo.as_ref(), side.hi.as_ref())).collect();
+    let value = function.value(&hull).ok().filter(|value| !value.is_empty())?;
+    Some(Side { lo: Rational::from_float(value.lo), hi: Rational::from_float(value.hi), integer: false })
+}
+
+/// With these numbers held, since nothing depends on them any more.
+fn held(domain: &[Side], arguments: &[usize]) -> Vec<Side> {
+    let own = |(k, side): (usize, &Side)| match arguments.contains(&k) {
+        true => Side::point(side.middle()),
+        false => side.clone(),
+    };
+    domain.iter().enumerate().map(own).collect()
+}
+
+/// With a polynomial as the first of the numbers: its leading monomial is replaced.
+fn of_polynomial<F: Function>(clause: &[Literal<F>], domain: &[Side], part: &Polynomial) -> Option<Rewritten> {
+    let arity = domain.len();
+    let moved: Vec<Polynomial> = (1..=arity).map(Multivariate::x).collect();
+    let extension = Extension::where_zero(arity + 1, part.substituted(&moved) - Multivariate::x(0));
+    let arguments = extension.arguments();
+    let gone: Vec<usize> = (0..arity).filter(|&k| part.degree_in(k) > 0).collect();
+    let values = functions(clause, &arguments[1..], domain);
+    let own = |(own, value): (&Literal<F>, Option<Symbolic>)| {
+        let value = value?;
+        let direct = value.depends_on();
+        (!gone.iter().any(|k| direct.contains(&(k + 1)))).then(|| value.known()).flatten().map(|function| literal(own, function))
+    };
+    let clause: Vec<_> = clause.iter().zip(values).filter_map(own).collect();
+    let plain = Extension::new(arity);
+    let function = plain.of_polynomial(part.clone()).settled();
+    let mut sides = vec![range(&function, domain)?];
+    sides.extend(held(domain, &gone));
+    (!clause.is_empty()).then_some(Rewritten { clause, domain: sides })
+}
+
+/// With the value of a function in the place of one of its arguments.
+fn of_function<F: Function>(
+    clause: &[Literal<F>],
+    values: &[Option<Symbolic>],
+    domain: &[Side],
+    part: &Part,
+) -> Option<Rewritten> {
+    let own = |(own, value): (&Literal<F>, &Option<Symbolic>)| {
+        value.as_ref()?.as_function_of(part).map(|function| literal(own, function))
+    };
+    let mut rewritten: Vec<_> = clause.iter().zip(values).filter_map(own).collect();
+    if rewritten.is_empty() {
+        return None;
+    }
+    let slot = part.arguments[0];
+    let mut sides = held(domain, &part.arguments);
+    sides[slot] = range(&part.function, domain)?;
+    if part.is_positive {
+        let extension = Extension::new(domain.len());
+        let function = (-extension.arguments().swap_remove(slot)).settled();
+        rewritten.push(Literal { function, compared: Compared::NotNegative, guarded: true });
+    }
+    Some(Rewritten { clause: rewritten, domain: sides })
+}
+
+/// `x = a^n` for numbers that are not negative and stand in products under roots of degrees that divide `n`.
+fn without_roots<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Option<Rewritten> {
+    let arity = domain.len();
+    let extension = Extension::new(arity);
+    functions(clause, &extension.arguments(), domain);
+    let is_not_negative = |k: &usize| domain[*k].lo.as_ref().is_some_and(|lo| *lo >= rational(0, 1));
+    let mut powers: Vec<u64> = vec![1; arity];
+    for (k, degree) in extension.degrees_of_roots() {
+        powers[k] = num_integer::lcm(powers[k], degree);
+    }
+    let changed: Vec<usize> = (0..arity).filter(|&k| powers[k] > 1).collect();
+    if changed.is_empty() || !changed.iter().all(is_not_negative) || changed.iter().any(|&k| powers[k] > MOST_POWER) {
+        return None;
+    }
+    let extension = Extension::new(arity);
+    extension.are_not_negative((0..arity).filter(is_not_negative).collect());
+    let arguments: Vec<Symbolic> =
+        extension.arguments().iter().zip(&powers).map(|(x, power)| x.power(*power)).collect();
+    let values = functions(clause, &arguments, domain);
+    let own = |(own, value): (&Literal<F>, Option<Symbolic>)| Some(literal(own, value?.known()?));
+    let mut rewritten: Vec<_> = clause.iter().zip(values).filter_map(own).collect();
+    let mut sides = domain.to_vec();
+    for k in changed {
+        let (lo, hi) = (domain[k].lo.clone()?, domain[k].hi.clone());
+        let outside = [(Some(lo.clone()), -1), (hi.clone(), 1)];
+        for (end, sign) in outside {
+            let Some(end) = end.filter(|end| !end.is_zero() && end.root(powers[k]).is_err()) else { continue };
+            let beyond = (arguments[k].clone() - arithmetic::Field::rational(&arguments[k], &end))
+                * arguments[k].integer(sign);
+            rewritten.push(Literal { function: beyond.settled(), compared: Compared::Positive, guarded: true });
+        }
+        let root = |end: &Rational| Extended::of(end).root(powers[k]).ok();
+        let exact = |end: &Rational| end.root(powers[k]).ok();
+        sides[k].lo = exact(&lo).or_else(|| Rational::from_float(root(&lo)?.lo));
+        sides[k].hi = match hi {
+            Some(hi) => Some(exact(&hi).or_else(|| Rational::from_float(root(&hi)?.hi))?),
+            None => None,
+        };
+    }
+    Some(Rewritten { clause: rewritten, domain: sides })
+}
+
+/// `x = exp(t)` for numbers that are not negative and of which logarithms or roots are taken; the sides with `x = 0` are looked at by themselves.
+fn by_exponential<F: Function>(
+    clause: &[Literal<F>],
+    domain: &[Side],
+    effort: Effort,
+    progress: &dyn Progress,
+) -> Result<Option<Decision>, Cancelled> {
+    let arity = domain.len();
+    let extension = Extension::new(arity);
+    functions(clause, &extension.arguments(), domain);
+    let zero = rational(0, 1);
+    let is_not_negative = |k: usize| domain[k].lo.as_ref().is_some_and(|lo| *lo >= zero);
+    let inside = extension.inside_logarithms();
+    let changed: Vec<usize> = free(domain).into_iter().filter(|&k| inside.contains(&k) && is_not_negative(k)).collect();
+    if changed.is_empty() {
+        return Ok(None);
+    }
+    for &k in changed.iter().filter(|&&k| domain[k].contains(&zero)) {
+        let mut face = domain.to_vec();
+        face[k] = Side::point(zero.clone());
+        if !matches!(on_rest(clause, &face, effort, progress)?, Decision::Holds(_)) {
+            return Ok(None);
+        }
+    }
+    let extension = Extension::new(arity);
+    let mut arguments = extension.arguments();
+    let mut sides = domain.to_vec();
+    let logarithm = |end: &Rational| Extended::of(end).ln().ok();
+    for &k in &changed {
+        let Ok(exponential) = arguments[k].exp() else { return Ok(None) };
+        arguments[k] = exponential;
+        let lo = domain[k].lo.as_ref().filter(|lo| !lo.is_zero());
+        sides[k] = Side {
+            lo: lo.and_then(|lo| Rational::from_float(logarithm(lo)?.lo)),
+            hi: domain[k].hi.as_ref().and_then(|hi| Rational::from_float(logarithm(hi)?.hi)),
+            integer: false,
+        };
+    }
+    let values = functions(clause, &arguments, domain);
+    let own = |(own, value): (&Literal<F>, Option<Symbolic>)| Some(literal(own, value?.known()?));
+    let rewritten: Vec<_> = clause.iter().zip(values).filter_map(own).collect();
+    Ok(match on_rest(&rewritten, &sides, effort, progress)? {
+        Decision::Holds(proof) => Some(Decision::Holds(Proof { zeros: Vec::new(), places: Vec::new(), ..proof })),
+        Decision::Fails(at) => {
+            let place = |(k, q): (usize, Rational)| match changed.contains(&k) {
+                true => Place::exponential(q),
+                false => Place::of(q),
+            };
+            let places: Vec<Place> = at.into_iter().enumerate().map(place).collect();
+            let is_in = places.iter().zip(domain).all(|(place, side)| place.is_in(side));
+            (is_in && truth(clause, &places) == Signs::Fails).then_some(Decision::FailsAt(places))
+        }
+        _ => None,
+    })
+}
+
+/// A function that is a sum of functions of different numbers, each of which is least where the sum has a known value that is not negative.
+fn by_summands<F: Function>(
+    clause: &[Literal<F>],
+    domain: &[Side],
+    effort: Effort,
+    progress: &dyn Progress,
+) -> Result<Option<Decision>, Cancelled> {
+    'literals: for own in clause.iter().filter(|own| own.compared == Compared::NotNegative) {
+        let extension = Extension::new(domain.len());
+        let Some(value) = functions(std::slice::from_ref(own), &extension.arguments(), domain).remove(0) else { continue };
+        let summands = value.summands();
+        if summands.len() < 2 {
+            continue;
+        }
+        let Some(places) = super::attained::zero(own, domain) else { continue };
+        let like = extension.unit();
+        let Ok(at) = places.iter().map(|place| place.value(&like)).collect::<Result<Vec<Symbolic>, _>>() else { continue };
+        let mut all = Proof::default();
+        for summand in &summands {
+            let Some(function) = summand.known() else { continue 'literals };
+            let Ok(least) = function.value(&at) else { continue 'literals };
+            let rest = (summand.clone() - least).settled();
+            let others: Vec<usize> = (0..domain.len()).filter(|k| !summand.depends_on().contains(k)).collect();
+            match on_rest(&[literal(own, rest)], &held(domain, &others), effort, progress)? {
+                Decision::Holds(proof) => {
+                    all.methods.extend(proof.methods);
+                    all.certificates.extend(proof.certificates);
+                    all.boxes += proof.boxes;
+                }
+                _ => continue 'literals,
+            }
+        }
+        all.methods.sort_unstable();
+        all.methods.dedup();
+        all.places = vec![places];
+        return Ok(Some(Decision::Holds(all)));
+    }
+    Ok(None)
+}
