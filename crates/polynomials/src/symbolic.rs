@@ -115,13 +115,6 @@ impl Extension {
         extension
     }
 
-    /// For functions of so many arguments, of which a polynomial is 0.
-    pub(crate) fn where_zero(arity: usize, polynomial: Polynomial) -> Self {
-        let extension = Extension::new(arity);
-        extension.with(|inner| inner.relations.push(polynomial));
-        extension
-    }
-
     /// These arguments are not negative.
     pub(crate) fn are_not_negative(&self, arguments: Vec<usize>) {
         self.with(|inner| inner.not_negative = arguments);
@@ -230,7 +223,7 @@ impl Extension {
 
     /// What is known to be 0 is left out, and squares of variables whose square is known are replaced.
     fn normal(&self, fraction: Fraction) -> Fraction {
-        let (mut numerator, mut powers) = self.without_squares(fraction);
+        let (mut numerator, mut powers) = self.without_exponentials(self.without_squares(fraction));
         let relations = self.with(|inner| inner.relations.clone());
         if relations.is_empty() {
             return (numerator, powers);
@@ -240,7 +233,27 @@ impl Extension {
             if rest == numerator {
                 break;
             }
-            (numerator, powers) = self.without_squares((rest, powers));
+            (numerator, powers) = self.without_exponentials(self.without_squares((rest, powers)));
+        }
+        (numerator, powers)
+    }
+
+    /// An exponential, which is never 0, is left out where it divides both.
+    fn without_exponentials(&self, (mut numerator, mut powers): Fraction) -> Fraction {
+        for (k, power) in powers.iter_mut().enumerate().filter(|(_, power)| **power > 0) {
+            let exponential = self.with(|inner| {
+                let divisor = &inner.divisors[k];
+                let place = divisor.arity().checked_sub(self.arity + 1)?;
+                let is_one = inner.meanings.get(place) == Some(&Meaning::Positive)
+                    && *divisor == Multivariate::x(self.arity + place);
+                is_one.then(|| divisor.clone())
+            });
+            let Some(exponential) = exponential else { continue };
+            while *power > 0
+                && let Some(divided) = numerator.divided_by(&exponential)
+            {
+                (numerator, *power) = (divided, *power - 1);
+            }
         }
         (numerator, powers)
     }
@@ -383,6 +396,22 @@ impl Symbolic {
         }
         let meaning = Meaning::Absolute(self.fraction.0.clone(), self.denominator());
         self.extension.of(Multivariate::x(self.extension.known(meaning)))
+    }
+
+    /// Without its constant term, where it is not divided by anything, and not one of the arguments.
+    pub(crate) fn without_constant(&self) -> Option<Self> {
+        let whole = self.fraction.1.iter().all(|power| *power == 0);
+        let terms = self.fraction.0.terms().filter(|(monomial, _)| !monomial.is_empty());
+        let rest = Multivariate::from_terms(terms.map(|(monomial, c)| (monomial.clone(), c.clone())), &rational(0, 1));
+        let is_simple = rest.terms().len() == 1 && rest.degree() == 1;
+        (whole && !is_simple && !rest.is_zero()).then(|| self.extension.of(rest))
+    }
+
+    /// Whether two functions differ by a rational factor.
+    pub(crate) fn is_multiple_of(&self, other: &Self) -> bool {
+        let lead = |own: &Self| own.fraction.0.terms().next().map(|(_, c)| c.clone());
+        let (Some(a), Some(b)) = (lead(self), lead(other)) else { return false };
+        self.fraction.0.scaled(&a.recip()) == other.fraction.0.scaled(&b.recip())
     }
 
     /// Whether it is a positive multiple of a quotient of products of arguments that are not negative.

@@ -123,7 +123,8 @@ fn parallel<F: Function>(clause: &[Literal<F>], domain: &[Side], free: &[usize])
         for (&k, x) in free.iter().zip(row.iter()) {
             direction[k] = simple(x / size, FINE, 64)?;
         }
-        let multiple = |k: usize| if more > 0 { simple(row[free.len() + k] / size, FINE, 64) } else { Some(rational(0, 1)) };
+        let multiple =
+            |k: usize| if more > 0 { simple(row[free.len() + k] / size, FINE, 64) } else { Some(rational(0, 1)) };
         let along = |x: &[Symbolic]| {
             x.iter().zip(&direction).map(|(x, rate)| Dual::new(x.clone(), x.rational(rate))).collect::<Vec<_>>()
         };

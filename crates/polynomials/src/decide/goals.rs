@@ -48,7 +48,8 @@ pub(super) fn prove<F: Function>(
     };
     let angles = meanings.iter().enumerate().map(angle).collect();
     let variables = Variables { domain, meanings, angles };
-    let mut prover = Prover { variables, effort, progress, proof: Proof::default(), degrees: Vec::new(), roots_stay: false };
+    let mut prover =
+        Prover { variables, effort, progress, proof: Proof::default(), degrees: Vec::new(), roots_stay: false };
     // Numerator times the divisors of odd power: of the sign of the function wherever that is defined.
     let mut cleared: Vec<Option<Polynomial>> = Vec::new();
     for value in &values {

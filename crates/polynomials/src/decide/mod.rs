@@ -7,8 +7,10 @@ mod exact;
 mod extended;
 mod faces;
 mod goals;
+mod image;
 mod local;
 mod parted;
+mod periods;
 mod places;
 mod points;
 mod prover;
@@ -18,6 +20,7 @@ mod roots;
 mod scale;
 mod solutions;
 mod subdivision;
+mod surfaces;
 mod tail;
 
 use crate::function::{Function, Literal, Side};
@@ -149,6 +152,8 @@ pub fn decide<F: Function>(
     effort: Effort,
     progress: &dyn Progress,
 ) -> Result<Decision, Cancelled> {
+    let period = periods::narrowed(clause, domain);
+    let domain = period.as_deref().unwrap_or(domain);
     let (equations, used) = reduction::equations(clause, domain);
     if equations.is_empty() {
         return on_rest(clause, domain, effort, progress);
@@ -261,6 +266,9 @@ fn on_box<F: Function>(
         return Ok(with_zeros(Decision::Holds(proof), found.zeros));
     }
     if let Some(places) = fails_at_zero(clause, domain) {
+        return Ok(Decision::FailsAt(places));
+    }
+    if let Some(places) = surfaces::fails_on(clause, domain) {
         return Ok(Decision::FailsAt(places));
     }
     if let Some(decision) = faces::decided(clause, domain, effort, progress)? {

@@ -68,7 +68,7 @@ impl Place {
     }
 
     /// Whether no more is known of it than where it lies.
-    fn is_enclosed(&self) -> bool {
+    pub(super) fn is_enclosed(&self) -> bool {
         self.outer == Outer::Between && self.equation.is_none()
     }
 
@@ -151,6 +151,15 @@ impl Place {
 
     pub(super) fn of(q: Rational) -> Self {
         Place::rational(Outer::Itself, q)
+    }
+
+    /// The square root of a number, or its negative.
+    pub(super) fn root(square: Rational, sign: Sign) -> Self {
+        let b = rational(if sign == Sign::Negative { -1 } else { 1 }, 1);
+        match square.sqrt() {
+            Ok(root) => Place::of(b * root),
+            Err(_) => Place { b, d: square, ..Place::of(rational(0, 1)) },
+        }
     }
 
     /// The exponential of a number.
@@ -381,7 +390,7 @@ fn turns(of: impl Fn(f64) -> Option<(f64, f64)>, points: &[f64]) -> Vec<f64> {
 }
 
 /// Points of a side, nearer together around 0 where it has no end.
-fn spread(side: &Side) -> Vec<f64> {
+pub(super) fn spread(side: &Side) -> Vec<f64> {
     let (lo, hi) = side.floats();
     let share = |k: usize| (k as f64 + 0.5) / POINTS as f64;
     let point = |k: usize| match (lo.is_finite(), hi.is_finite()) {

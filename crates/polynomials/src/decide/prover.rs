@@ -199,10 +199,8 @@ impl Prover<'_> {
             true => Some(one() - Multivariate::x(k - 1).square()),
             false => self.variables.square_of(k),
         };
-        let relations: Vec<Relation> = sides
-            .iter()
-            .filter_map(|(k, _)| square(*k).map(|square| Relation { variable: *k, square }))
-            .collect();
+        let relations: Vec<Relation> =
+            sides.iter().filter_map(|(k, _)| square(*k).map(|square| Relation { variable: *k, square })).collect();
         // As a problem of its own variables only.
         let arity = goal.target.arity().max(sides.iter().map(|(k, _)| k + 1).max().unwrap_or(0));
         let domain: Vec<Side> = (0..arity)

@@ -28,7 +28,7 @@ impl<F: Function> Function for Put<'_, F> {
 }
 
 /// The literals that are polynomials in the arguments alone, as they stand.
-fn polynomials<F: Function>(
+pub(super) fn polynomials<F: Function>(
     clause: &[Literal<F>],
     arity: usize,
     wanted: impl Fn(Compared) -> bool,

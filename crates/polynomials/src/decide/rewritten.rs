@@ -1,10 +1,10 @@
 //! The same clause in other numbers: what its functions have in common as one number, exponentials in the place of logarithms, powers in the place of numbers under roots.
 
+use super::image::Image;
 use super::local::Signs;
-use super::places::{Place, free, truth};
+use super::places::{Place, free, has_value, truth};
 use super::{Decision, Effort, Extended, FIRST_BOXES, Proof, on_rest};
 use crate::function::{Compared, Function, Literal, Side};
-use crate::multivariate::Multivariate;
 use crate::symbolic::{Extension, Part, Settled, Symbolic};
 use arithmetic::{Cancelled, Number, Progress, Rational, Ring, rational};
 use num_traits::Zero;
@@ -22,6 +22,40 @@ const MOST_POWER: u64 = 24;
 struct Rewritten {
     clause: Vec<Literal<Settled>>,
     domain: Vec<Side>,
+    /// What has a number of its own there.
+    common: Option<Common>,
+}
+
+/// A function of some of the numbers of a domain, in the place of these.
+struct Common {
+    function: Settled,
+    arguments: Vec<usize>,
+    /// Its place in the other domain.
+    slot: usize,
+    /// How many places of the other domain come before those of the given one.
+    before: usize,
+    /// Which literals depend on it and the other numbers only.
+    kept: Vec<bool>,
+}
+
+impl Common {
+    /// A point of the given domain at which all literals are false, from one of the other domain at which those are that are left there.
+    fn fails<F: Function>(&self, clause: &[Literal<F>], domain: &[Side], at: &[Place]) -> Option<Vec<Place>> {
+        let image = Image {
+            function: &self.function,
+            value: &at[self.slot],
+            arguments: &self.arguments,
+            point: at[self.before..].to_vec(),
+        };
+        image.point(domain, |places| {
+            let is_in = places.iter().zip(domain).all(|(place, side)| place.is_in(side) || place.is_enclosed());
+            let is_false = |(literal, kept): (&Literal<F>, &bool)| match kept {
+                true => has_value(&literal.function, places),
+                false => truth(std::slice::from_ref(literal), places) == Signs::Fails,
+            };
+            is_in && clause.iter().zip(&self.kept).all(is_false)
+        })
+    }
 }
 
 /// Decides the clause in other numbers; `None` where there are none, or where it stays open there.
@@ -40,8 +74,16 @@ pub(super) fn decided<F: Function>(
     let effort = Effort { boxes, ..effort };
     let one_at_a_time = |rewritten: Vec<Rewritten>| -> Result<Option<Decision>, Cancelled> {
         for own in rewritten {
-            if let Decision::Holds(proof) = on_rest(&own.clause, &own.domain, effort, progress)? {
-                return Ok(Some(Decision::Holds(Proof { zeros: Vec::new(), places: Vec::new(), ..proof })));
+            let places = match on_rest(&own.clause, &own.domain, effort, progress)? {
+                Decision::Holds(proof) => {
+                    return Ok(Some(Decision::Holds(Proof { zeros: Vec::new(), places: Vec::new(), ..proof })));
+                }
+                Decision::Fails(point) => point.into_iter().map(Place::of).collect(),
+                Decision::FailsAt(places) => places,
+                Decision::Undecided(_) => continue,
+            };
+            if let Some(places) = own.common.and_then(|common| common.fails(clause, domain, &places)) {
+                return Ok(Some(Decision::FailsAt(places)));
             }
         }
         Ok(None)
@@ -88,30 +130,26 @@ fn without_logarithms<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Op
         Some(literal(own, function.known()?))
     };
     let clause: Vec<_> = clause.iter().zip(values).filter_map(&mut without).collect();
-    is_new.then(|| Rewritten { clause, domain: domain.to_vec() })
+    is_new.then(|| Rewritten { clause, domain: domain.to_vec(), common: None })
 }
 
 /// The clause as one of a number that its functions have in common, and of fewer others.
 fn by_parts<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Vec<Rewritten> {
     let extension = Extension::listening(domain.len());
     let values = functions(clause, &extension.arguments(), domain);
-    let heard = extension.heard();
-    let polynomials = heard.iter().filter(|own| own.is_polynomial() && own.as_constant().is_none());
-    let mut found: Vec<Polynomial> = Vec::new();
-    for own in polynomials.filter(|own| own.depends_on().len() > 1) {
-        let (p, _) = own.parts();
-        let p = p.clone() - Multivariate::of(p.value(&vec![rational(0, 1); domain.len()]));
-        if !found.contains(&p) && !found.contains(&-p.clone()) {
-            found.push(p);
+    let mut found: Vec<Symbolic> = Vec::new();
+    let exponents = values.iter().flatten().flat_map(Symbolic::exponents);
+    for own in extension.heard().into_iter().chain(exponents).filter_map(|own| own.without_constant()) {
+        if !own.depends_on().is_empty() && !found.iter().any(|other| own.is_multiple_of(other)) {
+            found.push(own);
         }
     }
-    let of_polynomials = found.iter().filter_map(|part| of_polynomial(clause, domain, part));
+    let of_polynomials =
+        found.iter().filter_map(|part| of_polynomial(clause, domain, &part.known()?, &part.depends_on()));
     let functions = extension.functions();
     let of_functions = functions.iter().filter_map(|part| of_function(clause, &values, domain, part));
     of_polynomials.chain(of_functions).take(MOST_PARTS).collect()
 }
-
-type Polynomial = Multivariate<Rational>;
 
 /// What a function is on a domain.
 pub(super) fn range<F: Function>(function: &F, domain: &[Side]) -> Option<Side> {
@@ -129,25 +167,32 @@ fn held(domain: &[Side], arguments: &[usize]) -> Vec<Side> {
     domain.iter().enumerate().map(own).collect()
 }
 
-/// With a polynomial as the first of the numbers: its leading monomial is replaced.
-fn of_polynomial<F: Function>(clause: &[Literal<F>], domain: &[Side], part: &Polynomial) -> Option<Rewritten> {
-    let arity = domain.len();
-    let moved: Vec<Polynomial> = (1..=arity).map(Multivariate::x).collect();
-    let extension = Extension::where_zero(arity + 1, part.substituted(&moved) - Multivariate::x(0));
+/// With a function, a polynomial in numbers and other functions, as the first of the numbers: its leading monomial is replaced.
+fn of_polynomial<F: Function>(
+    clause: &[Literal<F>],
+    domain: &[Side],
+    part: &Settled,
+    gone: &[usize],
+) -> Option<Rewritten> {
+    let extension = Extension::new(domain.len() + 1);
     let arguments = extension.arguments();
-    let gone: Vec<usize> = (0..arity).filter(|&k| part.degree_in(k) > 0).collect();
+    (part.value(&arguments[1..]).ok()? - &arguments[0]).is_zero_from_now();
     let values = functions(clause, &arguments[1..], domain);
     let own = |(own, value): (&Literal<F>, Option<Symbolic>)| {
         let value = value?;
         let direct = value.depends_on();
-        (!gone.iter().any(|k| direct.contains(&(k + 1)))).then(|| value.known()).flatten().map(|function| literal(own, function))
+        (!gone.iter().any(|k| direct.contains(&(k + 1))))
+            .then(|| value.known())
+            .flatten()
+            .map(|function| literal(own, function))
     };
-    let clause: Vec<_> = clause.iter().zip(values).filter_map(own).collect();
-    let plain = Extension::new(arity);
-    let function = plain.of_polynomial(part.clone()).settled();
-    let mut sides = vec![range(&function, domain)?];
-    sides.extend(held(domain, &gone));
-    (!clause.is_empty()).then_some(Rewritten { clause, domain: sides })
+    let rewritten: Vec<Option<_>> = clause.iter().zip(values).map(own).collect();
+    let kept: Vec<bool> = rewritten.iter().map(Option::is_some).collect();
+    let mut sides = vec![range(part, domain)?];
+    sides.extend(held(domain, gone));
+    let clause: Vec<_> = rewritten.into_iter().flatten().collect();
+    let common = Some(Common { function: part.clone(), arguments: gone.to_vec(), slot: 0, before: 1, kept });
+    (!clause.is_empty()).then_some(Rewritten { clause, domain: sides, common })
 }
 
 /// With the value of a function in the place of one of its arguments.
@@ -160,7 +205,9 @@ fn of_function<F: Function>(
     let own = |(own, value): (&Literal<F>, &Option<Symbolic>)| {
         value.as_ref()?.as_function_of(part).map(|function| literal(own, function))
     };
-    let mut rewritten: Vec<_> = clause.iter().zip(values).filter_map(own).collect();
+    let rewritten: Vec<Option<_>> = clause.iter().zip(values).map(own).collect();
+    let kept: Vec<bool> = rewritten.iter().map(Option::is_some).collect();
+    let mut rewritten: Vec<_> = rewritten.into_iter().flatten().collect();
     if rewritten.is_empty() {
         return None;
     }
@@ -172,7 +219,9 @@ fn of_function<F: Function>(
         let function = (-extension.arguments().swap_remove(slot)).settled();
         rewritten.push(Literal { function, compared: Compared::NotNegative, guarded: true });
     }
-    Some(Rewritten { clause: rewritten, domain: sides })
+    let (function, arguments) = (part.function.clone(), part.arguments.clone());
+    let common = Some(Common { function, arguments, slot, before: 0, kept });
+    Some(Rewritten { clause: rewritten, domain: sides, common })
 }
 
 /// `x = a^n` for numbers that are not negative and stand in products under roots of degrees that divide `n`.
@@ -202,8 +251,8 @@ fn without_roots<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Option<
         let outside = [(Some(lo.clone()), -1), (hi.clone(), 1)];
         for (end, sign) in outside {
             let Some(end) = end.filter(|end| !end.is_zero() && end.root(powers[k]).is_err()) else { continue };
-            let beyond = (arguments[k].clone() - arithmetic::Field::rational(&arguments[k], &end))
-                * arguments[k].integer(sign);
+            let beyond =
+                (arguments[k].clone() - arithmetic::Field::rational(&arguments[k], &end)) * arguments[k].integer(sign);
             rewritten.push(Literal { function: beyond.settled(), compared: Compared::Positive, guarded: true });
         }
         let root = |end: &Rational| Extended::of(end).root(powers[k]).ok();
@@ -214,7 +263,7 @@ fn without_roots<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Option<
             None => None,
         };
     }
-    Some(Rewritten { clause: rewritten, domain: sides })
+    Some(Rewritten { clause: rewritten, domain: sides, common: None })
 }
 
 /// `x = exp(t)` for numbers that are not negative and of which logarithms or roots are taken; the sides with `x = 0` are looked at by themselves.
@@ -282,14 +331,18 @@ fn by_summands<F: Function>(
 ) -> Result<Option<Decision>, Cancelled> {
     'literals: for own in clause.iter().filter(|own| own.compared == Compared::NotNegative) {
         let extension = Extension::new(domain.len());
-        let Some(value) = functions(std::slice::from_ref(own), &extension.arguments(), domain).remove(0) else { continue };
+        let Some(value) = functions(std::slice::from_ref(own), &extension.arguments(), domain).remove(0) else {
+            continue;
+        };
         let summands = value.summands();
         if summands.len() < 2 {
             continue;
         }
         let Some(places) = super::attained::zero(own, domain) else { continue };
         let like = extension.unit();
-        let Ok(at) = places.iter().map(|place| place.value(&like)).collect::<Result<Vec<Symbolic>, _>>() else { continue };
+        let Ok(at) = places.iter().map(|place| place.value(&like)).collect::<Result<Vec<Symbolic>, _>>() else {
+            continue;
+        };
         let mut all = Proof::default();
         for summand in &summands {
             let Some(function) = summand.known() else { continue 'literals };

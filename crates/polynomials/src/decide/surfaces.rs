@@ -5,13 +5,15 @@ use super::places::{Place, free, simple, truth};
 use super::reduction::polynomials;
 use crate::function::{Compared, Function, Literal, Side};
 use crate::multivariate::Multivariate;
-use arithmetic::{Rational, Sign, random, rational};
-use num_traits::{Signed, ToPrimitive, Zero};
+use arithmetic::{Rational, Sign, random};
+use num_traits::{Signed, ToPrimitive};
 
 /// Starts of the search.
 const STARTS: usize = 24;
 /// Times that its steps are halved.
 const HALVINGS: usize = 30;
+/// Steps of one length along all numbers, at most.
+const MOVES: usize = 40;
 /// Values below this are looked at exactly.
 const NEAR: f64 = 1e-9;
 
@@ -72,19 +74,21 @@ impl<F: Function> Search<'_, F> {
         let Some(mut best) = self.slack(&x, sign) else { return x };
         let mut step = 0.5;
         for _ in 0..HALVINGS {
-            let mut moved = true;
-            while std::mem::take(&mut moved) {
+            for _ in 0..MOVES {
+                let before = best;
                 for &k in &self.others {
                     let (lo, hi) = self.domain[k].floats();
                     for by in [step, -step] {
                         let mut next = x.clone();
                         next[k] = (next[k] + by).clamp(lo, hi);
                         if let Some(lower) = self.slack(&next, sign).filter(|lower| *lower < best) {
-                            (x, best, moved) = (next, lower, true);
+                            (x, best) = (next, lower);
                         }
                     }
                 }
-                moved &= best > -1e9;
+                if best == before {
+                    break;
+                }
             }
             step /= 2.0;
         }
@@ -104,7 +108,8 @@ impl<F: Function> Search<'_, F> {
                 return None;
             }
             let mut places: Vec<Place> = point.into_iter().map(Place::of).collect();
-            places[self.surface.variable] = Place::root(square, if sign > 0.0 { Sign::Positive } else { Sign::Negative });
+            places[self.surface.variable] =
+                Place::root(square, if sign > 0.0 { Sign::Positive } else { Sign::Negative });
             let is_in = places[self.surface.variable].is_in(&self.domain[self.surface.variable]);
             (is_in && truth(self.clause, &places) == Signs::Fails).then_some(places)
         })

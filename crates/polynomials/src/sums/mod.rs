@@ -121,15 +121,17 @@ impl Problem {
             return None;
         }
         let all = self.constraints.iter().enumerate();
-        let (pair, relation) = all.filter_map(|(i, p)| {
-            let j = self.constraints.iter().position(|q| *q == -p.clone())?;
-            (0..p.arity()).rev().find_map(|variable| {
-                let parts = p.in_variable(variable);
-                let [rest, linear, lead] = &parts[..] else { return None };
-                let lead = lead.as_constant().filter(|_| linear.is_zero())?;
-                Some(([i, j], Relation { variable, square: rest.scaled(&-lead.recip()) }))
+        let (pair, relation) = all
+            .filter_map(|(i, p)| {
+                let j = self.constraints.iter().position(|q| *q == -p.clone())?;
+                (0..p.arity()).rev().find_map(|variable| {
+                    let parts = p.in_variable(variable);
+                    let [rest, linear, lead] = &parts[..] else { return None };
+                    let lead = lead.as_constant().filter(|_| linear.is_zero())?;
+                    Some(([i, j], Relation { variable, square: rest.scaled(&-lead.recip()) }))
+                })
             })
-        }).next()?;
+            .next()?;
         let left = self.constraints.iter().enumerate().filter(|(k, _)| !pair.contains(k));
         let constraints = left.map(|(_, p)| p.clone()).collect();
         Some(Problem { constraints, relations: vec![relation], ..self.clone() })

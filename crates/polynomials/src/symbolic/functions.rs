@@ -315,7 +315,8 @@ impl Symbolic {
             is_one = true;
         }
         let factor = |(monomial, c): (&Vec<u32>, &Rational)| self.exp_of_term(monomial, &(c * rational(scale, 1)));
-        let product = sum.terms().try_fold(self.one(), |product, term| Ok::<_, ArithmeticError>(product * factor(term)?));
+        let product =
+            sum.terms().try_fold(self.one(), |product, term| Ok::<_, ArithmeticError>(product * factor(term)?));
         product.ok().filter(|_| is_one && scale <= MOST_COUNT)
     }
 

@@ -2,7 +2,9 @@
 
 use super::{Extension, Fraction, Function, Meaning, Polynomial, Symbolic};
 use crate::function::Function as Valued;
-use arithmetic::{ArithmeticError, Dual, Number, rational};
+use arithmetic::{ArithmeticError, Dual, Number, Rational, Ring, rational};
+use num_bigint::BigInt;
+use num_integer::Integer;
 
 /// All that the variables of a computation stand for.
 #[derive(Debug, Clone)]
@@ -156,6 +158,23 @@ impl Symbolic {
         Variables::of(self).arguments(&self.fraction, None)
     }
 
+    /// What stands in the exponentials of its products, added up.
+    pub(crate) fn exponents(&self) -> Vec<Symbolic> {
+        let calls = self.extension.with(|inner| inner.calls.clone());
+        let exponent = |monomial: &Vec<u32>| {
+            let own = calls.iter().filter(|call| call.0 == Function::Exponential);
+            let powers = own.map(|call| (&call.1, i64::from(monomial.get(call.2).copied().unwrap_or(0))));
+            let powers: Vec<_> = powers.filter(|own| own.1 > 0).collect();
+            let sum = |sum: Symbolic, (argument, power): (&Fraction, i64)| {
+                let argument = Symbolic { fraction: argument.clone(), extension: self.extension.clone() };
+                sum + argument * self.extension.unit().integer(power)
+            };
+            let zero = self.extension.of_polynomial(Polynomial::of(rational(0, 1)));
+            (powers.len() > 1).then(|| powers.into_iter().fold(zero, sum))
+        };
+        self.fraction.0.terms().filter_map(|(monomial, _)| exponent(monomial)).collect()
+    }
+
     /// Functions of different arguments whose sum it is; itself where it is no such sum.
     pub(crate) fn summands(&self) -> Vec<Symbolic> {
         if self.fraction.1.iter().any(|power| *power > 0) {
@@ -250,13 +269,53 @@ impl Extension {
         self.of(Polynomial::x(self.arity + place)).known()
     }
 
+    /// A rational number that is a little more than a period in an argument, if functions depend on it by sines and cosines of multiples only.
+    pub(crate) fn period(&self, functions: &[Symbolic], argument: usize) -> Option<Rational> {
+        let of = |call: &(Function, Fraction, usize)| call.1.0.degree_in(argument) > 0;
+        let (mut over, mut under) = (BigInt::from(0), BigInt::from(1));
+        let mut turning = Vec::new();
+        for (function, (inside, powers), variable) in
+            self.with(|inner| inner.calls.clone()).iter().filter(|call| of(call))
+        {
+            let mut terms = inside.terms();
+            let (Some((monomial, c)), None) = (terms.next(), terms.next()) else { return None };
+            let whole = monomial.iter().sum::<u32>() == 1 && powers.iter().all(|power| *power == 0);
+            if *function != Function::Cosine || !whole {
+                return None;
+            }
+            // The greatest common divisor of the multiples.
+            over = (&over * c.denom()).gcd(&(c.numer() * &under));
+            under = &under * c.denom();
+            turning.push(*variable);
+        }
+        let plain = |own: &Symbolic| {
+            let variables = Variables::of(own);
+            let needed = variables.needed(&own.fraction, None);
+            let skipped =
+                |variable: usize| turning.contains(&variable) || turning.contains(&(variable.wrapping_sub(1)));
+            let behind = (0..needed.len()).filter(|place| needed[*place] && !skipped(self.arity + place));
+            let behind = behind.flat_map(|place| variables.behind(self.arity + place));
+            let mut all = variables.of_fraction(&own.fraction).into_iter().chain(behind);
+            all.all(|polynomial| polynomial.degree_in(argument) == 0)
+        };
+        // Above 2 pi.
+        let period = || Rational::new(BigInt::from(6_283_186) * &under, BigInt::from(1_000_000) * &over);
+        (!turning.is_empty() && functions.iter().all(plain)).then(period)
+    }
+
     /// The roots, exponentials and logarithms that were asked for, which depend on arguments.
     pub(crate) fn functions(&self) -> Vec<Part> {
         let calls = self.with(|inner| inner.calls.clone());
         let wanted = |function: &Function| {
-            matches!(function, Function::Exponential | Function::Logarithm | Function::Root(_) | Function::Other("atan"))
+            matches!(
+                function,
+                Function::Exponential | Function::Logarithm | Function::Root(_) | Function::Other("atan")
+            )
         };
-        let called = calls.iter().filter(|(function, ..)| wanted(function)).map(|(function, _, variable)| (*variable, *function == Function::Exponential));
+        let called = calls
+            .iter()
+            .filter(|(function, ..)| wanted(function))
+            .map(|(function, _, variable)| (*variable, *function == Function::Exponential));
         let roots = self.meanings().into_iter().enumerate();
         let roots = roots.filter(|(_, meaning)| matches!(meaning, Meaning::Root(..) | Meaning::Absolute(..)));
         let roots = roots.map(|(place, _)| (self.arity + place, false));

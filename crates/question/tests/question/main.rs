@@ -16,6 +16,7 @@ mod missing;
 mod motions;
 mod one_number;
 mod own;
+mod rewritten;
 mod sets;
 mod sharp;
 mod sides;

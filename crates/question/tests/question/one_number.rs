@@ -115,9 +115,12 @@ fn a_property_may_fail_at_one_number_only() {
 /// Two roots that are one, as no identity tells: named, and not decided.
 #[test]
 fn a_coincidence_is_named() {
-    let found = answer(&asked("x = \"[0, 1]\"", "exp(x)*exp(sin(x) - 1) >= x + sin(x)", "1 < 0"));
+    let found = answer(&asked("x = \"[0, 1]\"", "(2 + cos(x))*(exp(x)*exp(sin(x) - 1) - x - sin(x)) >= 0", "1 < 0"));
     assert_eq!(found.verdict, Verdict::Undecided);
     assert!(found.why.contains("agree to 2^-") && found.why.contains("0.51097342938"), "{}", found.why);
+    // Without the factor both sides are functions of one number, `x + sin(x)`.
+    assert_eq!(verdict("x = \"[0, 1]\"", "exp(x)*exp(sin(x) - 1) >= x + sin(x)"), Verdict::Holds);
+    assert_eq!(verdict("x = \"[0, 1]\"", "exp(x)*exp(sin(x) - 1) > x + sin(x)"), Verdict::False);
 }
 
 /// Roots of other degree than 2, 4 and 8 of numbers that are above 0.
