@@ -15,6 +15,9 @@ const MOST_PARTS: usize = 6;
 /// A rewritten question takes this share of the boxes.
 const SHARE: u64 = 4;
 
+/// Boxes for the sign of a part.
+const FEW: u64 = 100;
+
 /// Largest power in the place of a number under roots.
 const MOST_POWER: u64 = 24;
 
@@ -94,7 +97,9 @@ pub(super) fn decided<F: Function>(
     if let Some(decision) = one_at_a_time(without_logarithms(clause, domain).into_iter().collect())? {
         return Ok(Some(decision));
     }
-    if let Some(decision) = one_at_a_time(by_parts(clause, domain))? {
+    let few = Effort { boxes: FEW, ..effort };
+    let is_signed = |own: Rewritten| matches!(on_rest(&own.clause, &own.domain, few, progress), Ok(Decision::Holds(_)));
+    if let Some(decision) = one_at_a_time(by_parts(clause, domain, &is_signed))? {
         return Ok(Some(decision));
     }
     if let Some(decision) = one_at_a_time(without_roots(clause, domain).into_iter().collect())? {
@@ -134,7 +139,11 @@ fn without_logarithms<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Op
 }
 
 /// The clause as one of a number that its functions have in common, and of fewer others.
-fn by_parts<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Vec<Rewritten> {
+fn by_parts<F: Function>(
+    clause: &[Literal<F>],
+    domain: &[Side],
+    is_signed: &dyn Fn(Rewritten) -> bool,
+) -> Vec<Rewritten> {
     let extension = Extension::listening(domain.len());
     let values = functions(clause, &extension.arguments(), domain);
     let mut found: Vec<Symbolic> = Vec::new();
@@ -145,7 +154,7 @@ fn by_parts<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Vec<Rewritte
         }
     }
     let of_polynomials =
-        found.iter().filter_map(|part| of_polynomial(clause, domain, &part.known()?, &part.depends_on()));
+        found.iter().filter_map(|part| of_polynomial(clause, domain, &part.known()?, &part.depends_on(), is_signed));
     let functions = extension.functions();
     let of_functions = functions.iter().filter_map(|part| of_function(clause, &values, domain, part));
     of_polynomials.chain(of_functions).take(MOST_PARTS).collect()
@@ -173,6 +182,7 @@ fn of_polynomial<F: Function>(
     domain: &[Side],
     part: &Settled,
     gone: &[usize],
+    is_signed: &dyn Fn(Rewritten) -> bool,
 ) -> Option<Rewritten> {
     let extension = Extension::new(domain.len() + 1);
     let arguments = extension.arguments();
@@ -188,7 +198,25 @@ fn of_polynomial<F: Function>(
     };
     let rewritten: Vec<Option<_>> = clause.iter().zip(values).map(own).collect();
     let kept: Vec<bool> = rewritten.iter().map(Option::is_some).collect();
-    let mut sides = vec![range(part, domain)?];
+    let mut whole = range(part, domain)?;
+    // Enclosures lose signs that sums of squares know.
+    let zero = rational(0, 1);
+    let keeps = |negative: bool| {
+        let like = Extension::new(domain.len());
+        let value = part.value(&like.arguments()).ok();
+        let function = value.and_then(|value| if negative { (-value).known() } else { value.known() });
+        let of = |function| Literal { function, compared: Compared::NotNegative, guarded: true };
+        function.is_some_and(|function| {
+            is_signed(Rewritten { clause: vec![of(function)], domain: domain.to_vec(), common: None })
+        })
+    };
+    if whole.lo.as_ref().is_none_or(|lo| *lo < zero) && keeps(false) {
+        whole.lo = Some(zero.clone());
+    }
+    if whole.hi.as_ref().is_none_or(|hi| *hi > zero) && keeps(true) {
+        whole.hi = Some(zero);
+    }
+    let mut sides = vec![whole];
     sides.extend(held(domain, gone));
     let clause: Vec<_> = rewritten.into_iter().flatten().collect();
     let common = Some(Common { function: part.clone(), arguments: gone.to_vec(), slot: 0, before: 1, kept });

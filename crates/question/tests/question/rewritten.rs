@@ -75,7 +75,7 @@ fn what_is_strict_in_other_numbers_is_decided() {
     ] {
         let found = answer(&asked(family, property, "1 < 0"));
         assert_eq!(found.verdict, Verdict::False, "{property}: {}", found.why);
-        assert_eq!(found.counterexample.map(|at| at.to_string()), Some(place.to_string()), "{property}");
+        assert!(found.text(None).contains(&format!("counterexample: {place}, exactly")), "{}", found.text(None));
     }
 }
 
@@ -91,7 +91,7 @@ fn what_nearly_has_a_common_part_is_not_said_to_hold() {
         ("x = \"[-2, -1]\"\ny = \"[-2, -1]\"", "log(x*y) + exp(x*y - 1) <= 1"),
         ("x = \"[-2, -1]\"\ny = \"[-2, -1]\"", "log(x*y) <= 1386/1000"),
         ("x = \"[-2, -1]\"\ny = \"[-2, -1]\"", "log(log(x*y) + 1) <= 869/1000"),
-        ("x = \"[0, 4]\"", "x = 0 or log(x) <= 69/50*x^(1/4)"),
+        ("x = \"[0, 60]\"", "x = 0 or log(x) <= 147/100*x^(1/4)"),
         ("x = \"[0, 1]\"\ny = \"[0, 1]\"\nz = \"[0, 1]\"", "(x*y*z)^(1/3) < (x + y + z)/3"),
         ("x = \"[0, 2]\"\ny = \"[0, 2]\"", "(x*y)^(1/3) <= 1587401/1000000"),
         (PLANE, "exp(x) + exp(y) > 2 + x + y"),
