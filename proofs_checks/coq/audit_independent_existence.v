@@ -1,7 +1,6 @@
 (* Clauses about solutions that exist, are unique or go to a limit, formalised from their words before the theorems were looked at; the
    theorems prove them. K of (10) is T.K10 of audit_independent_tanner2, which
-   K10_within compares with Definition 4. Changed after the theorems had been seen: in solution4 the set of measure zero may depend on [0, b],
-   as Definition 4 has it, where one set had been asked for; and gradients, not the slopes V', are locally Lipschitz in eq10_4. *)
+   K10_within compares with Definition 4. Changed after the theorems had been seen: gradients, not the slopes V', are locally Lipschitz in eq10_4. *)
 From Coq Require Import Reals Lra Lia Relations Psatz Classical.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian tanner_energy.
@@ -24,10 +23,10 @@ Definition K (n : nat) (f : (nat -> R) -> nat -> R) (x z : nat -> R) := forall Z
 Definition continuous_absolutely (b : R) (x : R -> R) := forall e, 0 < e -> exists d, 0 < d /\ forall m (p q : nat -> R),
   (forall k, (k < m)%nat -> 0 <= p k <= q k /\ q k <= b) -> (forall k, (S k < m)%nat -> q k <= p (S k)) ->
   Sum m (fun k => q k - p k) < d -> Sum m (fun k => Rabs (x (q k) - x (p k))) < e.
-(* on every [0, b] *)
+(* on every [0, b]; almost all t >= 0 *)
 Definition solution4 (n : nat) (f : (nat -> R) -> nat -> R) (x : R -> nat -> R) :=
-  forall b, 0 < b -> (forall i, (i < n)%nat -> continuous_absolutely b (fun t => x t i)) /\
-  exists N, T.negligible N /\ forall t, 0 <= t <= b -> ~ N t -> exists z, K n f (x t) z /\ forall i, (i < n)%nat -> is_derive (fun s => x s i) t (z i).
+  (forall b i, 0 < b -> (i < n)%nat -> continuous_absolutely b (fun t => x t i)) /\
+  exists N, T.negligible N /\ forall t, 0 <= t -> ~ N t -> exists z, K n f (x t) z /\ forall i, (i < n)%nat -> is_derive (fun s => x s i) t (z i).
 (* tanner2.appA.def4 clause 2, the existence; measurable or not *)
 Definition def4_2 : Prop := forall n (f : (nat -> R) -> nat -> R) M x0,
   (forall x y, (forall i, (i < n)%nat -> x i = y i) -> forall i, (i < n)%nat -> f x i = f y i) ->
@@ -127,10 +126,9 @@ Proof.
 Qed.
 Lemma def4_2_holds : def4_2.
 Proof.
-  intros n f M x0 E B. destruct (tanner2_existence.filippov_exists n f M x0 B) as (x & S & F). exists x. split; [exact S|]. intros b Hb.
-  destruct (F (b + 1)) as (A & N & HN & D). split.
-  - intros i Hi e He. now apply (A i Hi b e ltac:(lra)).
-  - exists N. split; [exact HN|]. intros t Ht Nt. destruct (D t ltac:(lra) Nt) as (z & Hz & Dz). exists z. split; [now apply K_is|exact Dz].
+  intros n f M x0 E B. destruct (tanner2_existence.filippov_exists n f M x0 B) as (x & S & A & N & HN & D). exists x. split; [exact S|]. split.
+  - intros b i Hb Hi e He. exact (A i Hi b e Hb He).
+  - exists N. split; [exact HN|]. intros t Ht Nt. destruct (D t Ht Nt) as (z & Hz & Dz). exists z. split; [now apply K_is|exact Dz].
 Qed.
 
 (* rates and derivatives *)
