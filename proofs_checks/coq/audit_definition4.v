@@ -3,7 +3,7 @@
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase.
-From Flockproof Require tanner_nonsmooth inclusions tanner2_filippov tanner2_limits tanner2_lasting tanner2_facts tanner2_unique tanner2_energies tanner2_appendix tanner2_existence tanner2_approach tanner2_field tanner2_definition4.
+From Flockproof Require tanner_nonsmooth inclusions tanner2_filippov tanner2_limits tanner2_lasting tanner2_facts tanner2_unique tanner2_energies tanner2_appendix tanner2_existence tanner2_approach tanner2_field tanner2_definition4 tanner2_stops.
 Open Scope R_scope.
 
 (* The law: links join agents nearer than R0. *)
@@ -142,3 +142,19 @@ Check (tanner2_definition4.solutions_lose_Q :
   forall (n : nat) (V V' : nat -> nat -> R -> R) (R0 T : R) (x : R -> nat -> R), 0 < R0 -> tanner2_filippov.potentials n complete V V' ->
   tanner2_definition4.solution_until T n V' R0 x -> forall a b, 0 <= a <= b -> b < T ->
   tanner2_facts.Qsat n V R0 (tanner2_field.place_of (x b)) (tanner2_field.speed_of (x b)) <= tanner2_facts.Qsat n V R0 (tanner2_field.place_of (x a)) (tanner2_field.speed_of (x a))).
+
+(* ---- beyond.tanner2.thm2_stop: r i t the position of agent i at t ---- *)
+Check (eq_refl : tanner2_stops.limit_point = fun n r s => forall T e, 0 < e -> exists t, T <= t /\
+  forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (r i t - r j t - (s i - s j))%C < e).
+Check (eq_refl : tanner2_stops.one_pair_at = fun n R0 s => forall i j k l, (i < n)%nat -> (j < n)%nat -> (k < n)%nat -> (l < n)%nat -> i <> j -> k <> l ->
+  Cmod (s i - s j)%C = R0 -> Cmod (s k - s l)%C = R0 -> (k = i /\ l = j) \/ (k = j /\ l = i)).
+Check (eq_refl : tanner2_stops.passes = fun R0 f a b => (f a < R0 /\ R0 < f b) \/ (R0 < f a /\ f b < R0)).
+Check (eq_refl : tanner2_stops.stays = fun R0 f a b => exists c d, a <= c < d /\ d <= b /\ forall t, c <= t <= d -> f t = R0).
+Check (eq_refl : tanner2_stops.switching_ends = fun n R0 r => exists T, 0 <= T /\ forall i j a b, (i < n)%nat -> (j < n)%nat -> i <> j -> T <= a < b ->
+  tanner2_stops.passes R0 (fun t => Cmod (r i t - r j t)%C) a b -> tanner2_stops.stays R0 (fun t => Cmod (r i t - r j t)%C) a b).
+Check (tanner2_stops.switching_stops :
+  forall (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R) (x : R -> nat -> R), 0 < R0 -> tanner2_filippov.potentials n complete V V' ->
+  (forall k l, (k < n)%nat -> (l < n)%nat -> k <> l -> 0 < V' k l R0) ->
+  tanner2_definition4.solution_always n V' R0 x -> tanner2_definition4.connected_always n R0 x ->
+  (forall s, tanner2_stops.limit_point n (fun i t => tanner2_field.place_of (x t) i) s -> tanner2_stops.one_pair_at n R0 s) ->
+  tanner2_stops.switching_ends n R0 (fun i t => tanner2_field.place_of (x t) i)).

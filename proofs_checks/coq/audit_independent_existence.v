@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra Lia Relations Psatz Classical.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian tanner_energy.
-From Flockproof Require inclusions tanner_flock tanner2_filippov tanner2_limits tanner2_appendix tanner2_existence tanner2_unique tanner2_solutions tanner2_onward tanner2_approach tanner2_field tanner2_definition4.
+From Flockproof Require inclusions tanner_flock tanner2_filippov tanner2_limits tanner2_appendix tanner2_existence tanner2_unique tanner2_solutions tanner2_onward tanner2_approach tanner2_field tanner2_definition4 tanner2_stops.
 From Flockproof Require paley_particles paley_convergence paley_settling paley_formations paley_cycles audit_independent_paley audit_independent_tanner2.
 Module P := audit_independent_paley.
 Module T := audit_independent_tanner2.
@@ -117,6 +117,15 @@ Definition thm2_pot_whole : Prop := forall n V V' R0 x, 0 < R0 -> T.potentials n
   forall e, 0 < e -> exists S, 0 <= S /\ forall t, S <= t -> exists q, critical_whole n V' R0 q /\ forall i, (i < n)%nat -> Cmod (place (x t) i - q i)%C < e.
 Definition eq13_3_whole : Prop := forall n V V' R0 T x, 0 < R0 -> T.potentials n complete V V' -> whole_before T n V' R0 x -> forall s t, 0 <= s <= t -> t < T ->
   T.energy11 n V R0 (place (x t)) (speed (x t)) <= T.energy11 n V R0 (place (x s)) (speed (x s)).
+
+(* beyond.tanner2.thm2_stop; s i j a limit of the positions of i relative to j *)
+Definition thm2_stop : Prop := forall n V V' R0 x, 0 < R0 -> T.potentials n complete V V' -> (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> 0 < V' i j R0) -> whole n V' R0 x ->
+  (forall t, 0 <= t -> strongly_connected n (T.by_distance (place (x t)) R0)) ->
+  let rel t i j : C := (place (x t) i - place (x t) j)%C in
+  (forall s : nat -> nat -> C, (forall S e, 0 < e -> exists t, S <= t /\ forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (rel t i j - s i j)%C < e) ->
+    forall i j k l, (i < j < n)%nat -> (k < l < n)%nat -> Cmod (s i j) = R0 -> Cmod (s k l) = R0 -> i = k /\ j = l) ->
+  exists S, 0 <= S /\ forall i j a b, (i < n)%nat -> (j < n)%nat -> S <= a < b -> (Cmod (rel a i j) < R0 < Cmod (rel b i j) \/ Cmod (rel b i j) < R0 < Cmod (rel a i j)) ->
+    exists c d, a <= c < d /\ d <= b /\ forall t, c <= t <= d -> Cmod (rel t i j) = R0.
 
 (* ---- beyond.paley.cyclic_patterns: neighbours on the ring ---- *)
 Definition ring (n : nat) : graph := fun j k => (Nat.eqb k ((j + 1) mod n) || Nat.eqb j ((k + 1) mod n))%bool.
@@ -500,6 +509,20 @@ Qed.
 Lemma eq13_3_whole_holds : eq13_3_whole.
 Proof. intros n V V' R0 S x HR P X s t Hst Ht. apply whole_before_is in X. rewrite !T.energy11_is. exact (tanner2_definition4.solutions_lose_Q n V V' R0 S x HR P X s t Hst Ht). Qed.
 
+Lemma thm2_stop_holds : thm2_stop.
+Proof.
+  intros n V V' R0 x HR P Pl W C1 rel One. apply whole_is in W. destruct (tanner2_stops.switching_stops n V V' R0 x HR P Pl W C1) as (S & HS & H).
+  - intros s L i j k l Hi Hj Hk Hl Ne Nk E1 E2. assert (X : forall i j k l, (i < j < n)%nat -> (k < l < n)%nat -> Cmod (s i - s j)%C = R0 -> Cmod (s k - s l)%C = R0 -> i = k /\ j = l) by (exact (One (fun i j => s i - s j)%C L)).
+    assert (Sy : forall i j, Cmod (s i - s j)%C = Cmod (s j - s i)%C) by (intros a b; rewrite <- Cmod_opp; f_equal; ring).
+    destruct (PeanoNat.Nat.lt_trichotomy i j) as [A|[A|A]]; [|congruence|]; (destruct (PeanoNat.Nat.lt_trichotomy k l) as [B|[B|B]]; [|congruence|]).
+    + destruct (X i j k l ltac:(lia) ltac:(lia) E1 E2). left. split; congruence.
+    + rewrite Sy in E2. destruct (X i j l k ltac:(lia) ltac:(lia) E1 E2). right. split; congruence.
+    + rewrite Sy in E1. destruct (X j i k l ltac:(lia) ltac:(lia) E1 E2). right. split; congruence.
+    + rewrite Sy in E1, E2. destruct (X j i l k ltac:(lia) ltac:(lia) E1 E2). left. split; congruence.
+  - exists S. split; [exact HS|]. intros i j a b Hi Hj Hab Ps. assert (Ne : i <> j).
+    { intros ->. unfold rel in Ps. replace (place (x a) j - place (x a) j)%C with (RtoC 0) in Ps by ring. replace (place (x b) j - place (x b) j)%C with (RtoC 0) in Ps by ring. rewrite Cmod_0 in Ps. lra. }
+    exact (H i j a b Hi Hj Ne Hab ltac:(unfold tanner2_stops.passes; unfold rel in Ps; change tanner2_field.place_of with place; lra)).
+Qed.
 Lemma critical_there_holds : critical_there.
 Proof.
   intros n V V' R0 q HR P A Gn. split.

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 183] = sources![
+const SOURCES: [(&str, &str); 184] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -106,6 +106,7 @@ const SOURCES: [(&str, &str); 183] = sources![
     "tanner2_apart",
     "tanner2_field",
     "tanner2_definition4",
+    "tanner2_stops",
     "tanner_graph",
     "tanner_components",
     "tanner_rates",
