@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 184] = sources![
+const SOURCES: [(&str, &str); 185] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -107,6 +107,7 @@ const SOURCES: [(&str, &str); 184] = sources![
     "tanner2_field",
     "tanner2_definition4",
     "tanner2_stops",
+    "tanner2_minima",
     "tanner_graph",
     "tanner_components",
     "tanner_rates",
