@@ -4,7 +4,7 @@
 From Coq Require Import Reals Lra Lia Relations Psatz Classical.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian tanner_energy.
-From Flockproof Require inclusions tanner_flock tanner2_filippov tanner2_limits tanner2_appendix tanner2_existence tanner2_unique tanner2_solutions tanner2_onward tanner2_approach tanner2_field tanner2_definition4 tanner2_stops.
+From Flockproof Require inclusions tanner_flock tanner2_filippov tanner2_limits tanner2_appendix tanner2_existence tanner2_unique tanner2_solutions tanner2_onward tanner2_approach tanner2_field tanner2_definition4 tanner2_stops tanner2_apart tanner2_minima tanner2_motion.
 From Flockproof Require paley_particles paley_convergence paley_settling paley_formations paley_cycles audit_independent_paley audit_independent_tanner2.
 Module P := audit_independent_paley.
 Module T := audit_independent_tanner2.
@@ -126,6 +126,20 @@ Definition thm2_stop : Prop := forall n V V' R0 x, 0 < R0 -> T.potentials n comp
     forall i j k l, (i < j < n)%nat -> (k < l < n)%nat -> Cmod (s i j) = R0 -> Cmod (s k l) = R0 -> i = k /\ j = l) ->
   exists S, 0 <= S /\ forall i j a b, (i < n)%nat -> (j < n)%nat -> S <= a < b -> (Cmod (rel a i j) < R0 < Cmod (rel b i j) \/ Cmod (rel b i j) < R0 < Cmod (rel a i j)) ->
     exists c d, a <= c < d /\ d <= b /\ forall t, c <= t <= d -> Cmod (rel t i j) = R0.
+
+(* tanner2.sec4.flocking clause 3 (corrected): z the minimum; rotations and translations of z; within e of one in all r_ij, and all v_i - v_j below e. Where agents coincide the sum of the V_ij is infinite *)
+Definition turned n (z q : nat -> C) := exists a c : C, Cmod a = 1 /\ forall i, (i < n)%nat -> q i = (a * z i + c)%C.
+Definition within n (z : nat -> C) e (q : nat -> C) := exists a : C, Cmod a = 1 /\ forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (q i - q j - a * (z i - z j))%C < e.
+Definition flocks_within n z e (q u : nat -> C) := within n z e q /\ forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (u i - u j)%C < e.
+Definition sum_V n (V : nat -> nat -> R -> R) (q : nat -> C) := Sum n (fun i => Sum i (fun j => V i j (Cmod (q i - q j)%C))).
+Definition sec4_flocking : Prop := forall n V V' z, (2 <= n)%nat -> T.potentials n complete V V' -> T.apart_at n complete z ->
+  (exists d, 0 < d /\ forall q, T.apart_at n complete q -> within n z d q -> ~ turned n z q -> sum_V n V z < sum_V n V q) ->
+  (exists d, 0 < d /\ forall q, T.apart_at n complete q -> within n z d q -> (forall i, (i < n)%nat -> T.gradV n complete V' q i = 0%C) -> turned n z q) ->
+  (forall q w, turned n z q -> T.motion n complete V' (fun i t => (q i + RtoC t * w)%C) (fun _ _ => w)) /\
+  (forall e, 0 < e -> exists d, 0 < d /\ forall r v, T.motion n complete V' r v -> flocks_within n z d (fun i => r i 0) (fun i => v i 0) ->
+    forall t, 0 <= t -> flocks_within n z e (fun i => r i t) (fun i => v i t)) /\
+  exists d, 0 < d /\ forall r v, T.motion n complete V' r v -> flocks_within n z d (fun i => r i 0) (fun i => v i 0) ->
+    forall e, 0 < e -> exists S, forall t, S <= t -> flocks_within n z e (fun i => r i t) (fun i => v i t).
 
 (* ---- beyond.paley.cyclic_patterns: neighbours on the ring ---- *)
 Definition ring (n : nat) : graph := fun j k => (Nat.eqb k ((j + 1) mod n) || Nat.eqb j ((k + 1) mod n))%bool.
@@ -317,6 +331,56 @@ Proof.
   destruct (HS t ltac:(lra)) as (q & [Aq (m & c & y & Y1 & Y2 & Y3)] & D). exists q. split.
   - split; [exact Aq|]. exists m, c, y. split; [exact Y1|]. split; [exact Y2|]. intros i Hi. symmetry. now apply Y3.
   - intros i Hi. specialize (D i Hi). cbv beta in D. now rewrite back_is in D by lra.
+Qed.
+
+(* ---- minima on the complete graph ---- *)
+Lemma within_is n z e q : within n z e q <-> tanner2_minima.near_orbit n e z q.
+Proof. split; intros (a & A & H); exists a; (split; [exact A|]); intros i j Hi Hj; specialize (H i j Hi Hj); replace (a * (z i - z j))%C with (a * z i - a * z j)%C in * by ring; exact H. Qed.
+Lemma flocks_is n z e q u : flocks_within n z e q u <-> tanner2_minima.close_to n z e q u.
+Proof. unfold flocks_within, tanner2_minima.close_to. now rewrite within_is. Qed.
+Lemma ordered_pairs n (f : nat -> nat -> R) : (forall i j, f i j = f j i) -> Sum n (fun i => Sum n (fun j => if PeanoNat.Nat.eqb i j then 0 else f i j)) = 2 * Sum n (fun i => Sum i (f i)).
+Proof.
+  intros S. induction n as [|n IH]; [cbn; ring|]. cbn [Sum]. rewrite PeanoNat.Nat.eqb_refl, Rplus_0_r, Rmult_plus_distr_l, <- IH.
+  rewrite Sum_plus, (Sum_ext n (fun i => if PeanoNat.Nat.eqb i n then 0 else f i n) (f n)), (Sum_ext n (fun j => if PeanoNat.Nat.eqb n j then 0 else f n j) (f n)); [ring| |];
+    intros i Hi; [destruct (PeanoNat.Nat.eqb_spec n i); [lia|reflexivity]|destruct (PeanoNat.Nat.eqb_spec i n); [lia|apply S]].
+Qed.
+Lemma sum_V_is n V q : (forall i j x, V i j x = V j i x) -> tanner2_apart.sum_of_all n (tanner2_filippov.both V) q = 2 * sum_V n V q.
+Proof.
+  intros VS. unfold tanner2_apart.sum_of_all, sum_V. rewrite ordered_pairs.
+  - f_equal. apply Sum_ext. intros i _. apply Sum_ext. intros j _. now rewrite T.both_V.
+  - intros i j. rewrite (tanner2_filippov.both_sym V i j). unfold tanner_energy.norm. f_equal. rewrite <- Cmod_opp. f_equal. ring.
+Qed.
+Lemma grad_both n V V' q i : T.potentials n complete V V' -> T.apart_at n complete q -> (i < n)%nat -> tanner_energy.grad_i n complete (tanner2_filippov.both V') q i = T.gradV n complete V' q i.
+Proof.
+  intros P A Hi. rewrite <- T.gradV_is. apply (T.both_law n complete V V' q q i); [apply tanner2_minima.simple_complete|apply P|now apply T.slopes_of|exact Hi|exact A].
+Qed.
+Lemma sec4_flocking_holds : sec4_flocking.
+Proof.
+  intros n V V' z Hn P A (d & Hd & Mn) (d' & Hd' & Is). assert (Sy : undirected complete) by apply tanner2_minima.simple_complete.
+  destruct (T.potentials_are n complete _ _ (T.one_of n complete V V' Sy P)) as (VS & VS' & Pot & C1).
+  assert (Min : tanner2_apart.strict_minimum n (tanner2_filippov.both V) z).
+  { exists (d / 2). split; [lra|]. intros q Nq. assert (Wq : within n z d q).
+    { exists 1%C. split; [apply Cmod_1|]. intros i j Hi Hj. replace (q i - q j - 1 * (z i - z j))%C with ((q i - z i) + - (q j - z j))%C by ring. eapply Rle_lt_trans; [apply Cmod_triangle|]. rewrite Cmod_opp.
+      pose proof (Nq i Hi). pose proof (Nq j Hj). unfold tanner_energy.norm in *. lra. }
+    assert (Az : tanner2_apart.all_apart n z) by (now apply tanner2_minima.apart_distinct).
+    unfold tanner2_apart.not_above, tanner2_apart.below. rewrite !sum_V_is by apply P. destruct (classic (turned n z q)) as [(a & c & Ha & E)|Nt].
+    - split; [|right; now exists a, c]. intros _. split; [exact Az|]. right. f_equal. apply Sum_ext. intros i Hi. apply Sum_ext. intros j Hj. rewrite (E i Hi), (E j ltac:(lia)). f_equal.
+      replace (a * z i + c - (a * z j + c))%C with (a * (z i - z j))%C by ring. rewrite Cmod_mult, Ha. ring.
+    - assert (L : tanner2_apart.all_apart n q -> sum_V n V z < sum_V n V q) by (intros Q; apply Mn; [now apply tanner2_minima.apart_distinct|exact Wq|exact Nt]).
+      split; [|left]; intros Q; (split; [exact Az|]); specialize (L Q); lra. }
+  assert (Iso : tanner2_minima.isolated n (tanner2_filippov.both V') z).
+  { exists d'. split; [exact Hd'|]. intros q Nq Aq G. apply Is; [now apply tanner2_minima.apart_distinct|now apply within_is|]. intros i Hi. rewrite <- (grad_both n V V' q i P); [now apply G|now apply tanner2_minima.apart_distinct|exact Hi]. }
+  destruct (tanner2_minima.minima_attract n _ _ z Hn VS VS' Pot C1 Min Iso) as (Eq & _ & St & At).
+  assert (Mo : forall r v, T.motion n complete V' r v -> tanner2_minima.motion n (tanner2_filippov.both V') r v) by (intros r v M; apply T.moves_is; now apply (T.motion_both n complete V V')).
+  split; [|split].
+  - intros q w (a & c & Ha & E). assert (Aq : forall t, T.apart_at n complete (fun i => q i + RtoC t * w)%C).
+    { intros t i j Hi Hj L X. apply (A i j Hi Hj L). assert (Z : (a * (z i - z j))%C = 0%C).
+      { transitivity (a * z i + c + RtoC t * w - (a * z j + c + RtoC t * w))%C; [ring|]. rewrite <- (E i Hi), <- (E j Hj), X. ring. }
+      apply (f_equal Cmod) in Z. rewrite Cmod_mult, Ha, Cmod_0, Rmult_1_l in Z. apply Cmod_eq_0 in Z. transitivity (z i - z j + z j)%C; [ring|]. rewrite Z. ring. }
+    split; [apply Aq|]. intros t i Ht Hi. destruct (Eq q w (ex_intro _ a (ex_intro _ c (conj Ha E))) t) as [E1 E2]. split; [now apply E1|]. intros _. specialize (E2 (Aq t) i Hi). rewrite <- T.law4_is in E2.
+    destruct (T.both_law n complete V V' (fun k => q k + RtoC t * w)%C (fun _ => w) i Sy (proj1 P) (T.slopes_of n complete V V' P) Hi (Aq t)) as (_ & _ & X). rewrite X in E2. exact E2.
+  - intros e He. destruct (St e He) as (k & Hk & H). exists k. split; [exact Hk|]. intros r v M F t Ht. apply flocks_is. apply (H r v (Mo r v M)); [now apply flocks_is|exact Ht].
+  - destruct At as (k & Hk & H). exists k. split; [exact Hk|]. intros r v M F e He. destruct (H r v (Mo r v M)) with (e := e) as [S Q]; [now apply flocks_is|exact He|]. exists S. intros t Ht. apply flocks_is. now apply Q.
 Qed.
 
 (* ---- formations: within d, and the squares of all differences ---- *)
