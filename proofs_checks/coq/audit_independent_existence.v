@@ -5,9 +5,10 @@ From Coq Require Import Reals Lra Lia Relations Psatz Classical.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian tanner_energy.
 From Flockproof Require inclusions tanner_flock tanner2_filippov tanner2_limits tanner2_appendix tanner2_existence tanner2_unique tanner2_solutions tanner2_onward tanner2_approach tanner2_field tanner2_definition4 tanner2_stops tanner2_apart tanner2_minima tanner2_motion.
-From Flockproof Require paley_particles paley_convergence paley_settling paley_formations paley_cycles audit_independent_paley audit_independent_tanner2.
+From Flockproof Require paley_particles paley_convergence paley_settling paley_formations paley_cycles audit_independent_paley audit_independent_tanner2 audit_independent_derivative.
 Module P := audit_independent_paley.
 Module T := audit_independent_tanner2.
+Module D := audit_independent_derivative.
 Open Scope R_scope.
 
 (* ---- Definition 4: R^n as the first n numbers of a sequence ---- *)
@@ -115,6 +116,10 @@ Definition thm2_vel_whole : Prop := forall n V V' R0 x, 0 < R0 -> T.potentials n
 Definition thm2_pot_whole : Prop := forall n V V' R0 x, 0 < R0 -> T.potentials n complete V V' -> whole n V' R0 x ->
   (forall t, 0 <= t -> strongly_connected n (T.by_distance (place (x t)) R0)) ->
   forall e, 0 < e -> exists S, 0 <= S /\ forall t, S <= t -> exists q, critical_whole n V' R0 q /\ forall i, (i < n)%nat -> Cmod (place (x t) i - q i)%C < e.
+Definition time_derivative_whole n V V' R0 (r v : nat -> C) (x : R) := forall a b, D.clarke n (T.energy11 n V R0) r v a b ->
+  exists w, K (4 * n) (field10 n V' R0) (state r v) w /\ x = Sum n (fun i => D.dot (a i) (place w i) + D.dot (b i) (speed w i)).
+Definition eq13_12_whole : Prop := forall n V V' R0 r v x, 0 < R0 -> T.potentials n complete V V' -> T.apart_at n complete r ->
+  time_derivative_whole n V V' R0 r v x -> D.right_side n R0 r v x /\ x <= 0.
 Definition eq13_3_whole : Prop := forall n V V' R0 T x, 0 < R0 -> T.potentials n complete V V' -> whole_before T n V' R0 x -> forall s t, 0 <= s <= t -> t < T ->
   T.energy11 n V R0 (place (x t)) (speed (x t)) <= T.energy11 n V R0 (place (x s)) (speed (x s)).
 
@@ -569,6 +574,13 @@ Lemma thm2_pot_whole_holds : thm2_pot_whole.
 Proof.
   intros n V V' R0 x HR P W C1 e He. apply whole_is in W. destruct (proj1 (proj2 (tanner2_definition4.solutions_approach n V V' R0 HR P)) x W C1 e He) as [S H]. exists (Rmax S 0). split; [apply Rmax_r|].
   intros t Ht. pose proof (Rmax_l S 0). destruct (H t ltac:(lra)) as (q & [A Kq] & D). exists q. split; [split; [exact A|now apply K_is]|exact D].
+Qed.
+Lemma eq13_12_whole_holds : eq13_12_whole.
+Proof.
+  intros n V V' R0 r v x HR P A Q. assert (Q' : D.time_derivative n V V' R0 r v x).
+  { intros a b G. destruct (Q a b G) as (w & Kw & E). apply (K10_whole_holds n V V' R0 r v w HR P A) in Kw. destruct Kw as (z & Kz & W). exists z. split; [exact Kz|]. rewrite E. apply Sum_ext. intros i Hi.
+    destruct (tanner2_field.at_agent v z i) as (W0 & W1 & W2 & W3). unfold place, speed. rewrite !W by lia. change (state v z) with (tanner2_field.state v z). now rewrite W0, W1, W2, W3, <- !surjective_pairing. }
+  split; [now apply (D.eq13_1_proved n V V' R0)|now apply (D.eq13_2_proved n V V' R0 r v)].
 Qed.
 Lemma eq13_3_whole_holds : eq13_3_whole.
 Proof. intros n V V' R0 S x HR P X s t Hst Ht. apply whole_before_is in X. rewrite !T.energy11_is. exact (tanner2_definition4.solutions_lose_Q n V V' R0 S x HR P X s t Hst Ht). Qed.
