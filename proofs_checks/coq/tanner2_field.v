@@ -60,6 +60,13 @@ Proof.
     replace (r i - r j)%C with ((q j - r j) + - (q i - r i))%C by (rewrite E; ring). eapply Rle_trans; [apply Cmod_triangle|]. rewrite Cmod_opp. lra.
   - exists d. split; [exact Hd|]. intros q H i j Hi Hj Cm. apply (Q i j Hi Hj Cm q); now apply H.
 Qed.
+Lemma distance_near (a b c d : C) e : Cmod (a - c)%C < e -> Cmod (b - d)%C < e -> Rabs (Cmod (a - b)%C - Cmod (c - d)%C) < 2 * e.
+Proof.
+  intros A B. assert (T : forall x y : C, Cmod x <= Cmod y + Cmod (x - y)%C) by (intros x y; eapply Rle_trans; [|apply Cmod_triangle]; right; f_equal; ring).
+  assert (D : Cmod (a - b - (c - d))%C < 2 * e) by (replace (a - b - (c - d))%C with ((a - c) + - (b - d))%C by ring; eapply Rle_lt_trans; [apply Cmod_triangle|]; rewrite Cmod_opp; lra).
+  pose proof (T (a - b)%C (c - d)%C) as T1. pose proof (T (c - d)%C (a - b)%C) as T2. rewrite <- (Cmod_opp (c - d - (a - b))%C) in T2.
+  replace (- (c - d - (a - b)))%C with (a - b - (c - d))%C in T2 by ring. apply Rabs_def1; lra.
+Qed.
 Lemma stay_linked n (q : nat -> C) R0 : generic n R0 q -> exists d, 0 < d /\
   forall p : nat -> C, (forall i, (i < n)%nat -> Cmod (p i - q i)%C < d) -> same_pairs n (by_distance p R0) (by_distance q R0).
 Proof.
@@ -68,11 +75,7 @@ Proof.
   - intros i j d d' H L Ne p H1 H2. apply (H Ne); lra.
   - intros i j Hi Hj. destruct (Nat.eq_dec i j) as [->|Ne]; [exists 1; split; [lra|congruence]|]. pose proof (Gn i j Hi Hj Ne) as N.
     exists (Rabs (Cmod (q i - q j)%C - R0) / 2). split; [apply Rdiv_lt_0_compat; [apply Rabs_pos_lt|]; lra|]. intros _ p H1 H2.
-    assert (T : forall a b c d : C, Cmod (a - b)%C <= Cmod (c - d)%C + (Cmod (a - c)%C + Cmod (b - d)%C)).
-    { intros a b c e. replace (a - b)%C with ((c - e) + ((a - c) + - (b - e)))%C by ring. eapply Rle_trans; [apply Cmod_triangle|]. apply Rplus_le_compat_l. eapply Rle_trans; [apply Cmod_triangle|].
-      rewrite Cmod_opp. lra. }
-    pose proof (T (p i) (p j) (q i) (q j)) as L1. pose proof (T (q i) (q j) (p i) (p j)) as L2.
-    rewrite <- (Cmod_opp (q i - p i)%C), <- (Cmod_opp (q j - p j)%C) in L2. replace (- (q i - p i))%C with (p i - q i)%C in L2 by ring. replace (- (q j - p j))%C with (p j - q j)%C in L2 by ring.
+    pose proof (distance_near (p i) (p j) (q i) (q j) _ H1 H2) as L1. apply Rabs_def2 in L1.
     unfold Rabs in *. destruct (Rcase_abs (Cmod (q i - q j)%C - R0)); split; lra.
   - exists d. split; [exact Hd|]. intros p H i j Hi Hj. unfold by_distance. destruct (Nat.eqb_spec i j) as [E|Ne]; [reflexivity|]. pose proof (Q i j Hi Hj Ne p (H i Hi) (H j Hj)) as I.
     cbn [negb andb]. destruct (Rlt_dec (Cmod (p i - p j)%C) R0); destruct (Rlt_dec (Cmod (q i - q j)%C) R0); tauto || reflexivity.

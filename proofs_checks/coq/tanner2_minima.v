@@ -157,25 +157,29 @@ Qed.
 Hypothesis Min : strict_minimum n V s.
 Lemma s_apart : all_apart n s.
 Proof. apply (minimum_apart n V s Min 1%C 0%C s). split; [apply Cmod_1|]. intros; ring. Qed.
+(* turned back by the rotation that is near *)
+Lemma turn_back d q : near_orbit n d s q -> exists p, rel_near n d p s /\ (forall i j, Cmod (p i - p j)%C = Cmod (q i - q j)%C) /\ (on_orbit n s p -> on_orbit n s q).
+Proof.
+  intros (a & Ha & H). assert (Na : (Cconj a * a = 1)%C).
+  { apply injective_projections; cbn; [|ring]. assert (Q : fst a ^ 2 + snd a ^ 2 = 1) by (pose proof (inner_self a) as I; rewrite inner_xy, Ha in I; lra). lra. }
+  assert (Ca : Cmod (Cconj a) = 1) by (rewrite <- Ha; unfold Cmod, Cconj; cbn; f_equal; ring). exists (fun i => Cconj a * q i)%C. split.
+  - intros i j Hi Hj. specialize (H i j Hi Hj). replace (Cconj a * q i - Cconj a * q j - (s i - s j))%C with (Cconj a * (q i - q j - (a * s i - a * s j)) + (Cconj a * a - 1) * (s i - s j))%C by ring. rewrite Na.
+    replace (_ + (1 - 1) * (s i - s j))%C with (Cconj a * (q i - q j - (a * s i - a * s j)))%C by ring. rewrite Cmod_mult, Ca. lra.
+  - split; [|intros (b & c & Hb & E); exists (a * b)%C, (a * c)%C; split; [rewrite Cmod_mult, Ha, Hb; ring|]; intros i Hi; specialize (E i Hi); cbv beta in E;
+      replace (a * b * s i + a * c)%C with (a * (b * s i + c))%C by ring; rewrite <- E; replace (a * (Cconj a * q i))%C with (Cconj a * a * q i)%C by ring; rewrite Na; ring].
+    intros i j. replace (Cconj a * q i - Cconj a * q j)%C with (Cconj a * (q i - q j))%C by ring. rewrite Cmod_mult, Ca. ring.
+Qed.
 Lemma min_orbit : exists d, 0 < d /\ forall q, near_orbit n d s q -> all_apart n q -> U s < U q \/ on_orbit n s q.
 Proof.
-  destruct Min as (d & Hd & M). exists d. split; [exact Hd|]. intros q (a & Ha & H) Aq. assert (Na : (Cconj a * a = 1)%C).
-  { apply injective_projections; cbn; [|ring]. assert (Q : fst a ^ 2 + snd a ^ 2 = 1) by (pose proof (inner_self a) as I; rewrite inner_xy, Ha in I; lra). lra. }
-  assert (Ca : Cmod (Cconj a) = 1) by (rewrite <- Ha; unfold Cmod, Cconj; cbn; f_equal; ring).
-  set (p := fun i => (Cconj a * (q i - q 0%nat) + s 0%nat)%C).
-  assert (Sp : forall i j, Cmod (p i - p j)%C = Cmod (q i - q j)%C).
-  { intros i j. unfold p. replace (Cconj a * (q i - q 0%nat) + s 0%nat - (Cconj a * (q j - q 0%nat) + s 0%nat))%C with (Cconj a * (q i - q j))%C by ring. rewrite Cmod_mult, Ca. ring. }
-  assert (Ap : all_apart n p).
-  { intros i j Hi Hj Ne E. apply (Aq i j Hi Hj Ne). specialize (Sp i j). rewrite E in Sp. replace (p j - p j)%C with (RtoC 0) in Sp by ring. rewrite Cmod_0 in Sp. symmetry in Sp. apply Cmod_eq_0 in Sp.
-    transitivity (q i - q j + q j)%C; [ring|]. rewrite Sp. ring. }
-  destruct (M p) as [_ [L|(b & c & Hb & E)]].
-  - intros i Hi. specialize (H i 0%nat Hi ltac:(lia)). unfold norm, p.
-    replace (Cconj a * (q i - q 0%nat) + s 0%nat - s i)%C with (Cconj a * (q i - q 0%nat - (a * s i - a * s 0%nat)) + (Cconj a * a - 1) * (s i - s 0%nat))%C by ring. rewrite Na.
-    replace (_ + (1 - 1) * (s i - s 0%nat))%C with (Cconj a * (q i - q 0%nat - (a * s i - a * s 0%nat)))%C by ring. rewrite Cmod_mult, Ca. lra.
-  - left. destruct (L Ap) as [_ L']. rewrite (U_same q p); [exact L'|]. intros; symmetry; apply Sp.
-  - right. exists (a * b)%C, (a * (c - s 0%nat) + q 0%nat)%C. split; [rewrite Cmod_mult, Ha, Hb; ring|]. intros i Hi. specialize (E i Hi). unfold p in E.
-    assert (Q : (a * (Cconj a * (q i - q 0%nat)))%C = (a * (b * s i + c - s 0%nat))%C) by (rewrite <- E; ring). replace (a * (Cconj a * (q i - q 0%nat)))%C with ((Cconj a * a) * (q i - q 0%nat))%C in Q by ring. rewrite Na in Q.
-    replace (q i) with (1 * (q i - q 0%nat) + q 0%nat)%C by ring. rewrite Q. ring.
+  destruct Min as (d & Hd & M). exists d. split; [exact Hd|]. intros q N Aq. destruct (turn_back d q N) as (p & Np & E & Back). set (b := (s 0%nat - p 0%nat)%C). set (x := fun i => (p i + b)%C).
+  assert (Sx : forall i j, Cmod (x i - x j)%C = Cmod (q i - q j)%C) by (intros i j; rewrite <- E; f_equal; unfold x; ring).
+  assert (Ax : all_apart n x).
+  { intros i j Hi Hj Ne X. apply (Aq i j Hi Hj Ne). specialize (Sx i j). rewrite X in Sx. replace (x j - x j)%C with (RtoC 0) in Sx by ring. rewrite Cmod_0 in Sx. symmetry in Sx. apply Cmod_eq_0 in Sx.
+    transitivity (q i - q j + q j)%C; [ring|]. rewrite Sx. ring. }
+  destruct (M x) as [_ [L|(a & c & Ha & X)]].
+  - intros i Hi. specialize (Np i 0%nat Hi ltac:(lia)). unfold norm, x, b. replace (p i + (s 0%nat - p 0%nat) - s i)%C with (p i - p 0%nat - (s i - s 0%nat))%C by ring. exact Np.
+  - left. destruct (L Ax) as [_ L']. rewrite (U_same q x); [exact L'|]. intros; symmetry; apply Sx.
+  - right. apply Back. exists a, (c - b)%C. split; [exact Ha|]. intros i Hi. specialize (X i Hi). unfold x in X. transitivity (p i + b - b)%C; [ring|]. rewrite X. ring.
 Qed.
 (* away from the set the sum is larger, by a constant *)
 Lemma larger : exists d, 0 < d /\ (forall q, near_orbit n d s q -> all_apart n q /\ U s <= U q) /\ forall rho, 0 < rho -> exists g, 0 < g /\ forall q, near_orbit n d s q -> ~ near_orbit n rho s q -> U s + g <= U q.
@@ -191,18 +195,9 @@ Proof.
       destruct (U_near p ((U p - U s) / 2) Ap ltac:(lra)) as (h & Hh & Q). destruct (P3 ((U p - U s) / 2) h ltac:(lra) Hh) as (q & B1 & B2). specialize (Q q B2). apply Rabs_def2 in Q. lra.
 Qed.
 (* near the set the sum is nearly the least one *)
-Lemma turn_back d q : near_orbit n d s q -> exists p, rel_near n d p s /\ forall i j, Cmod (p i - p j)%C = Cmod (q i - q j)%C.
-Proof.
-  intros (a & Ha & H). assert (Na : (Cconj a * a = 1)%C).
-  { apply injective_projections; cbn; [|ring]. assert (Q : fst a ^ 2 + snd a ^ 2 = 1) by (pose proof (inner_self a) as I; rewrite inner_xy, Ha in I; lra). lra. }
-  assert (Ca : Cmod (Cconj a) = 1) by (rewrite <- Ha; unfold Cmod, Cconj; cbn; f_equal; ring). exists (fun i => Cconj a * q i)%C. split.
-  - intros i j Hi Hj. specialize (H i j Hi Hj). replace (Cconj a * q i - Cconj a * q j - (s i - s j))%C with (Cconj a * (q i - q j - (a * s i - a * s j)) + (Cconj a * a - 1) * (s i - s j))%C by ring. rewrite Na.
-    replace (_ + (1 - 1) * (s i - s j))%C with (Cconj a * (q i - q j - (a * s i - a * s j)))%C by ring. rewrite Cmod_mult, Ca. lra.
-  - intros i j. replace (Cconj a * q i - Cconj a * q j)%C with (Cconj a * (q i - q j))%C by ring. rewrite Cmod_mult, Ca. ring.
-Qed.
 Lemma nearly_least g : 0 < g -> exists d, 0 < d /\ forall q, near_orbit n d s q -> U q < U s + g.
 Proof.
-  intros Hg. destruct (U_near s g s_apart Hg) as (h & Hh & Q). exists h. split; [exact Hh|]. intros q N. destruct (turn_back h q N) as (p & Np & E). specialize (Q p Np). rewrite <- (U_same p q) by (intros; apply E). apply Rabs_def2 in Q. lra.
+  intros Hg. destruct (U_near s g s_apart Hg) as (h & Hh & Q). exists h. split; [exact Hh|]. intros q N. destruct (turn_back h q N) as (p & Np & E & _). specialize (Q p Np). rewrite <- (U_same p q) by (intros; apply E). apply Rabs_def2 in Q. lra.
 Qed.
 
 (* ---- the set consists of equilibria ---- *)

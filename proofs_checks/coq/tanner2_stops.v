@@ -199,10 +199,7 @@ Proof.
     assert (N : Cmod (s k - s l)%C <> R0).
     { intros E. pose proof (One s Ls i j k l Hi Hj Hk Hl Ne Nk At E) as X. apply this_is in X. congruence. }
     exists (Rabs (Cmod (s k - s l)%C - R0) / 2). split; [apply Rdiv_lt_0_compat; [apply Rabs_pos_lt|]; lra|]. intros _ _ x A B.
-    assert (T3 : forall a b c d : C, Cmod (a - b)%C <= Cmod (c - d)%C + (Cmod (a - c)%C + Cmod (b - d)%C)).
-    { intros a b c e. replace (a - b)%C with ((c - e) + ((a - c) + - (b - e)))%C by ring. eapply Rle_trans; [apply Cmod_triangle|]. apply Rplus_le_compat_l. eapply Rle_trans; [apply Cmod_triangle|]. rewrite Cmod_opp. lra. }
-    pose proof (T3 (x k) (x l) (s k) (s l)) as L1. pose proof (T3 (s k) (s l) (x k) (x l)) as L2.
-    rewrite <- (Cmod_opp (s k - x k)%C), <- (Cmod_opp (s l - x l)%C) in L2. replace (- (s k - x k))%C with (x k - s k)%C in L2 by ring. replace (- (s l - x l))%C with (x l - s l)%C in L2 by ring.
+    pose proof (tanner2_field.distance_near (x k) (x l) (s k) (s l) _ A B) as L1. apply Rabs_def2 in L1.
     unfold Rabs in *. destruct (Rcase_abs (Cmod (s k - s l)%C - R0)); split; try split; lra.
   - exists g. split; [exact Hg|]. intros x N k l Hk Hl Nk T. apply (Q k l Hk Hl Nk T); now apply N.
 Qed.
@@ -354,10 +351,7 @@ Proof.
     rewrite E in Near. replace (r k t - r l t - (s l - s l))%C with (r k t - r l t)%C in Near by ring. lra.
   - apply cond_eq. intros e He. destruct (Rt 0 (e / 2) ltac:(lra)) as (t & _ & _ & [Qt _] & Near). apply q_sides in Qt; [|exact HR]. unfold gap in Qt. rewrite <- Qt.
     set (x := tanner2_approach.shape r t) in *. replace (r i t - r j t)%C with (x i - x j)%C by (unfold x, tanner2_approach.shape; ring).
-    assert (T3 : forall a b c d : C, Cmod (a - b)%C <= Cmod (c - d)%C + (Cmod (a - c)%C + Cmod (b - d)%C)).
-    { intros a b c d. replace (a - b)%C with ((c - d) + ((a - c) + - (b - d)))%C by ring. eapply Rle_trans; [apply Cmod_triangle|]. apply Rplus_le_compat_l. eapply Rle_trans; [apply Cmod_triangle|]. rewrite Cmod_opp. lra. }
-    pose proof (T3 (x i) (x j) (s i) (s j)) as L1. pose proof (T3 (s i) (s j) (x i) (x j)) as L2. rewrite <- (Cmod_opp (s i - x i)%C), <- (Cmod_opp (s j - x j)%C) in L2.
-    replace (- (s i - x i))%C with (x i - s i)%C in L2 by ring. replace (- (s j - x j))%C with (x j - s j)%C in L2 by ring. pose proof (Near i Hi). pose proof (Near j Hj). apply Rabs_def1; lra.
+    rewrite Rabs_minus_sym. replace e with (2 * (e / 2)) by field. apply tanner2_field.distance_near; now apply Near.
 Qed.
 Lemma switching_stops10 n V V' R0 r v : 0 < R0 -> potentials n complete V V' -> (forall k l, (k < n)%nat -> (l < n)%nat -> k <> l -> 0 < V' k l R0) -> motion10 n V' R0 r v ->
   (forall t, 0 <= t -> strongly_connected n (by_distance (fun k => r k t) R0)) -> (forall s, limit_point n r s -> one_pair_at n R0 s) -> switching_ends n R0 r.
