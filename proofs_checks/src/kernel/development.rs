@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 185] = sources![
+const SOURCES: [(&str, &str); 186] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -171,6 +171,7 @@ const SOURCES: [(&str, &str); 185] = sources![
     "audit_stability",
     "audit_existence",
     "audit_definition4",
+    "audit_minima",
     "audit_independent_chazelle",
     "audit_independent_angle",
     "audit_independent_paley",
