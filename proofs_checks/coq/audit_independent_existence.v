@@ -1,14 +1,14 @@
 (* Clauses about solutions that exist, are unique or go to a limit, formalised from their words before the theorems were looked at; the
    theorems prove them. K of (10) is T.K10 of audit_independent_tanner2, which
-   K10_within compares with Definition 4. Changed after the theorems had been seen: in solution4 the set of measure zero may depend on [0, b],
-   as Definition 4 has it, where one set had been asked for; and gradients, not the slopes V', are locally Lipschitz in eq10_4. *)
+   is K of Definition 4 by K10_whole. Changed after the theorems had been seen: gradients, not the slopes V', are locally Lipschitz in eq10_4. *)
 From Coq Require Import Reals Lra Lia Relations Psatz Classical.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian tanner_energy.
-From Flockproof Require inclusions tanner_flock tanner2_filippov tanner2_limits tanner2_appendix tanner2_existence tanner2_unique tanner2_solutions tanner2_onward tanner2_approach.
-From Flockproof Require paley_particles paley_convergence paley_settling paley_formations paley_cycles audit_independent_paley audit_independent_tanner2.
+From Flockproof Require inclusions tanner_flock tanner2_filippov tanner2_limits tanner2_appendix tanner2_existence tanner2_unique tanner2_solutions tanner2_onward tanner2_approach tanner2_field tanner2_definition4 tanner2_stops tanner2_apart tanner2_minima tanner2_motion.
+From Flockproof Require paley_particles paley_convergence paley_settling paley_formations paley_cycles audit_independent_paley audit_independent_tanner2 audit_independent_derivative.
 Module P := audit_independent_paley.
 Module T := audit_independent_tanner2.
+Module D := audit_independent_derivative.
 Open Scope R_scope.
 
 (* ---- Definition 4: R^n as the first n numbers of a sequence ---- *)
@@ -24,10 +24,10 @@ Definition K (n : nat) (f : (nat -> R) -> nat -> R) (x z : nat -> R) := forall Z
 Definition continuous_absolutely (b : R) (x : R -> R) := forall e, 0 < e -> exists d, 0 < d /\ forall m (p q : nat -> R),
   (forall k, (k < m)%nat -> 0 <= p k <= q k /\ q k <= b) -> (forall k, (S k < m)%nat -> q k <= p (S k)) ->
   Sum m (fun k => q k - p k) < d -> Sum m (fun k => Rabs (x (q k) - x (p k))) < e.
-(* on every [0, b] *)
+(* on every [0, b]; almost all t >= 0 *)
 Definition solution4 (n : nat) (f : (nat -> R) -> nat -> R) (x : R -> nat -> R) :=
-  forall b, 0 < b -> (forall i, (i < n)%nat -> continuous_absolutely b (fun t => x t i)) /\
-  exists N, T.negligible N /\ forall t, 0 <= t <= b -> ~ N t -> exists z, K n f (x t) z /\ forall i, (i < n)%nat -> is_derive (fun s => x s i) t (z i).
+  (forall b i, 0 < b -> (i < n)%nat -> continuous_absolutely b (fun t => x t i)) /\
+  exists N, T.negligible N /\ forall t, 0 <= t -> ~ N t -> exists z, K n f (x t) z /\ forall i, (i < n)%nat -> is_derive (fun s => x s i) t (z i).
 (* tanner2.appA.def4 clause 2, the existence; measurable or not *)
 Definition def4_2 : Prop := forall n (f : (nat -> R) -> nat -> R) M x0,
   (forall x y, (forall i, (i < n)%nat -> x i = y i) -> forall i, (i < n)%nat -> f x i = f y i) ->
@@ -79,15 +79,72 @@ Definition critical_there : Prop := forall n V V' R0 q, 0 < R0 -> T.potentials n
 (* thm2_vel and thm2_pot speak of every solution: each one until T goes on for all time *)
 Definition goes_on : Prop := forall n V V' R0 S r v, 0 < R0 -> 0 < S -> T.potentials n complete V V' -> solution10 n V' R0 (before S) r v ->
   exists q u, solution10 n V' R0 always q u /\ forall t i, 0 <= t < S -> q i t = r i t /\ u i t = v i t.
-(* the whole vector field of (10) on R^(4n), agent i at 4i, 4i + 1 with the velocity at 4i + 2, 4i + 3: where no agents coincide, T.K10, the convex hull of its limits off the pairs at
-   the distance R, is within K of Definition 4, whatever set of measure zero is left out *)
+(* the whole vector field of (10) on R^(4n), agent i at 4i, 4i + 1 with the velocity at 4i + 2, 4i + 3 *)
 Definition place (x : nat -> R) i : C := (x (4 * i)%nat, x (4 * i + 1)%nat).
 Definition speed (x : nat -> R) i : C := (x (4 * i + 2)%nat, x (4 * i + 3)%nat).
 Definition state (q u : nat -> C) (j : nat) : R := let i := Nat.div j 4 in
   match Nat.modulo j 4 with 0 => fst (q i) | 1 => snd (q i) | 2 => fst (u i) | _ => snd (u i) end%nat.
 Definition field10 n V' R0 (x : nat -> R) : nat -> R := state (speed x) (T.law4 n (T.by_distance (place x) R0) V' (place x) (speed x)).
-Definition K10_within : Prop := forall n V V' R0 r v z, T.potentials n complete V V' -> T.apart_at n complete r -> T.K10 n V' R0 r v z ->
-  K (4 * n) (field10 n V' R0) (state r v) (state v z).
+(* written after the theorems had been seen: where no agents coincide K of it by the words of Definition 4 is T.K10, and K of the gradients of all agents together (agent i at i, n + i) is the hull in
+   critical; so the same clauses with K of Definition 4 in place of either *)
+Definition K10_whole : Prop := forall n V V' R0 r v w, 0 < R0 -> T.potentials n complete V V' -> T.apart_at n complete r ->
+  (K (4 * n) (field10 n V' R0) (state r v) w <-> exists z, T.K10 n V' R0 r v z /\ forall j, (j < 4 * n)%nat -> w j = state v z j).
+Definition gradients n V' R0 (x : nat -> R) (j : nat) : R := let q := fun i => (x i, x (n + i)%nat) : C in
+  if Nat.ltb j n then fst (T.gradV n (T.by_distance q R0) V' q j) else snd (T.gradV n (T.by_distance q R0) V' q (j - n)%nat).
+Definition critical_whole n V' R0 (q : nat -> C) := T.apart_at n complete q /\
+  K (2 * n) (gradients n V' R0) (fun j => if Nat.ltb j n then fst (q j) else snd (q (j - n)%nat)) (fun _ => 0).
+Definition solution4_before (T : R) (n : nat) (f : (nat -> R) -> nat -> R) (x : R -> nat -> R) :=
+  (forall b i, 0 < b < T -> (i < n)%nat -> continuous_absolutely b (fun t => x t i)) /\
+  exists N, T.negligible N /\ forall t, 0 <= t < T -> ~ N t -> exists z, K n f (x t) z /\ forall i, (i < n)%nat -> is_derive (fun s => x s i) t (z i).
+Definition whole_before T n V' R0 x := T.apart_at n complete (place (x 0)) /\ solution4_before T (4 * n) (field10 n V' R0) x.
+Definition whole n V' R0 x := T.apart_at n complete (place (x 0)) /\ solution4 (4 * n) (field10 n V' R0) x.
+Definition eq10_3_whole : Prop := forall n V V' R0 (r0 v0 : nat -> C), 0 < R0 -> T.potentials n complete V V' -> T.apart_at n complete r0 ->
+  exists x, whole n V' R0 x /\ forall i, (i < n)%nat -> place (x 0) i = r0 i /\ speed (x 0) i = v0 i.
+Definition goes_on_whole : Prop := forall n V V' R0 S x, 0 < R0 -> 0 < S -> T.potentials n complete V V' -> whole_before S n V' R0 x ->
+  exists y, whole n V' R0 y /\ forall t i, 0 <= t < S -> (i < 4 * n)%nat -> y t i = x t i.
+Definition eq10_4_whole : Prop := forall n V V' R0 T x y, 0 < R0 -> T.potentials n complete V V' ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> gradient_lipschitz (V' i j)) ->
+  whole_before T n V' R0 x -> whole_before T n V' R0 y -> (forall i, (i < 4 * n)%nat -> x 0 i = y 0 i) ->
+  (forall t i j, 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (place (x t) i - place (x t) j)%C = R0 ->
+    inner (place (x t) i - place (x t) j)%C (speed (x t) i - speed (x t) j)%C <> 0) ->
+  forall t i, 0 <= t < T -> (i < 4 * n)%nat -> x t i = y t i.
+Definition thm2_coll_whole : Prop := forall n V V' R0 T x, 0 < R0 -> T.potentials n complete V V' -> whole_before T n V' R0 x ->
+  forall t, 0 <= t < T -> T.apart_at n complete (place (x t)).
+Definition thm2_vel_whole : Prop := forall n V V' R0 x, 0 < R0 -> T.potentials n complete V V' -> whole n V' R0 x ->
+  (forall t, 0 <= t -> strongly_connected n (T.by_distance (place (x t)) R0)) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> T.to_zero (fun t => speed (x t) i - speed (x t) j)%C.
+Definition thm2_pot_whole : Prop := forall n V V' R0 x, 0 < R0 -> T.potentials n complete V V' -> whole n V' R0 x ->
+  (forall t, 0 <= t -> strongly_connected n (T.by_distance (place (x t)) R0)) ->
+  forall e, 0 < e -> exists S, 0 <= S /\ forall t, S <= t -> exists q, critical_whole n V' R0 q /\ forall i, (i < n)%nat -> Cmod (place (x t) i - q i)%C < e.
+Definition time_derivative_whole n V V' R0 (r v : nat -> C) (x : R) := forall a b, D.clarke n (T.energy11 n V R0) r v a b ->
+  exists w, K (4 * n) (field10 n V' R0) (state r v) w /\ x = Sum n (fun i => D.dot (a i) (place w i) + D.dot (b i) (speed w i)).
+Definition eq13_12_whole : Prop := forall n V V' R0 r v x, 0 < R0 -> T.potentials n complete V V' -> T.apart_at n complete r ->
+  time_derivative_whole n V V' R0 r v x -> D.right_side n R0 r v x /\ x <= 0.
+Definition eq13_3_whole : Prop := forall n V V' R0 T x, 0 < R0 -> T.potentials n complete V V' -> whole_before T n V' R0 x -> forall s t, 0 <= s <= t -> t < T ->
+  T.energy11 n V R0 (place (x t)) (speed (x t)) <= T.energy11 n V R0 (place (x s)) (speed (x s)).
+
+(* beyond.tanner2.thm2_stop; s i j a limit of the positions of i relative to j *)
+Definition thm2_stop : Prop := forall n V V' R0 x, 0 < R0 -> T.potentials n complete V V' -> (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> 0 < V' i j R0) -> whole n V' R0 x ->
+  (forall t, 0 <= t -> strongly_connected n (T.by_distance (place (x t)) R0)) ->
+  let rel t i j : C := (place (x t) i - place (x t) j)%C in
+  (forall s : nat -> nat -> C, (forall S e, 0 < e -> exists t, S <= t /\ forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (rel t i j - s i j)%C < e) ->
+    forall i j k l, (i < j < n)%nat -> (k < l < n)%nat -> Cmod (s i j) = R0 -> Cmod (s k l) = R0 -> i = k /\ j = l) ->
+  exists S, 0 <= S /\ forall i j a b, (i < n)%nat -> (j < n)%nat -> S <= a < b -> (Cmod (rel a i j) < R0 < Cmod (rel b i j) \/ Cmod (rel b i j) < R0 < Cmod (rel a i j)) ->
+    exists c d, a <= c < d /\ d <= b /\ forall t, c <= t <= d -> Cmod (rel t i j) = R0.
+
+(* tanner2.sec4.flocking clause 3 (corrected): z the minimum; rotations and translations of z; within e of one in all r_ij, and all v_i - v_j below e. Where agents coincide the sum of the V_ij is infinite *)
+Definition turned n (z q : nat -> C) := exists a c : C, Cmod a = 1 /\ forall i, (i < n)%nat -> q i = (a * z i + c)%C.
+Definition within n (z : nat -> C) e (q : nat -> C) := exists a : C, Cmod a = 1 /\ forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (q i - q j - a * (z i - z j))%C < e.
+Definition flocks_within n z e (q u : nat -> C) := within n z e q /\ forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (u i - u j)%C < e.
+Definition sum_V n (V : nat -> nat -> R -> R) (q : nat -> C) := Sum n (fun i => Sum i (fun j => V i j (Cmod (q i - q j)%C))).
+Definition sec4_flocking : Prop := forall n V V' z, (2 <= n)%nat -> T.potentials n complete V V' -> T.apart_at n complete z ->
+  (exists d, 0 < d /\ forall q, T.apart_at n complete q -> within n z d q -> ~ turned n z q -> sum_V n V z < sum_V n V q) ->
+  (exists d, 0 < d /\ forall q, T.apart_at n complete q -> within n z d q -> (forall i, (i < n)%nat -> T.gradV n complete V' q i = 0%C) -> turned n z q) ->
+  (forall q w, turned n z q -> T.motion n complete V' (fun i t => (q i + RtoC t * w)%C) (fun _ _ => w)) /\
+  (forall e, 0 < e -> exists d, 0 < d /\ forall r v, T.motion n complete V' r v -> flocks_within n z d (fun i => r i 0) (fun i => v i 0) ->
+    forall t, 0 <= t -> flocks_within n z e (fun i => r i t) (fun i => v i t)) /\
+  exists d, 0 < d /\ forall r v, T.motion n complete V' r v -> flocks_within n z d (fun i => r i 0) (fun i => v i 0) ->
+    forall e, 0 < e -> exists S, forall t, S <= t -> flocks_within n z e (fun i => r i t) (fun i => v i t).
 
 (* ---- beyond.paley.cyclic_patterns: neighbours on the ring ---- *)
 Definition ring (n : nat) : graph := fun j k => (Nat.eqb k ((j + 1) mod n) || Nat.eqb j ((k + 1) mod n))%bool.
@@ -109,28 +166,32 @@ Definition cyclic_2 : Prop := forall n m w0 K0 K1, (3 <= n)%nat -> w0 <> 0 -> 0 
 (* ---- the theorems prove them ---- *)
 Lemma volume_is n a b : volume n a b = tanner2_appendix.Product n (fun i => b i - a i).
 Proof. induction n; [reflexivity|]. cbn. now rewrite IHn. Qed.
-Lemma null_is n Z : null n Z -> tanner2_appendix.null n Z.
+Lemma null_is n Z : null n Z <-> tanner2_appendix.null n Z.
 Proof.
-  intros N e He. destruct (N e He) as (a & b & A & B & S). exists a, b. split; [exact A|]. split; [exact B|]. intros m.
-  rewrite (Sum_ext m _ (fun k => volume n (a k) (b k))); [apply S|]. intros k _. symmetry. apply volume_is.
+  split; intros N e He; destruct (N e He) as (a & b & A & B & S); exists a, b; (split; [exact A|]; split; [exact B|]); intros m.
+  - rewrite (Sum_ext m _ (fun k => volume n (a k) (b k))); [apply S|]. intros k _. symmetry. apply volume_is.
+  - rewrite (Sum_ext m _ (fun k => tanner2_appendix.Product n (fun i => b k i - a k i))); [apply S|]. intros k _. apply volume_is.
 Qed.
-Lemma K_is n f x z : (forall x y, (forall i, (i < n)%nat -> x i = y i) -> forall i, (i < n)%nat -> f x i = f y i) -> tanner2_appendix.K n f x z -> K n f x z.
+Lemma K_is n f x z : tanner2_appendix.K n f x z <-> K n f x z.
 Proof.
-  intros _ H Z d e HZ Hd He. destruct (H d Z Hd (null_is n Z HZ) e He) as (m & c & y & A & S & L).
-  assert (Pts : exists q : nat -> nat -> R, forall k, (k < m)%nat -> inclusions.near n d (q k) x /\ ~ Z (q k) /\ forall i, (i < n)%nat -> y k i = f (q k) i).
-  { clear S L. induction m as [|m IH]; [exists (fun _ _ => 0); intros; lia|]. destruct IH as [q Q]; [intros k Hk; apply A; lia|].
-    destruct (proj2 (A m ltac:(lia))) as [p Hp]. exists (fun k => if Nat.eqb k m then p else q k). intros k Hk. destruct (Nat.eqb_spec k m) as [->|Nk]; [exact Hp|apply Q; lia]. }
-  destruct Pts as [q Q]. exists m, c, q. split; [intros k Hk; now apply A|]. split; [exact S|]. split.
-  - intros k Hk. destruct (Q k Hk) as (Q1 & Q2 & _). split; [exact Q2|exact Q1].
-  - intros i Hi. rewrite <- Rabs_Ropp. eapply Rle_lt_trans; [|apply (L i Hi)]. right. f_equal.
-    rewrite (Sum_ext m (fun k => c k * f (q k) i) (fun k => c k * y k i)); [ring|]. intros k Hk. now rewrite (proj2 (proj2 (Q k Hk)) i Hi).
+  split.
+  - intros H Z d e HZ Hd He. destruct (H d Z Hd (proj1 (null_is n Z) HZ) e He) as (m & c & y & A & S & L).
+    assert (Pts : exists q : nat -> nat -> R, forall k, (k < m)%nat -> inclusions.near n d (q k) x /\ ~ Z (q k) /\ forall i, (i < n)%nat -> y k i = f (q k) i).
+    { clear S L. induction m as [|m IH]; [exists (fun _ _ => 0); intros; lia|]. destruct IH as [q Q]; [intros k Hk; apply A; lia|].
+      destruct (proj2 (A m ltac:(lia))) as [p Hp]. exists (fun k => if Nat.eqb k m then p else q k). intros k Hk. destruct (Nat.eqb_spec k m) as [->|Nk]; [exact Hp|apply Q; lia]. }
+    destruct Pts as [q Q]. exists m, c, q. split; [intros k Hk; now apply A|]. split; [exact S|]. split.
+    + intros k Hk. destruct (Q k Hk) as (Q1 & Q2 & _). split; [exact Q2|exact Q1].
+    + intros i Hi. rewrite <- Rabs_Ropp. eapply Rle_lt_trans; [|apply (L i Hi)]. right. f_equal.
+      rewrite (Sum_ext m (fun k => c k * f (q k) i) (fun k => c k * y k i)); [ring|]. intros k Hk. now rewrite (proj2 (proj2 (Q k Hk)) i Hi).
+  - intros H d Z Hd HZ e He. destruct (H Z d e (proj2 (null_is n Z) HZ) Hd He) as (m & c & y & C0 & S1 & Y & L). exists m, c, (fun k => f (y k)). split; [|split; [exact S1|]].
+    + intros k Hk. split; [now apply C0|]. exists (y k). destruct (Y k Hk) as [Y1 Y2]. split; [exact Y2|]. split; [exact Y1|reflexivity].
+    + intros i Hi. rewrite Rabs_minus_sym. now apply L.
 Qed.
 Lemma def4_2_holds : def4_2.
 Proof.
-  intros n f M x0 E B. destruct (tanner2_existence.filippov_exists n f M x0 B) as (x & S & F). exists x. split; [exact S|]. intros b Hb.
-  destruct (F (b + 1)) as (A & N & HN & D). split.
-  - intros i Hi e He. now apply (A i Hi b e ltac:(lra)).
-  - exists N. split; [exact HN|]. intros t Ht Nt. destruct (D t ltac:(lra) Nt) as (z & Hz & Dz). exists z. split; [now apply K_is|exact Dz].
+  intros n f M x0 E B. destruct (tanner2_existence.filippov_exists n f M x0 B) as (x & S & A & N & HN & D). exists x. split; [exact S|]. split.
+  - intros b i Hb Hi e He. exact (A i Hi b e Hb He).
+  - exists N. split; [exact HN|]. intros t Ht Nt. destruct (D t Ht Nt) as (z & Hz & Dz). exists z. split; [now apply K_is|exact Dz].
 Qed.
 
 (* rates and derivatives *)
@@ -240,15 +301,18 @@ Proof.
   assert (Ne : i <> j) by (intros ->; now rewrite PeanoNat.Nat.eqb_refl in B). specialize (Far t i j Ht Hi Hj Ne). cbv beta in E. rewrite E in Far.
   replace (r j t - r j t)%C with (RtoC 0) in Far by ring. rewrite Cmod_0 in Far. lra.
 Qed.
+Lemma lipschitz_is n V' : (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> gradient_lipschitz (V' i j)) -> tanner2_unique.lipschitz_gradients n V'.
+Proof.
+  intros L j k Hj Hk Ne a Na. destruct (L j k Hj Hk Ne a Na) as (d & B & Hd & HB). assert (Pa : 0 < Cmod a) by now apply Cmod_gt_0.
+  exists (Rmin d (Cmod a)), (Rabs B + 1). split; [now apply Rmin_glb_lt|]. split; [pose proof (Rabs_pos B); lra|]. intros z y Hz Hy.
+  pose proof (Rmin_l d (Cmod a)) as M3. pose proof (Rmin_r d (Cmod a)) as M4.
+  assert (N0 : forall x : C, Cmod (x - a)%C < Rmin d (Cmod a) -> x <> 0%C).
+  { intros x Hx ->. replace (0 - a)%C with (- a)%C in Hx by ring. rewrite Cmod_opp in Hx. lra. }
+  unfold tanner2_unique.pair_gradient. eapply Rle_trans; [apply (HB z y (N0 z Hz) (N0 y Hy)); lra|]. apply Rmult_le_compat_r; [apply Cmod_ge_0|]. pose proof (Rle_abs B); lra.
+Qed.
 Lemma eq10_4_holds : eq10_4.
 Proof.
-  intros n V V' R0 S r v q u HR P L M1 M2 E Tie t i Ht Hi. assert (Lip : tanner2_unique.lipschitz_gradients n V').
-  { intros j k Hj Hk Ne a Na. destruct (L j k Hj Hk Ne a Na) as (d & B & Hd & HB). assert (Pa : 0 < Cmod a) by now apply Cmod_gt_0.
-    exists (Rmin d (Cmod a)), (Rabs B + 1). split; [now apply Rmin_glb_lt|]. split; [pose proof (Rabs_pos B); lra|]. intros z y Hz Hy.
-    pose proof (Rmin_l d (Cmod a)) as M3. pose proof (Rmin_r d (Cmod a)) as M4.
-    assert (N0 : forall x : C, Cmod (x - a)%C < Rmin d (Cmod a) -> x <> 0%C).
-    { intros x Hx ->. replace (0 - a)%C with (- a)%C in Hx by ring. rewrite Cmod_opp in Hx. lra. }
-    unfold tanner2_unique.pair_gradient. eapply Rle_trans; [apply (HB z y (N0 z Hz) (N0 y Hy)); lra|]. apply Rmult_le_compat_r; [apply Cmod_ge_0|]. pose proof (Rle_abs B); lra. }
+  intros n V V' R0 S r v q u HR P L M1 M2 E Tie t i Ht Hi. pose proof (lipschitz_is n V' L) as Lip.
   destruct (tanner2_unique.unique_across n V V' R0 S _ _ _ _ HR P Lip (until_is _ _ _ _ _ _ M1) (until_is _ _ _ _ _ _ M2)) with (t := t) (i := i) as [Er Ev]; try assumption.
   - intros j Hj. rewrite !back_is by lra. now apply E.
   - intros s j k Hs Hj Hk Ne. rewrite !back_is by lra. now apply Tie.
@@ -272,6 +336,56 @@ Proof.
   destruct (HS t ltac:(lra)) as (q & [Aq (m & c & y & Y1 & Y2 & Y3)] & D). exists q. split.
   - split; [exact Aq|]. exists m, c, y. split; [exact Y1|]. split; [exact Y2|]. intros i Hi. symmetry. now apply Y3.
   - intros i Hi. specialize (D i Hi). cbv beta in D. now rewrite back_is in D by lra.
+Qed.
+
+(* ---- minima on the complete graph ---- *)
+Lemma within_is n z e q : within n z e q <-> tanner2_minima.near_orbit n e z q.
+Proof. split; intros (a & A & H); exists a; (split; [exact A|]); intros i j Hi Hj; specialize (H i j Hi Hj); replace (a * (z i - z j))%C with (a * z i - a * z j)%C in * by ring; exact H. Qed.
+Lemma flocks_is n z e q u : flocks_within n z e q u <-> tanner2_minima.close_to n z e q u.
+Proof. unfold flocks_within, tanner2_minima.close_to. now rewrite within_is. Qed.
+Lemma ordered_pairs n (f : nat -> nat -> R) : (forall i j, f i j = f j i) -> Sum n (fun i => Sum n (fun j => if PeanoNat.Nat.eqb i j then 0 else f i j)) = 2 * Sum n (fun i => Sum i (f i)).
+Proof.
+  intros S. induction n as [|n IH]; [cbn; ring|]. cbn [Sum]. rewrite PeanoNat.Nat.eqb_refl, Rplus_0_r, Rmult_plus_distr_l, <- IH.
+  rewrite Sum_plus, (Sum_ext n (fun i => if PeanoNat.Nat.eqb i n then 0 else f i n) (f n)), (Sum_ext n (fun j => if PeanoNat.Nat.eqb n j then 0 else f n j) (f n)); [ring| |];
+    intros i Hi; [destruct (PeanoNat.Nat.eqb_spec n i); [lia|reflexivity]|destruct (PeanoNat.Nat.eqb_spec i n); [lia|apply S]].
+Qed.
+Lemma sum_V_is n V q : (forall i j x, V i j x = V j i x) -> tanner2_apart.sum_of_all n (tanner2_filippov.both V) q = 2 * sum_V n V q.
+Proof.
+  intros VS. unfold tanner2_apart.sum_of_all, sum_V. rewrite ordered_pairs.
+  - f_equal. apply Sum_ext. intros i _. apply Sum_ext. intros j _. now rewrite T.both_V.
+  - intros i j. rewrite (tanner2_filippov.both_sym V i j). unfold tanner_energy.norm. f_equal. rewrite <- Cmod_opp. f_equal. ring.
+Qed.
+Lemma grad_both n V V' q i : T.potentials n complete V V' -> T.apart_at n complete q -> (i < n)%nat -> tanner_energy.grad_i n complete (tanner2_filippov.both V') q i = T.gradV n complete V' q i.
+Proof.
+  intros P A Hi. rewrite <- T.gradV_is. apply (T.both_law n complete V V' q q i); [apply tanner2_minima.simple_complete|apply P|now apply T.slopes_of|exact Hi|exact A].
+Qed.
+Lemma sec4_flocking_holds : sec4_flocking.
+Proof.
+  intros n V V' z Hn P A (d & Hd & Mn) (d' & Hd' & Is). assert (Sy : undirected complete) by apply tanner2_minima.simple_complete.
+  destruct (T.potentials_are n complete _ _ (T.one_of n complete V V' Sy P)) as (VS & VS' & Pot & C1).
+  assert (Min : tanner2_apart.strict_minimum n (tanner2_filippov.both V) z).
+  { exists (d / 2). split; [lra|]. intros q Nq. assert (Wq : within n z d q).
+    { exists 1%C. split; [apply Cmod_1|]. intros i j Hi Hj. replace (q i - q j - 1 * (z i - z j))%C with ((q i - z i) + - (q j - z j))%C by ring. eapply Rle_lt_trans; [apply Cmod_triangle|]. rewrite Cmod_opp.
+      pose proof (Nq i Hi). pose proof (Nq j Hj). unfold tanner_energy.norm in *. lra. }
+    assert (Az : tanner2_apart.all_apart n z) by (now apply tanner2_minima.apart_distinct).
+    unfold tanner2_apart.not_above, tanner2_apart.below. rewrite !sum_V_is by apply P. destruct (classic (turned n z q)) as [(a & c & Ha & E)|Nt].
+    - split; [|right; now exists a, c]. intros _. split; [exact Az|]. right. f_equal. apply Sum_ext. intros i Hi. apply Sum_ext. intros j Hj. rewrite (E i Hi), (E j ltac:(lia)). f_equal.
+      replace (a * z i + c - (a * z j + c))%C with (a * (z i - z j))%C by ring. rewrite Cmod_mult, Ha. ring.
+    - assert (L : tanner2_apart.all_apart n q -> sum_V n V z < sum_V n V q) by (intros Q; apply Mn; [now apply tanner2_minima.apart_distinct|exact Wq|exact Nt]).
+      split; [|left]; intros Q; (split; [exact Az|]); specialize (L Q); lra. }
+  assert (Iso : tanner2_minima.isolated n (tanner2_filippov.both V') z).
+  { exists d'. split; [exact Hd'|]. intros q Nq Aq G. apply Is; [now apply tanner2_minima.apart_distinct|now apply within_is|]. intros i Hi. rewrite <- (grad_both n V V' q i P); [now apply G|now apply tanner2_minima.apart_distinct|exact Hi]. }
+  destruct (tanner2_minima.minima_attract n _ _ z Hn VS VS' Pot C1 Min Iso) as (Eq & _ & St & At).
+  assert (Mo : forall r v, T.motion n complete V' r v -> tanner2_minima.motion n (tanner2_filippov.both V') r v) by (intros r v M; apply T.moves_is; now apply (T.motion_both n complete V V')).
+  split; [|split].
+  - intros q w (a & c & Ha & E). assert (Aq : forall t, T.apart_at n complete (fun i => q i + RtoC t * w)%C).
+    { intros t i j Hi Hj L X. apply (A i j Hi Hj L). assert (Z : (a * (z i - z j))%C = 0%C).
+      { transitivity (a * z i + c + RtoC t * w - (a * z j + c + RtoC t * w))%C; [ring|]. rewrite <- (E i Hi), <- (E j Hj), X. ring. }
+      apply (f_equal Cmod) in Z. rewrite Cmod_mult, Ha, Cmod_0, Rmult_1_l in Z. apply Cmod_eq_0 in Z. transitivity (z i - z j + z j)%C; [ring|]. rewrite Z. ring. }
+    split; [apply Aq|]. intros t i Ht Hi. destruct (Eq q w (ex_intro _ a (ex_intro _ c (conj Ha E))) t) as [E1 E2]. split; [now apply E1|]. intros _. specialize (E2 (Aq t) i Hi). rewrite <- T.law4_is in E2.
+    destruct (T.both_law n complete V V' (fun k => q k + RtoC t * w)%C (fun _ => w) i Sy (proj1 P) (T.slopes_of n complete V V' P) Hi (Aq t)) as (_ & _ & X). rewrite X in E2. exact E2.
+  - intros e He. destruct (St e He) as (k & Hk & H). exists k. split; [exact Hk|]. intros r v M F t Ht. apply flocks_is. apply (H r v (Mo r v M)); [now apply flocks_is|exact Ht].
+  - destruct At as (k & Hk & H). exists k. split; [exact Hk|]. intros r v M F e He. destruct (H r v (Mo r v M)) with (e := e) as [S Q]; [now apply flocks_is|exact He|]. exists S. intros t Ht. apply flocks_is. now apply Q.
 Qed.
 
 (* ---- formations: within d, and the squares of all differences ---- *)
@@ -424,103 +538,67 @@ Proof.
 Qed.
 
 (* ---- the whole vector field ---- *)
-Lemma at_agent (q u : nat -> C) i : state q u (4 * i) = fst (q i) /\ state q u (4 * i + 1) = snd (q i) /\ state q u (4 * i + 2) = fst (u i) /\ state q u (4 * i + 3) = snd (u i).
+Lemma K10_whole_holds : K10_whole.
+Proof. intros n V V' R0 r v w HR P A. rewrite <- K_is. exact (tanner2_field.K_is_K10 n V V' R0 r v w HR P A). Qed.
+Lemma whole_is n V' R0 x : whole n V' R0 x <-> tanner2_definition4.solution_always n V' R0 x.
 Proof.
-  unfold state. assert (H : forall k, (k < 4)%nat -> ((4 * i + k) mod 4 = k /\ (4 * i + k) / 4 = i)%nat).
-  { intros k Hk. replace (4 * i + k)%nat with (k + i * 4)%nat by lia. rewrite PeanoNat.Nat.mod_add, PeanoNat.Nat.div_add by lia. split; [now apply PeanoNat.Nat.mod_small|].
-    rewrite PeanoNat.Nat.div_small by exact Hk. lia. }
-  pose proof (H 0%nat ltac:(lia)) as [A0 B0]. rewrite PeanoNat.Nat.add_0_r in A0, B0. pose proof (H 1%nat ltac:(lia)) as [A1 B1]. pose proof (H 2%nat ltac:(lia)) as [A2 B2].
-  pose proof (H 3%nat ltac:(lia)) as [A3 B3]. rewrite A0, B0, A1, B1, A2, B2, A3, B3. now repeat split.
+  split; intros [A (C1 & N & HN & F)]; (split; [exact A|]; split; [|exists N; split; [exact HN|]; intros t Ht Nt; destruct (F t Ht Nt) as (z & Kz & Dz); exists z; split; [now apply K_is|exact Dz]]).
+  - intros i Hi b e Hb. now apply (C1 b i Hb Hi).
+  - intros b i Hb Hi e. now apply (C1 i Hi b e Hb).
 Qed.
-Lemma state_close n (q u q' u' : nat -> C) e : (forall i, (i < n)%nat -> Cmod (q i - q' i)%C < e /\ Cmod (u i - u' i)%C < e) ->
-  forall j, (j < 4 * n)%nat -> Rabs (state q u j - state q' u' j) < e.
+Lemma whole_before_is S n V' R0 x : whole_before S n V' R0 x <-> tanner2_definition4.solution_until S n V' R0 x.
 Proof.
-  intros H j Hj. assert (Hi : (j / 4 < n)%nat) by (apply PeanoNat.Nat.div_lt_upper_bound; lia). destruct (H _ Hi) as [H1 H2]. unfold state.
-  pose proof (parts (q (j / 4)%nat - q' (j / 4)%nat)%C) as [P1 P2]. pose proof (parts (u (j / 4)%nat - u' (j / 4)%nat)%C) as [P3 P4]. cbn [fst snd Cminus Cplus Copp] in *.
-  unfold Rminus. destruct (j mod 4)%nat as [|[|[|]]]; lra.
+  split; intros [A (C1 & N & HN & F)]; (split; [exact A|]; split; [|exists N; split; [exact HN|]; intros t Ht Nt; destruct (F t Ht Nt) as (z & Kz & Dz); exists z; split; [now apply K_is|exact Dz]]).
+  - intros i Hi b e Hb. now apply (C1 b i Hb Hi).
+  - intros b i Hb Hi e. now apply (C1 i Hi b e Hb).
 Qed.
-Lemma agents_close n x q u d : inclusions.near (4 * n) d x (state q u) -> forall i, (i < n)%nat -> Cmod (place x i - q i)%C < 2 * d /\ Cmod (speed x i - u i)%C < 2 * d.
+Lemma eq10_3_whole_holds : eq10_3_whole.
+Proof. intros n V V' R0 r0 v0 HR P A. destruct (tanner2_definition4.solution_starts n V V' R0 r0 v0 HR P A) as (x & S & Q). exists x. split; [now apply whole_is|exact S]. Qed.
+Lemma goes_on_whole_holds : goes_on_whole.
 Proof.
-  intros H i Hi. destruct (at_agent q u i) as (E0 & E1 & E2 & E3).
-  pose proof (H (4 * i)%nat ltac:(lia)) as H0. pose proof (H (4 * i + 1)%nat ltac:(lia)) as H1. pose proof (H (4 * i + 2)%nat ltac:(lia)) as H2. pose proof (H (4 * i + 3)%nat ltac:(lia)) as H3.
-  rewrite E0 in H0. rewrite E1 in H1. rewrite E2 in H2. rewrite E3 in H3.
-  split; (eapply Rle_lt_trans; [apply paley_convergence.Cmod_le|]); unfold place, speed, Rminus in *; cbn [fst snd Cminus Cplus Copp]; lra.
+  intros n V V' R0 S x HR HS P W. apply whole_before_is in W. destruct (tanner2_definition4.solution_goes_on n V V' R0 S x HR HS P W) as (y & E & Q). exists y. split; [now apply whole_is|exact E].
 Qed.
-Lemma stay_apart n (r : nat -> C) : T.apart_at n complete r -> exists d, 0 < d /\ forall q : nat -> C, (forall i, (i < n)%nat -> Cmod (q i - r i)%C < d) -> T.apart_at n complete q.
+Lemma eq10_4_whole_holds : eq10_4_whole.
 Proof.
-  intros A. destruct (tanner2_filippov.small2 n (fun i j d => complete i j = true -> forall q : nat -> C, Cmod (q i - r i)%C < d -> Cmod (q j - r j)%C < d -> q i <> q j)) as (d & Hd & Q).
-  - intros i j d d' H L Cm q H1 H2. apply (H Cm); lra.
-  - intros i j Hi Hj. destruct (complete i j) eqn:Cm; [|exists 1; split; [lra|discriminate]]. pose proof (A i j Hi Hj Cm) as N.
-    assert (P : 0 < Cmod (r i - r j)%C) by (apply tanner_flock.norm_neq; exact N). exists (Cmod (r i - r j)%C / 2). split; [lra|]. intros _ q H1 H2 E.
-    assert (L : Cmod (r i - r j)%C <= Cmod (q j - r j)%C + Cmod (q i - r i)%C); [|lra].
-    replace (r i - r j)%C with ((q j - r j) + - (q i - r i))%C by (rewrite E; ring). eapply Rle_trans; [apply Cmod_triangle|]. rewrite Cmod_opp. lra.
-  - exists d. split; [exact Hd|]. intros q H i j Hi Hj Cm. apply (Q i j Hi Hj Cm q); now apply H.
+  intros n V V' R0 S x y HR P L X Y E Tie t i Ht Hi. apply whole_before_is in X, Y. exact (tanner2_definition4.solutions_unique n V V' R0 S x y HR P (lipschitz_is n V' L) X Y E Tie t i Ht Hi).
 Qed.
-Lemma stay_linked n (q : nat -> C) R0 : (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (q i - q j)%C <> R0) -> exists d, 0 < d /\
-  forall p : nat -> C, (forall i, (i < n)%nat -> Cmod (p i - q i)%C < d) -> tanner2_limits.same_pairs n (T.by_distance p R0) (T.by_distance q R0).
+Lemma thm2_coll_whole_holds : thm2_coll_whole.
 Proof.
-  intros Gn. destruct (tanner2_filippov.small2 n (fun i j d => i <> j -> forall p : nat -> C, Cmod (p i - q i)%C < d -> Cmod (p j - q j)%C < d -> (Cmod (p i - p j)%C < R0 <-> Cmod (q i - q j)%C < R0)))
-    as (d & Hd & Q).
-  - intros i j d d' H L Ne p H1 H2. apply (H Ne); lra.
-  - intros i j Hi Hj. destruct (PeanoNat.Nat.eq_dec i j) as [->|Ne]; [exists 1; split; [lra|congruence]|]. pose proof (Gn i j Hi Hj Ne) as N.
-    exists (Rabs (Cmod (q i - q j)%C - R0) / 2). split; [apply Rdiv_lt_0_compat; [apply Rabs_pos_lt|]; lra|]. intros _ p H1 H2.
-    assert (L1 : Cmod (p i - p j)%C <= Cmod (q i - q j)%C + (Cmod (p i - q i)%C + Cmod (p j - q j)%C)).
-    { replace (p i - p j)%C with ((q i - q j) + ((p i - q i) + - (p j - q j)))%C by ring. eapply Rle_trans; [apply Cmod_triangle|]. apply Rplus_le_compat_l. eapply Rle_trans; [apply Cmod_triangle|].
-      rewrite Cmod_opp. lra. }
-    assert (L2 : Cmod (q i - q j)%C <= Cmod (p i - p j)%C + (Cmod (p i - q i)%C + Cmod (p j - q j)%C)).
-    { replace (q i - q j)%C with ((p i - p j) + (- (p i - q i) + (p j - q j)))%C by ring. eapply Rle_trans; [apply Cmod_triangle|]. apply Rplus_le_compat_l. eapply Rle_trans; [apply Cmod_triangle|].
-      rewrite Cmod_opp. lra. }
-    unfold Rabs in *. destruct (Rcase_abs (Cmod (q i - q j)%C - R0)); split; lra.
-  - exists d. split; [exact Hd|]. intros p H i j Hi Hj. unfold T.by_distance. destruct (PeanoNat.Nat.eqb_spec i j) as [E|Ne]; [reflexivity|]. pose proof (Q i j Hi Hj Ne p (H i Hi) (H j Hj)) as I.
-    cbn [negb andb]. destruct (Rlt_dec (Cmod (p i - p j)%C) R0); destruct (Rlt_dec (Cmod (q i - q j)%C) R0); tauto || reflexivity.
+  intros n V V' R0 S x HR P X t Ht i j Hi Hj B E. apply whole_before_is in X. destruct (tanner2_definition4.solutions_apart n V V' R0 x HR P (proj1 X)) as (d & Hd & Far). unfold complete in B.
+  assert (Ne : i <> j) by (intros ->; now rewrite PeanoNat.Nat.eqb_refl in B). specialize (Far S X t i j Ht Hi Hj Ne). change (tanner2_field.place_of (x t)) with (place (x t)) in Far. rewrite E in Far.
+  replace (place (x t) j - place (x t) j)%C with (RtoC 0) in Far by ring. rewrite Cmod_0 in Far. lra.
 Qed.
-Lemma one_value n V V' R0 r v y Z d e : T.potentials n complete V V' -> T.apart_at n complete r -> T.limit_of_law n V' R0 r v y -> null (4 * n) Z -> 0 < d -> 0 < e ->
-  exists x, ~ Z x /\ (forall j, (j < 4 * n)%nat -> Rabs (x j - state r v j) < d) /\ forall j, (j < 4 * n)%nat -> Rabs (field10 n V' R0 x j - state v y j) < e.
+Lemma thm2_vel_whole_holds : thm2_vel_whole.
+Proof. intros n V V' R0 x HR P W C1 i j Hi Hj. apply whole_is in W. exact (proj2 (tanner2_definition4.solutions_agree n V V' R0 HR P) x W C1 i j Hi Hj). Qed.
+Lemma thm2_pot_whole_holds : thm2_pot_whole.
 Proof.
-  intros P A L HZ Hd He. destruct (stay_apart n r A) as (d0 & H0 & S0). set (h := Rmin d0 (Rmin d e) / 4).
-  pose proof (Rmin_l d0 (Rmin d e)) as M1. pose proof (Rmin_r d0 (Rmin d e)) as M2. pose proof (Rmin_l d e) as M3. pose proof (Rmin_r d e) as M4.
-  assert (Hh : 0 < h) by (unfold h; apply Rdiv_lt_0_compat; [repeat apply Rmin_glb_lt; assumption|lra]). destruct (L h Hh) as (q & u & Q1 & Q2 & Q3).
-  assert (Aq : T.apart_at n complete q) by (apply S0; intros i Hi; destruct (Q1 i Hi); unfold h in *; lra). set (g := T.by_distance q R0).
-  destruct (tanner2_limits.law4_near n V V' q u P Aq g h (fun i _ => proj2 (tanner2_filippov.by_distance_simple q R0) i) Hh) as (d2 & H2 & S2).
-  destruct (stay_linked n q R0 Q2) as (d3 & H3 & S3). set (w := Rmin (Rmin d2 d3) h / 2).
-  pose proof (Rmin_l (Rmin d2 d3) h) as M5. pose proof (Rmin_r (Rmin d2 d3) h) as M6. pose proof (Rmin_l d2 d3) as M7. pose proof (Rmin_r d2 d3) as M8.
-  assert (Hw : 0 < w) by (unfold w; apply Rdiv_lt_0_compat; [repeat apply Rmin_glb_lt; assumption|lra]).
-  destruct (classic (exists x, ~ Z x /\ inclusions.near (4 * n) w x (state q u))) as [(x & Nx & Bx)|No].
-  2: { exfalso. apply (tanner2_existence.box_not_null (4 * n) (state q u) w Hw). apply (tanner2_existence.null_sub (4 * n) _ Z); [|now apply null_is].
-    intros x Bx. apply NNPP. intros Nx. apply No. now exists x. }
-  pose proof (agents_close n x q u w Bx) as Cl. exists x. split; [exact Nx|]. split.
-  - intros j Hj. pose proof (Bx j Hj) as B1. pose proof (state_close n q u r v h Q1 j Hj) as B2.
-    replace (x j - state r v j) with ((x j - state q u j) + (state q u j - state r v j)) by ring. eapply Rle_lt_trans; [apply Rabs_triang|]. unfold w, h in *. lra.
-  - unfold field10. apply state_close. intros i Hi. destruct (Cl i Hi) as [C1 C2]. destruct (Q1 i Hi) as [_ U1]. split.
-    + replace (speed x i - v i)%C with ((speed x i - u i) + (u i - v i))%C by ring. eapply Rle_lt_trans; [apply Cmod_triangle|]. unfold w, h in *. lra.
-    + assert (Same : T.law4 n (T.by_distance (place x) R0) V' (place x) (speed x) i = T.law4 n g V' (place x) (speed x) i).
-      { apply (tanner2_limits.law4_pairs n (T.by_distance (place x) R0) g V' (place x) (speed x) i); [|exact Hi]. apply S3. intros k Hk. destruct (Cl k Hk). unfold w in *. lra. }
-      rewrite Same. assert (Nr : Cmod (T.law4 n g V' (place x) (speed x) i - T.law4 n g V' q u i)%C < h).
-      { apply (S2 (place x) (speed x)); [|exact Hi]. intros k Hk. destruct (Cl k Hk). unfold w in *. split; lra. }
-      replace (_ - y i)%C with ((T.law4 n g V' (place x) (speed x) i - T.law4 n g V' q u i) + (T.law4 n g V' q u i - y i))%C by ring.
-      eapply Rle_lt_trans; [apply Cmod_triangle|]. pose proof (Q3 i Hi) as Q4. fold g in Q4. unfold h in *. lra.
+  intros n V V' R0 x HR P W C1 e He. apply whole_is in W. destruct (proj1 (proj2 (tanner2_definition4.solutions_approach n V V' R0 HR P)) x W C1 e He) as [S H]. exists (Rmax S 0). split; [apply Rmax_r|].
+  intros t Ht. pose proof (Rmax_l S 0). destruct (H t ltac:(lra)) as (q & [A Kq] & D). exists q. split; [split; [exact A|now apply K_is]|exact D].
 Qed.
-Lemma Csum_parts m (c : nat -> R) (y : nat -> C) : fst (Csum m (fun k => RtoC (c k) * y k)%C) = Sum m (fun k => c k * fst (y k)) /\
-  snd (Csum m (fun k => RtoC (c k) * y k)%C) = Sum m (fun k => c k * snd (y k)).
-Proof. induction m as [|m [I1 I2]]; [split; reflexivity|]. cbn [Csum Sum]. rewrite <- I1, <- I2. split; cbn; ring. Qed.
-Lemma K10_within_holds : K10_within.
+Lemma eq13_12_whole_holds : eq13_12_whole.
 Proof.
-  intros n V V' R0 r v z P A (m & c & y & Y1 & Y2 & Y3) Z d e HZ Hd He.
-  assert (Pts : exists x : nat -> nat -> R, forall k, (k < m)%nat -> ~ Z (x k) /\ (forall j, (j < 4 * n)%nat -> Rabs (x k j - state r v j) < d) /\
-    forall j, (j < 4 * n)%nat -> Rabs (field10 n V' R0 (x k) j - state v (y k) j) < e / 2).
-  { clear Y2 Y3. induction m as [|m IH]; [exists (fun _ _ => 0); intros; lia|]. destruct IH as [x X]; [intros k Hk; apply Y1; lia|].
-    destruct (one_value n V V' R0 r v (y m) Z d (e / 2) P A (proj2 (Y1 m ltac:(lia))) HZ Hd ltac:(lra)) as [p Hp].
-    exists (fun k => if Nat.eqb k m then p else x k). intros k Hk. destruct (PeanoNat.Nat.eqb_spec k m) as [->|Nk]; [exact Hp|apply X; lia]. }
-  destruct Pts as [x X]. exists m, c, x. split; [intros k Hk; now apply Y1|]. split; [exact Y2|]. split; [intros k Hk; destruct (X k Hk) as (X1 & X2 & _); now split|].
-  intros j Hj. assert (Hi : (j / 4 < n)%nat) by (apply PeanoNat.Nat.div_lt_upper_bound; lia).
-  assert (E : state v z j = Sum m (fun k => c k * state v (y k) j)).
-  { unfold state. rewrite (Y3 _ Hi). destruct (Csum_parts m c (fun k => y k (j / 4)%nat)) as [F1 F2]. cbv beta in F1, F2. rewrite F1, F2.
-    destruct (j mod 4)%nat as [|[|[|]]]; [| |reflexivity|reflexivity]; rewrite Sum_scal_r, Y2; ring. }
-  rewrite E, <- Sum_minus. apply Rle_lt_trans with (Sum m (fun k => c k * (e / 2))); [|rewrite Sum_scal_r, Y2; lra].
-  eapply Rle_trans; [apply Sum_Rabs|]. apply Sum_le. intros k Hk. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq (c k)) by now apply Y1.
-  apply Rmult_le_compat_l; [now apply Y1|]. left. now apply X.
+  intros n V V' R0 r v x HR P A Q. assert (Q' : D.time_derivative n V V' R0 r v x).
+  { intros a b G. destruct (Q a b G) as (w & Kw & E). apply (K10_whole_holds n V V' R0 r v w HR P A) in Kw. destruct Kw as (z & Kz & W). exists z. split; [exact Kz|]. rewrite E. apply Sum_ext. intros i Hi.
+    destruct (tanner2_field.at_agent v z i) as (W0 & W1 & W2 & W3). unfold place, speed. rewrite !W by lia. change (state v z) with (tanner2_field.state v z). now rewrite W0, W1, W2, W3, <- !surjective_pairing. }
+  split; [now apply (D.eq13_1_proved n V V' R0)|now apply (D.eq13_2_proved n V V' R0 r v)].
 Qed.
+Lemma eq13_3_whole_holds : eq13_3_whole.
+Proof. intros n V V' R0 S x HR P X s t Hst Ht. apply whole_before_is in X. rewrite !T.energy11_is. exact (tanner2_definition4.solutions_lose_Q n V V' R0 S x HR P X s t Hst Ht). Qed.
 
+Lemma thm2_stop_holds : thm2_stop.
+Proof.
+  intros n V V' R0 x HR P Pl W C1 rel One. apply whole_is in W. destruct (tanner2_stops.switching_stops n V V' R0 x HR P Pl W C1) as (S & HS & H).
+  - intros s L i j k l Hi Hj Hk Hl Ne Nk E1 E2. assert (X : forall i j k l, (i < j < n)%nat -> (k < l < n)%nat -> Cmod (s i - s j)%C = R0 -> Cmod (s k - s l)%C = R0 -> i = k /\ j = l) by (exact (One (fun i j => s i - s j)%C L)).
+    assert (Sy : forall i j, Cmod (s i - s j)%C = Cmod (s j - s i)%C) by (intros a b; rewrite <- Cmod_opp; f_equal; ring).
+    destruct (PeanoNat.Nat.lt_trichotomy i j) as [A|[A|A]]; [|congruence|]; (destruct (PeanoNat.Nat.lt_trichotomy k l) as [B|[B|B]]; [|congruence|]).
+    + destruct (X i j k l ltac:(lia) ltac:(lia) E1 E2). left. split; congruence.
+    + rewrite Sy in E2. destruct (X i j l k ltac:(lia) ltac:(lia) E1 E2). right. split; congruence.
+    + rewrite Sy in E1. destruct (X j i k l ltac:(lia) ltac:(lia) E1 E2). right. split; congruence.
+    + rewrite Sy in E1, E2. destruct (X j i l k ltac:(lia) ltac:(lia) E1 E2). left. split; congruence.
+  - exists S. split; [exact HS|]. intros i j a b Hi Hj Hab Ps. assert (Ne : i <> j).
+    { intros ->. unfold rel in Ps. replace (place (x a) j - place (x a) j)%C with (RtoC 0) in Ps by ring. replace (place (x b) j - place (x b) j)%C with (RtoC 0) in Ps by ring. rewrite Cmod_0 in Ps. lra. }
+    exact (H i j a b Hi Hj Ne Hab ltac:(unfold tanner2_stops.passes; unfold rel in Ps; change tanner2_field.place_of with place; lra)).
+Qed.
 Lemma critical_there_holds : critical_there.
 Proof.
   intros n V V' R0 q HR P A Gn. split.

@@ -145,6 +145,12 @@ Check (tanner2_unique.unique_across :
   forall t i, 0 <= t < T -> (i < n)%nat -> r i t = r' i t /\ v i t = v' i t).
 
 (* ---- tanner2.appA.def4 (corrected): f is any bounded function ---- *)
+Check (eq_refl : tanner2_filippov.ac = fun F => forall T e, 0 < T -> 0 < e -> exists d, 0 < d /\ forall m (a b : nat -> R),
+  (forall k, (k < m)%nat -> 0 <= a k <= b k /\ b k <= T) -> (forall k, (S k < m)%nat -> b k <= a (S k)) ->
+  Sum m (fun k => b k - a k) < d -> Sum m (fun k => Rabs (F (b k) - F (a k))) < e).
+Check (eq_refl : tanner2_existence.filippov_always = fun n f x => (forall i, (i < n)%nat -> tanner2_filippov.ac (fun t => x t i)) /\
+  exists N, tanner2_filippov.negligible N /\ forall t, 0 <= t -> ~ N t ->
+    exists z, tanner2_appendix.K n f (x t) z /\ forall i, (i < n)%nat -> is_derive (fun s => x s i) t (z i)).
 Check (tanner2_existence.filippov_exists :
   forall (n : nat) (f : (nat -> R) -> nat -> R) (M : R) (x0 : nat -> R), (forall x i, (i < n)%nat -> Rabs (f x i) <= M) ->
-  exists x : R -> nat -> R, (forall i, (i < n)%nat -> x 0 i = x0 i) /\ forall T, tanner2_appendix.filippov n (fun _ => f) T x).
+  exists x : R -> nat -> R, (forall i, (i < n)%nat -> x 0 i = x0 i) /\ tanner2_existence.filippov_always n f x).

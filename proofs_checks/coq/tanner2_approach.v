@@ -243,18 +243,13 @@ Proof.
     + exists d. split; [exact Hd|]. intros _ x Sx i j Hi Hj. now apply Q.
   - exists (/ e). split; [now apply Rinv_0_lt_compat|]. intros g x C Sx i j Hi Hj. now apply (Q g C x Sx).
 Qed.
-Theorem approaches_critical : forall n V V' R0 r v, 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v -> (forall t, 0 <= t -> strongly_connected n (by_distance (fun i => r i t) R0)) ->
-  (forall e, 0 < e -> exists T, forall t, T <= t -> exists q, critical n V' R0 q /\ forall i, (i < n)%nat -> Cmod (r i t - q i)%C < e) /\
-  forall q, critical n V' R0 q -> generic n R0 q -> forall i, (i < n)%nat -> gradV n (by_distance q R0) V' q i = RtoC 0.
+(* times of a kind that come again and again: there is a configuration that is near at such times again and again *)
+Lemma returns n R0 (r : nat -> R -> C) (bad : R -> Prop) : (1 <= n)%nat -> (forall t, 0 <= t -> strongly_connected n (by_distance (fun i => r i t) R0)) ->
+  (forall T, exists t, T <= t /\ 0 <= t /\ bad t) ->
+  exists s : nat -> C, forall T e, 0 < e -> exists t, T <= t /\ 0 <= t /\ bad t /\ forall i, (i < n)%nat -> Cmod (shape r t i - s i)%C < e.
 Proof.
-  intros n V V' R0 r v HR P M SC. split; [|intros q; now apply (critical_generic n V V' R0 q)]. intros e He. destruct (Nat.eq_dec n 0) as [Z|Nz].
-  { exists 0. intros t _. exists rest. split; [|intros i Hi; lia]. split; [intros i j Hi; lia|]. exists 1%nat, (fun _ => 1), (fun _ => rest). split; [|split; [cbn; ring|intros; lia]].
-    intros k _. split; [lra|]. intros e' He'. exists rest. split; [intros; lia|]. split; [intros i j Hi; lia|intros; lia]. }
-  assert (Hn : (1 <= n)%nat) by lia. destruct (bounded_size n R0) as (b0 & Hb0 & Sz). apply NNPP. intros No.
-  set (bad := fun t => 0 <= t /\ ~ exists q, critical n V' R0 q /\ forall i, (i < n)%nat -> Cmod (r i t - q i)%C < e).
-  assert (Bad : forall T, exists t, T <= t /\ bad t).
-  { intros T. apply NNPP. intros K. apply No. exists (Rmax T 0). intros t Ht. pose proof (Rmax_l T 0). pose proof (Rmax_r T 0). apply NNPP. intros X. apply K. exists t. split; [lra|]. split; [lra|exact X]. }
-  set (big := fun Q : (nat -> R) -> Prop => forall T, exists t, T <= t /\ bad t /\ Q (fun k => if Nat.ltb k (2 * n) then flat n (shape r t) k else 0)).
+  intros Hn SC Bad. destruct (bounded_size n R0) as (b0 & Hb0 & Sz).
+  set (big := fun Q : (nat -> R) -> Prop => forall T, exists t, T <= t /\ (0 <= t /\ bad t) /\ Q (fun k => if Nat.ltb k (2 * n) then flat n (shape r t) k else 0)).
   set (s0 := cluster big). set (s := fun i => (s0 i, s0 (n + i)%nat) : C).
   assert (Cl : forall a, 0 < a -> big (close (2 * n) s0 a)).
   { intros a Ha. apply cluster_point; [| | | |exact Ha].
@@ -267,12 +262,24 @@ Proof.
       assert (Sp : forall i, (i < n)%nat -> Cmod (shape r t i) <= b0).
       { intros i Hi. apply (Sz (by_distance (fun i => r i t) R0) (fun i => r i t) (SC t H2)); [|exact Hi|lia]. intros k1 k2 _ _ A. unfold by_distance in A. apply andb_prop in A as [_ A]. destruct (Rlt_dec (Cmod (r k1 t - r k2 t)%C) R0); [lra|discriminate]. }
       pose proof (flat_le n (shape r t) k b0 Sp L). lra. }
-  assert (Cr : critical n V' R0 s).
-  { apply (returns_critical n V V' R0 r v Hn HR P M SC). intros T a Ha. destruct (Cl (a / 4) ltac:(lra) T) as (t & H1 & _ & H3). exists t. split; [exact H1|]. intros i Hi. eapply Rle_lt_trans; [apply axes_Cmod|]. unfold s. cbn [fst snd Cminus Cplus Copp].
-    pose proof (H3 i ltac:(lia)) as A1. pose proof (H3 (n + i)%nat ltac:(lia)) as A2. cbv beta in A1, A2. unfold flat in A1, A2. destruct (Nat.ltb_spec i (2 * n)); [|lia]. destruct (Nat.ltb_spec (n + i) (2 * n)); [|lia]. destruct (Nat.ltb_spec i n); [|lia]. destruct (Nat.ltb_spec (n + i) n); [lia|]. replace (n + i - n)%nat with i in A2 by lia. unfold Rminus in *. fold s0 in A1, A2. lra. }
-  destruct (Cl (e / 4) ltac:(lra) 0) as (t & H1 & [_ H2] & H3). apply H2. exists (fun i => (s i - - r 0%nat t)%C). split; [now apply critical_moved|]. intros i Hi.
-  replace (r i t - (s i - - r 0%nat t))%C with (shape r t i - s i)%C by (unfold shape; ring). eapply Rle_lt_trans; [apply axes_Cmod|]. unfold s. cbn [fst snd Cminus Cplus Copp].
-  pose proof (H3 i ltac:(lia)) as A1. pose proof (H3 (n + i)%nat ltac:(lia)) as A2. cbv beta in A1, A2. unfold flat in A1, A2. destruct (Nat.ltb_spec i (2 * n)); [|lia]. destruct (Nat.ltb_spec (n + i) (2 * n)); [|lia]. destruct (Nat.ltb_spec i n); [|lia]. destruct (Nat.ltb_spec (n + i) n); [lia|]. replace (n + i - n)%nat with i in A2 by lia. unfold Rminus in *. fold s0 in A1, A2. lra.
+  exists s. intros T a Ha. destruct (Cl (a / 4) ltac:(lra) T) as (t & H1 & [H2 H2'] & H3). exists t. split; [exact H1|]. split; [exact H2|]. split; [exact H2'|]. intros i Hi. eapply Rle_lt_trans; [apply axes_Cmod|]. unfold s. cbn [fst snd Cminus Cplus Copp].
+    pose proof (H3 i ltac:(lia)) as A1. pose proof (H3 (n + i)%nat ltac:(lia)) as A2. cbv beta in A1, A2. unfold flat in A1, A2. destruct (Nat.ltb_spec i (2 * n)); [|lia]. destruct (Nat.ltb_spec (n + i) (2 * n)); [|lia]. destruct (Nat.ltb_spec i n); [|lia]. destruct (Nat.ltb_spec (n + i) n); [lia|]. replace (n + i - n)%nat with i in A2 by lia. unfold Rminus in *. fold s0 in A1, A2. lra.
+Qed.
+Theorem approaches_critical : forall n V V' R0 r v, 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v -> (forall t, 0 <= t -> strongly_connected n (by_distance (fun i => r i t) R0)) ->
+  (forall e, 0 < e -> exists T, forall t, T <= t -> exists q, critical n V' R0 q /\ forall i, (i < n)%nat -> Cmod (r i t - q i)%C < e) /\
+  forall q, critical n V' R0 q -> generic n R0 q -> forall i, (i < n)%nat -> gradV n (by_distance q R0) V' q i = RtoC 0.
+Proof.
+  intros n V V' R0 r v HR P M SC. split; [|intros q; now apply (critical_generic n V V' R0 q)]. intros e He. destruct (Nat.eq_dec n 0) as [Z|Nz].
+  { exists 0. intros t _. exists rest. split; [|intros i Hi; lia]. split; [intros i j Hi; lia|]. exists 1%nat, (fun _ => 1), (fun _ => rest). split; [|split; [cbn; ring|intros; lia]].
+    intros k _. split; [lra|]. intros e' He'. exists rest. split; [intros; lia|]. split; [intros i j Hi; lia|intros; lia]. }
+  assert (Hn : (1 <= n)%nat) by lia. apply NNPP. intros No.
+  set (bad := fun t => ~ exists q, critical n V' R0 q /\ forall i, (i < n)%nat -> Cmod (r i t - q i)%C < e).
+  assert (Bad : forall T, exists t, T <= t /\ 0 <= t /\ bad t).
+  { intros T. apply NNPP. intros K. apply No. exists (Rmax T 0). intros t Ht. pose proof (Rmax_l T 0). pose proof (Rmax_r T 0). apply NNPP. intros X. apply K. exists t. split; [lra|]. split; [lra|exact X]. }
+  destruct (returns n R0 r bad Hn SC Bad) as [s Rt].
+  assert (Cr : critical n V' R0 s) by (apply (returns_critical n V V' R0 r v Hn HR P M SC); intros T a Ha; destruct (Rt T a Ha) as (t & H1 & _ & _ & H3); now exists t).
+  destruct (Rt 0 e He) as (t & _ & _ & H2 & H3). apply H2. exists (fun i => (s i - - r 0%nat t)%C). split; [now apply critical_moved|]. intros i Hi.
+  replace (r i t - (s i - - r 0%nat t))%C with (shape r t i - s i)%C by (unfold shape; ring). now apply H3.
 Qed.
 (* solutions start and last, and all of them approach critical configurations *)
 Theorem all_solutions_approach : forall n V V' R0, 0 < R0 -> potentials n complete V V' -> tanner2_onward.solutions_last n V' R0 /\

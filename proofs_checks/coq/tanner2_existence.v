@@ -244,25 +244,26 @@ Proof.
     assert (e / (w + 1) * w <= e). { apply Rmult_le_reg_r with (w + 1); [lra|]. replace (e / (w + 1) * w * (w + 1)) with (e * w) by (field; lra). nra. } lra.
 Qed.
 End Field.
+(* a Filippov solution for all t >= 0, with one set of measure zero for all times *)
+Definition filippov_always n (f : (nat -> R) -> nat -> R) (x : R -> nat -> R) := (forall i, (i < n)%nat -> ac (fun t => x t i)) /\
+  exists N, negligible N /\ forall t, 0 <= t -> ~ N t -> exists z, K n f (x t) z /\ forall i, (i < n)%nat -> is_derive (fun s => x s i) t (z i).
 Theorem filippov_exists : forall n f M x0, (forall x i, (i < n)%nat -> Rabs (f x i) <= M) ->
-  exists x : R -> nat -> R, (forall i, (i < n)%nat -> x 0 i = x0 i) /\ forall T, filippov n (fun _ => f) T x.
+  exists x : R -> nat -> R, (forall i, (i < n)%nat -> x 0 i = x0 i) /\ filippov_always n f x.
 Proof.
   intros n f M x0 Bd. destruct (Nat.eq_dec n 0) as [->|Nz].
-  { exists (fun _ _ => 0). split; [intros; lia|]. intros T. split; [intros; lia|]. exists (fun _ => False). split; [apply negligible_none|]. intros t _ _. exists (fun _ => 0). split; [|intros; lia].
+  { exists (fun _ _ => 0). split; [intros; lia|]. split; [intros; lia|]. exists (fun _ => False). split; [apply negligible_none|]. intros t _ _. exists (fun _ => 0). split; [|intros; lia].
     intros d Z Hd HZ. exfalso. destruct (HZ (1 / 2) ltac:(lra)) as (a & b & _ & _ & S). specialize (S 1%nat). cbn in S. lra. }
   assert (Hn : (1 <= n)%nat) by lia. assert (M0 : 0 <= M) by (eapply Rle_trans; [apply Rabs_pos|apply (Bd x0 0%nat); lia]).
   set (F := essential n f). assert (Fe : forall x x' y, (forall i, (i < n)%nat -> x i = x' i) -> F x y -> F x' y) by (intros x x' y; apply essential_ext).
   assert (Fs : forall x, exists y, F x y) by (intros x; now apply (essential_some n f M)). assert (Fb : forall x y i, F x y -> (i < n)%nat -> Rabs (y i) <= M) by (intros x y i; now apply (essential_bounded n f M)).
-  set (x := solution n F M x0). exists x. split; [intros i Hi; now apply solution_start|]. intros T.
+  set (x := solution n F M x0). exists x. split; [intros i Hi; now apply solution_start|].
   assert (Lp : forall i, (i < n)%nat -> forall s t, Rabs (x t i - x s i) <= M * Rabs (t - s)) by (intros i Hi s t; now apply solution_lipschitz).
   split.
-  - intros i Hi b e Hb He. assert (A : ac (fun t => x t i)).
-    { apply ac_lipschitz. intros T' _. exists (M + 1). split; [lra|]. intros s t Hs _. eapply Rle_trans; [apply Lp; exact Hi|]. rewrite Rabs_pos_eq by lra. apply Rmult_le_compat_r; lra. }
-    exact (A b e (proj1 Hb) He).
+  - intros i Hi. apply ac_lipschitz. intros T' _. exists (M + 1). split; [lra|]. intros s t Hs _. eapply Rle_trans; [apply Lp; exact Hi|]. rewrite Rabs_pos_eq by lra. apply Rmult_le_compat_r; lra.
   - exists (fun t => exists i, (i < n)%nat /\ ~ exists l, is_derive (fun s => x s i) t l). split.
     + apply (negligible_some n (fun i t => ~ exists l, is_derive (fun s => x s i) t l)). intros i Hi. apply (lipschitz_derivatives (fun s => x s i) M). now apply Lp.
     + intros t Ht Nt. exists (fun i => Derive (fun s => x s i) t).
       assert (D : forall i, (i < n)%nat -> is_derive (fun s => x s i) t (Derive (fun s => x s i) t)).
       { intros i Hi. apply Derive_correct. apply NNPP. intros N. apply Nt. exists i. split; [exact Hi|]. intros [l Dl]. apply N. now exists l. }
-      split; [|exact D]. apply (essential_K n f M Hn Bd). now apply (solution_derivative n F M x0 M0 Fe Fs Fb t _ (proj1 Ht)).
+      split; [|exact D]. apply (essential_K n f M Hn Bd). now apply (solution_derivative n F M x0 M0 Fe Fs Fb t _ Ht).
 Qed.

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 180] = sources![
+const SOURCES: [(&str, &str); 186] = sources![
     "IntervalStdZ",
     "RealSums",
     "inclusions",
@@ -104,6 +104,10 @@ const SOURCES: [(&str, &str); 180] = sources![
     "tanner2_energies",
     "tanner2_collision",
     "tanner2_apart",
+    "tanner2_field",
+    "tanner2_definition4",
+    "tanner2_stops",
+    "tanner2_minima",
     "tanner_graph",
     "tanner_components",
     "tanner_rates",
@@ -166,6 +170,8 @@ const SOURCES: [(&str, &str); 180] = sources![
     "audit_settling",
     "audit_stability",
     "audit_existence",
+    "audit_definition4",
+    "audit_minima",
     "audit_independent_chazelle",
     "audit_independent_angle",
     "audit_independent_paley",
