@@ -2,7 +2,7 @@
 
 use crate::function::{Function, Literal, Side};
 use crate::symbolic::{Extension, Symbolic};
-use arithmetic::{Rational, rational};
+use arithmetic::rational;
 
 /// The domain, where that is smaller, with one period of each number of which all literals are periodic functions; a little more, since periods are no rational numbers.
 pub(super) fn narrowed<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Option<Vec<Side>> {
@@ -26,9 +26,8 @@ pub(super) fn narrowed<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> O
             (Some(lo), _) => Side::between(lo.clone(), lo + period),
             (None, Some(hi)) => Side::between(hi - period, hi.clone()),
         };
-        let shorter = |end: &Rational, start: &Rational| end - start;
-        let (lo, hi) = (whole.lo.clone()?, whole.hi.clone()?);
-        if side.lo.as_ref().zip(side.hi.as_ref()).is_none_or(|(a, b)| shorter(b, a) > shorter(&hi, &lo)) {
+        let length = |side: &Side| Some(side.hi.as_ref()? - side.lo.as_ref()?);
+        if length(side).is_none_or(|own| Some(own) > length(&whole)) {
             (*side, is_new) = (whole, true);
         }
     }

@@ -6,7 +6,7 @@ use super::places::{Place, free, has_value, truth};
 use super::{Decision, Effort, Extended, FIRST_BOXES, Proof, on_rest};
 use crate::function::{Compared, Function, Literal, Side};
 use crate::symbolic::{Extension, Part, Settled, Symbolic};
-use arithmetic::{Cancelled, Number, Progress, Rational, Ring, rational};
+use arithmetic::{Cancelled, Field, Number, Progress, Rational, Ring, rational};
 use num_traits::Zero;
 
 /// More common parts are not looked at.
@@ -108,10 +108,10 @@ pub(super) fn decided<F: Function>(
     by_exponential(clause, domain, effort, progress)
 }
 
-/// The functions of a clause over an extension whose arguments, from `skipped` on, are those of the domain.
+/// The functions of a clause at these arguments, numbers where the domain has one only.
 fn functions<F: Function>(clause: &[Literal<F>], arguments: &[Symbolic], domain: &[Side]) -> Vec<Option<Symbolic>> {
     let known = |(x, side): (&Symbolic, &Side)| match side.as_point() {
-        Some(q) => arithmetic::Field::rational(x, q),
+        Some(q) => x.rational(q),
         None => x.clone(),
     };
     let arguments: Vec<Symbolic> = arguments.iter().zip(domain).map(known).collect();
@@ -191,10 +191,8 @@ fn of_polynomial<F: Function>(
     let own = |(own, value): (&Literal<F>, Option<Symbolic>)| {
         let value = value?;
         let direct = value.depends_on();
-        (!gone.iter().any(|k| direct.contains(&(k + 1))))
-            .then(|| value.known())
-            .flatten()
-            .map(|function| literal(own, function))
+        let function = value.known().filter(|_| !gone.iter().any(|k| direct.contains(&(k + 1))))?;
+        Some(literal(own, function))
     };
     let rewritten: Vec<Option<_>> = clause.iter().zip(values).map(own).collect();
     let kept: Vec<bool> = rewritten.iter().map(Option::is_some).collect();
@@ -279,8 +277,7 @@ fn without_roots<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Option<
         let outside = [(Some(lo.clone()), -1), (hi.clone(), 1)];
         for (end, sign) in outside {
             let Some(end) = end.filter(|end| !end.is_zero() && end.root(powers[k]).is_err()) else { continue };
-            let beyond =
-                (arguments[k].clone() - arithmetic::Field::rational(&arguments[k], &end)) * arguments[k].integer(sign);
+            let beyond = (arguments[k].clone() - arguments[k].rational(&end)) * arguments[k].integer(sign);
             rewritten.push(Literal { function: beyond.settled(), compared: Compared::Positive, guarded: true });
         }
         let root = |end: &Rational| Extended::of(end).root(powers[k]).ok();

@@ -115,8 +115,54 @@ impl Symbolic {
             return Ok(power);
         }
         let (base, count) = self.multiple(monomial, c);
-        let own = base.called(Function::Exponential, Number::exp)?.power(count.unsigned_abs());
+        let root = base.called(Function::Exponential, Number::exp)?;
+        if let Some((degree, power)) = base.as_root() {
+            root.has_power(degree, &power);
+            if degree % 2 == 0 {
+                root.has_power(degree / 2, &self.extension.of(power.clone()).sqrt()?.fraction.0);
+            }
+            // `1/r = r^(n-1)/p`.
+            let whole = if count < 0 { count.unsigned_abs().div_ceil(degree) } else { 0 };
+            let rest = (count + (whole * degree) as i64).unsigned_abs();
+            return Ok(root.power(rest) * self.extension.of(power).power(whole).recip()?);
+        }
+        let own = root.power(count.unsigned_abs());
         if count < 0 { own.recip() } else { Ok(own) }
+    }
+
+    /// Of `log(p)/n` the degree `n` of the root that its exponential is, and `p`; for numbers only.
+    fn as_root(&self) -> Option<(u64, Polynomial)> {
+        let mut terms = self.fraction.0.terms();
+        let (monomial, c) = terms.next().filter(|_| self.extension.arity == 0)?;
+        let alone = terms.next().is_none() && monomial.iter().sum::<u32>() == 1 && c.numer() == BigInt::from(1);
+        let of = |call: &&(Function, Fraction, usize)| call.0 == Function::Logarithm && call.2 + 1 == monomial.len();
+        let inside = self.extension.with(|inner| {
+            let (_, (inside, _), _) = inner.calls.iter().find(of).filter(|_| alone)?;
+            let is_known = inner.positive.contains(inside);
+            Some((inside.clone(), is_known))
+        });
+        let (inside, is_known) = inside?;
+        let is_circle = |(monomial, c): (&Vec<u32>, &Rational)| self.extension.is_circle(monomial) && c.is_positive();
+        let is_positive = is_known || inside.terms().len() == 1 && inside.terms().all(is_circle);
+        Some((c.denom().to_u64()?, inside)).filter(|_| is_positive)
+    }
+
+    /// The exponential of a sum, of however many terms.
+    fn exp_of_terms(&self) -> Result<Self, ArithmeticError> {
+        let term = |product: Self, (monomial, c): (&Vec<u32>, &Rational)| Ok(product * self.exp_of_term(monomial, c)?);
+        self.fraction.0.terms().try_fold(self.one(), term)
+    }
+
+    /// The root of a product of numbers by its logarithm, so that roots of all degrees are powers of one another.
+    fn root_by_logarithms(&self, degree: u64) -> Result<Option<Self>, ArithmeticError> {
+        let Some((c, powers)) = self.as_powers().filter(|(c, _)| self.extension.arity == 0 && !c.is_zero()) else {
+            return Ok(None);
+        };
+        let mut logarithm = self.log_number(&c.abs());
+        for (k, power) in powers {
+            logarithm = logarithm + self.log_variable(k)? * self.integer(power);
+        }
+        (logarithm * self.ratio(1, degree as i64)).exp_of_terms().map(Some)
     }
 
     /// `exp(c log|f|) = |f|^c`, for multiples of 1/4.
@@ -314,9 +360,7 @@ impl Symbolic {
             scale = num_integer::lcm(scale, c.denom().to_i64().filter(|d| *d <= MOST_COUNT)?);
             is_one = true;
         }
-        let factor = |(monomial, c): (&Vec<u32>, &Rational)| self.exp_of_term(monomial, &(c * rational(scale, 1)));
-        let product =
-            sum.terms().try_fold(self.one(), |product, term| Ok::<_, ArithmeticError>(product * factor(term)?));
+        let product = (self.clone() * self.integer(scale)).exp_of_terms();
         product.ok().filter(|_| is_one && scale <= MOST_COUNT)
     }
 
@@ -419,9 +463,16 @@ impl Number for Symbolic {
     fn root(&self, degree: u64) -> Result<Self, ArithmeticError> {
         match self.heard().as_constant() {
             Some(c) if c.is_negative() => Err(ArithmeticError::Argument("root")),
-            Some(c) if c.is_positive() => self.root_of_number(&c, degree),
+            Some(c) if c.is_positive() => match (c.root(degree), self.root_by_logarithms(degree)) {
+                (Ok(root), _) => Ok(self.rational(&root)),
+                (_, Ok(Some(root))) => Ok(root),
+                _ => self.root_of_number(&c, degree),
+            },
             Some(_) => Ok(self.zero()),
             None => {
+                if let Some(root) = self.root_by_logarithms(degree)? {
+                    return Ok(root);
+                }
                 if let Some(root) = self.root_of_powers(degree, true)? {
                     return Ok(root);
                 }
