@@ -400,7 +400,12 @@ fn free(system: &System, progress: &dyn Progress) -> Result<Option<Vec<Way>>, Un
         Err(_) => return Ok(None),
     };
     let Some(most) = found.into_iter().map(|(worst, _)| worst.hi).collect::<Option<Vec<_>>>() else { return Ok(None) };
-    let times = system.until.clone().map_or_else(|| memories(&prepared.motions), |until| vec![until]);
+    // Where time ends, so far that the box is not needed.
+    let times = match (&system.until, &system.switching) {
+        (None, _) => memories(&prepared.motions),
+        (Some(until), Switching::Dwell { .. }) => vec![until * rational(9, 8)],
+        (Some(until), _) => vec![until.clone()],
+    };
     let norms: Vec<Rational> = prepared.motions.iter().map(|motion| norm(&motion.a)).collect();
     let begun = |factor: &Rational| format!("order free\n{}", sides(system, &most, factor));
     let mut ways = Vec::new();

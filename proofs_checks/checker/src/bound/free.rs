@@ -189,6 +189,12 @@ fn powers(reader: &mut Reader, flow: &Flow) -> Result<Vec<Square>, Refusal> {
     Ok(powers)
 }
 
+/// As [`Flow::sums`]; as there are many of few steps, they count for more.
+fn sums_of(reader: &mut Reader, flow: &Flow, p: &Vector, steps: usize, each: bool) -> Result<Vec<Sum>, Refusal> {
+    reader.pay(3 * (flow.nodes.len() + 1) * (steps + 1) * p.entries.len(), 2 * SCALE, 2 * SCALE)?;
+    flow.sums(reader, p, steps, each)
+}
+
 /// A piece of time: of one leg, or with a switch from one to another at some instant, or none before its end.
 enum Piece {
     One(usize),
@@ -298,7 +304,7 @@ impl Windows {
         ends: &Ends,
     ) -> Result<BigInt, Refusal> {
         let Leg { flow, powers, .. } = &self.legs[leg];
-        let more = flow.sums(reader, p, steps, false)?.pop();
+        let more = sums_of(reader, flow, p, steps, false)?.pop();
         let sum = more.map_or(sum.clone(), |more| sum.plus(&more));
         let q = powers[steps].applied(reader, p, SCALE)?;
         self.back(reader, &q, sum, piece, ends)
@@ -315,7 +321,7 @@ impl Windows {
     ) -> Result<BigInt, Refusal> {
         let Piece::Two { before, after, bend } = &self.pieces[piece] else { return Ok(BigInt::from(0)) };
         let Leg { flow, powers, .. } = &self.legs[*after];
-        let sums = flow.sums(reader, p, steps, true)?;
+        let sums = sums_of(reader, flow, p, steps, true)?;
         let (mut most, mut bent): (Option<BigInt>, BigInt) = (None, BigInt::from(0));
         for (k, more) in sums.into_iter().enumerate() {
             let q = powers[k].applied(reader, p, SCALE)?;
@@ -361,7 +367,7 @@ impl Windows {
     ) -> Result<BigInt, Refusal> {
         let Leg { flow, powers, bend } = &self.legs[leg];
         let (mut most, mut bent): (Option<BigInt>, BigInt) = (None, BigInt::from(0));
-        let sums = flow.sums(reader, row, flow.steps, true)?;
+        let sums = sums_of(reader, flow, row, flow.steps, true)?;
         for (k, sum) in sums.into_iter().enumerate() {
             let q = powers[k].applied(reader, row, SCALE)?;
             bent = bent.max(bend.at(reader, &q)?);
@@ -436,28 +442,33 @@ impl<'a> Dwell<'a> {
         let from = if past.legs == 0 { BigInt::from(0) } else { steps_of(least, &length) };
         let to = most.as_ref().map(|most| up(&most.numerator * &length.1, &(&most.denominator * &length.0)));
         let to = to.filter(|to| *to <= BigInt::from(flow.steps));
-        let (mut largest, mut bent): (Option<BigInt>, BigInt) = (None, BigInt::from(0));
-        let sums = flow.sums(reader, p, flow.steps, true)?;
-        for (k, more) in sums.into_iter().enumerate() {
-            let at = |k: usize| (&length.0 * k << SCALE) / &length.1;
-            let next =
-                Past { least: &past.least + at(k.saturating_sub(1)), about: &past.about + at(k), legs: past.legs + 1 };
-            if self.until.as_ref().is_some_and(|until| next.least > *until) {
+        let at = |k: usize| (&length.0 * k << SCALE) / &length.1;
+        let past = |k: usize| Past {
+            least: &past.least + at(k.saturating_sub(1)),
+            about: &past.about + at(k),
+            legs: past.legs + 1,
+        };
+        let is_early = |past: &Past| self.until.as_ref().is_some_and(|until| past.least > *until);
+        // The last node that matters, and whether the box is taken there.
+        let (mut last, mut boxed) = (0, false);
+        for k in 0..=flow.steps {
+            let own = past(k);
+            if is_early(&own) {
                 break;
             }
+            (last, boxed) = (k, own.about >= self.back || k == flow.steps && to.is_none());
+            if boxed || to.as_ref().is_some_and(|to| BigInt::from(k) >= *to) {
+                break;
+            }
+        }
+        let (mut largest, mut bent): (Option<BigInt>, BigInt) = (None, BigInt::from(0));
+        for (k, more) in sums_of(reader, flow, p, last, true)?.into_iter().enumerate() {
             let (q, sum) = (powers[k].applied(reader, p, SCALE)?, sum.plus(&more));
             bent = bent.max(bend.at(reader, &q)?);
-            let ends_here = to.as_ref().is_some_and(|to| BigInt::from(k) >= *to);
-            if next.about >= self.back || k == flow.steps && to.is_none() {
-                let value = started(reader, &q, ends.inside, sum, ends.absolute)?;
-                largest = largest.max(Some(value));
-                break;
-            }
-            if BigInt::from(k) >= from {
-                largest = largest.max(self.before(reader, (&q, &sum), mode, &next, ends)?);
-            }
-            if ends_here {
-                break;
+            if boxed && k == last {
+                largest = largest.max(Some(started(reader, &q, ends.inside, sum, ends.absolute)?));
+            } else if BigInt::from(k) >= from {
+                largest = largest.max(self.before(reader, (&q, &sum), mode, &past(k), ends)?);
             }
         }
         Ok(largest.map(|largest| largest + bend.over(bent)))
