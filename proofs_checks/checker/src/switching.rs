@@ -221,12 +221,12 @@ fn within(
         let end = now.plus(reader, time, 1)?;
         reader.pay(8 * turns.len(), end.numerator.bits() + end.denominator.bits(), end.denominator.bits())?;
         while turns[turn] != *mode || windows.get(turn).is_some_and(|[_, hi]| !end.is_at_most(hi)) {
-            // Where the mode is the same it lasts on; the switch is at the end of the window.
-            let stays = turns[turn] == *mode;
             let Some([lo, hi]) = windows.get(turn) else { return Err(reader.refusal(WRONG)) };
-            reader.require(now.is_at_most(hi) && (stays || lo.is_at_most(&now)), WRONG)?;
+            // Now, or, where the next mode is the same, at the end of the window.
+            let at_once = lo.is_at_most(&now) && now.is_at_most(hi);
+            let stays = turns[turn] == *mode && turns[turn + 1] == *mode && now.is_at_most(hi);
+            reader.require(at_once || stays, WRONG)?;
             turn += 1;
-            reader.require(!stays || turns[turn] == *mode, WRONG)?;
         }
         now = end;
     }

@@ -191,7 +191,8 @@ fn powers(reader: &mut Reader, flow: &Flow) -> Result<Vec<Square>, Refusal> {
 
 /// As [`Flow::sums`]; as there are many of few steps, they count for more.
 fn sums_of(reader: &mut Reader, flow: &Flow, p: &Vector, steps: usize, each: bool) -> Result<Vec<Sum>, Refusal> {
-    reader.pay(3 * (flow.nodes.len() + 1) * (steps + 1) * p.entries.len(), 2 * SCALE, 2 * SCALE)?;
+    let products = (flow.nodes.len() + 1) * (steps + 1) * p.entries.len();
+    reader.pay(3 * products + if each { 40 * (steps + 1) } else { 0 }, 2 * SCALE, 2 * SCALE)?;
     flow.sums(reader, p, steps, each)
 }
 
