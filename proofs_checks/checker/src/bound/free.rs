@@ -199,7 +199,7 @@ fn sums_of(reader: &mut Reader, flow: &Flow, p: &Vector, steps: usize, each: boo
 /// A piece of time: of one leg, or with a switch from one to another at some instant, or none before its end.
 enum Piece {
     One(usize),
-    Two { before: usize, after: usize, bend: Bend },
+    Two { before: usize, after: usize, bend: Box<Bend> },
 }
 
 /// Where motions begin, and the box that they stay in.
@@ -277,7 +277,7 @@ impl Windows {
             } else {
                 let length = legs[last].flow.length();
                 let bend = modes[before].bend_to(reader, &modes[after], states, length)?;
-                Piece::Two { before: last - 1, after: last, bend }
+                Piece::Two { before: last - 1, after: last, bend: Box::new(bend) }
             });
         }
         Ok(Windows { legs, pieces, for_ever })
@@ -443,7 +443,7 @@ impl<'a> Dwell<'a> {
         let from = if past.legs == 0 { BigInt::from(0) } else { steps_of(least, &length) };
         let to = most.as_ref().map(|most| up(&most.numerator * &length.1, &(&most.denominator * &length.0)));
         let to = to.filter(|to| *to <= BigInt::from(flow.steps));
-        let at = |k: usize| (&length.0 * k << SCALE) / &length.1;
+        let at = |k: usize| ((&length.0 * k) << SCALE) / &length.1;
         let past = |k: usize| Past {
             least: &past.least + at(k.saturating_sub(1)),
             about: &past.about + at(k),
