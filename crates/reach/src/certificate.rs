@@ -5,7 +5,7 @@ use crate::comparison::{Comparison, Shape};
 use crate::decide::{DIGITS_OF_BOX, Decided, Part, ReachError, Verdict, worst_of};
 use crate::ellipsoid::{Ellipsoid, moving_abscissa};
 use crate::prepared::{Motion, Prepared};
-use crate::system::{Condition, Range, Side, Switching, System};
+use crate::system::{Condition, Range, Side, Stay, Switching, System};
 use arithmetic::{Cancelled, Progress, Rational, common_denominator, decimal, parse_rational, rational};
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -55,9 +55,9 @@ fn motion(system: &System, part: &Part) -> Option<String> {
     let (n, inputs, modes) = (system.states.len(), system.inputs.len(), system.modes.len());
     let mut text = format!(
         "flockproof-certificate 1 motion\nclaim a motion of the system of {modes} linear modes and {n} states below, from its start, with its inputs within their \
-         bounds and its modes for the times below, ends with row x > {bound}\n"
+         bounds and its modes for the times below, as the switching below allows, ends with row x > {bound}\n"
     );
-    written(&mut text, system);
+    written(&mut text, system, Some(&witness.at));
     matrix(&mut text, "row", &[row]);
     text += &format!("bound {bound}\n");
     matrix(&mut text, "start", std::slice::from_ref(&witness.start));
@@ -73,8 +73,8 @@ fn motion(system: &System, part: &Part) -> Option<String> {
     Some(text)
 }
 
-/// States, inputs and modes.
-fn written(text: &mut String, system: &System) {
+/// States, inputs, modes and which orders of them are allowed, up to a later time where one is given.
+fn written(text: &mut String, system: &System, later: Option<&Rational>) {
     let (n, inputs, modes) = (system.states.len(), system.inputs.len(), system.modes.len());
     *text += &format!("states {n}\ninputs {inputs}\nmodes {modes}\n");
     ends(text, ["start_least", "start_most"], &system.start);
@@ -91,6 +91,34 @@ fn written(text: &mut String, system: &System) {
         }
         matrix(text, "c", std::slice::from_ref(&mode.c));
     }
+    allowed(text, &system.switching);
+    match &system.until {
+        Some(until) => *text += &format!("until {}\n", later.unwrap_or(until).max(until)),
+        None => *text += "until ever\n",
+    }
+}
+
+/// Which orders of modes are allowed.
+fn allowed(text: &mut String, switching: &Switching) {
+    let turns = |order: &[usize]| order.iter().map(|mode| format!(" {}", mode + 1)).collect::<String>();
+    *text += &match switching {
+        Switching::Arbitrary => "switching any\n".to_string(),
+        Switching::Periodic { order, period } => {
+            format!("switching periodic\nturns{}\nperiod {period}\n", turns(order))
+        }
+        Switching::Windows { order, windows } => {
+            let windows = windows.iter().map(|window| format!("window {} {}\n", window.lo, window.hi));
+            format!("switching windows\nturns{}\n{}", turns(order), windows.collect::<String>())
+        }
+        Switching::Dwell { first, stays } => {
+            let first = first.map_or("any".to_string(), |first| (first + 1).to_string());
+            let stays = stays.iter().map(|stay| {
+                let most = stay.most.as_ref().map_or("none".to_string(), Rational::to_string);
+                format!("stay {} {most}\n", stay.least)
+            });
+            format!("switching dwell\nfirst {first}\n{}", stays.collect::<String>())
+        }
+    };
 }
 
 /// Why there is no certificate from above.
@@ -147,10 +175,11 @@ fn kept(system: &System, rows: &Rows) -> Option<String> {
         Ellipsoid::find(&prepared.motions, &prepared.start).filter(|found| found.moving.len() == n && n <= LARGEST)?;
     let (modes, count) = (system.modes.len(), rows.len());
     let mut text = format!(
-        "flockproof-certificate 1 kept\nclaim no motion of the system of {modes} linear modes and {n} states below, from a start and with inputs within their bounds and with any measurable choice of its \
-         modes, comes at any time with any of the {count} rows to a value above its bound\n"
+        "flockproof-certificate 1 kept\nclaim no motion of the system of {modes} linear modes and {n} states below, from a start and with inputs within their bounds and with its modes as the switching below \
+         allows, comes at {times} with any of the {count} rows to a value above its bound\n",
+        times = times_of(system)
     );
-    written(&mut text, system);
+    written(&mut text, system, None);
     bounds(&mut text, rows);
     matrix(&mut text, "P", &found.form);
     text += &format!("rate {}\nradius {}\n", found.rate, found.radius);
@@ -170,31 +199,49 @@ fn bounds(text: &mut String, rows: &Rows) {
     matrix(text, "bound", &[right]);
 }
 
+/// How a claim puts the times that are looked at.
+fn times_of(system: &System) -> &'static str {
+    if system.until.is_some() { "any time up to the last one" } else { "any time" }
+}
+
 /// A certificate of kind `bound`, which the checker accepted, by steps of time.
 fn stepped(system: &System, rows: &Rows, progress: &dyn Progress) -> Result<String, Unbounded> {
-    let ways = match fixed(system, progress)? {
-        Some(ways) => ways,
-        None => any(system, rows, progress)?,
+    if let Some(ways) = fixed(system, progress)? {
+        return tried(system, rows, &ways, progress);
+    }
+    // What any switching does is shown with the least work, where it is within the bounds.
+    let refused = match any(system, rows, progress).and_then(|ways| tried(system, rows, &ways, progress)) {
+        Err(Unbounded::Cancelled(cancelled)) => return Err(cancelled.into()),
+        Ok(text) => return Ok(text),
+        Err(error) => error,
     };
+    match free(system, progress)? {
+        Some(ways) => tried(system, rows, &ways, progress),
+        None => Err(refused),
+    }
+}
+
+/// The first of the ways that the checker accepts, with finer and finer steps.
+fn tried(system: &System, rows: &Rows, ways: &[Way], progress: &dyn Progress) -> Result<String, Unbounded> {
     let (n, modes, count) = (system.states.len(), system.modes.len(), rows.len());
     let mut body = String::new();
-    written(&mut body, system);
+    written(&mut body, system, None);
     bounds(&mut body, rows);
     let mut refused = String::new();
     for finer in 0..FINEST {
         let mut open = false;
-        for way in &ways {
+        for way in ways {
             progress.checkpoint()?;
-            let (how, times) = (&way.how, if system.until.is_some() { "any of these times" } else { "any time" });
             let mut text = format!(
-                "flockproof-certificate 1 bound\nclaim no motion of the system of {modes} linear modes and {n} states below, from a start and with inputs within their bounds and with {how}, comes at \
-                 {times} with any of the {count} rows to a value above its bound\n{body}{}",
+                "flockproof-certificate 1 bound\nclaim no motion of the system of {modes} linear modes and {n} states below, from a start and with inputs within their bounds and with its modes as the \
+                 switching below allows, comes at {} with any of the {count} rows to a value above its bound\n{body}{}",
+                times_of(system),
                 way.begun
             );
             for (begun, time, norm) in &way.stretches {
                 // The checker asks for steps of norm at most 1/2.
                 let steps = (norm * time * rational(2 << finer, 1)).ceil().max(Rational::ONE);
-                text += &format!("{begun}time {time}\nsteps {steps}\n");
+                text += &format!("{begun}steps {steps}\n");
             }
             text += &format!("{}end\n", way.ended);
             match flockproof_checker::check(text.as_bytes()) {
@@ -215,9 +262,8 @@ fn stepped(system: &System, rows: &Rows, progress: &dyn Progress) -> Result<Stri
 /// What the checker says of files that finer steps only make worse.
 const TOO_MUCH: [&str; 3] = ["too many steps", "take too long", "is expected"];
 
-/// One way to write the orders of modes: how the claim puts it, what stands before and after the stretches, and these.
+/// One way to write the orders of modes: what stands before and after the stretches, and these.
 struct Way {
-    how: String,
     begun: String,
     stretches: Vec<Stretch>,
     ended: String,
@@ -232,16 +278,16 @@ const FINEST: u32 = 12;
 /// The order of modes where it is fixed; none where it is not, or where it does not repeat itself for ever.
 fn fixed(system: &System, progress: &dyn Progress) -> Result<Option<Vec<Way>>, Unbounded> {
     let prepared = Prepared::new(system);
-    let way = |how: String, order: Vec<(usize, Rational)>, begun: &str, ended: String| {
+    let way = |order: Vec<(usize, Rational)>, begun: &str, ended: String| {
         let begun = format!("{begun}\nstretches {}\n", order.len());
-        let stretch =
-            |(mode, time): (usize, Rational)| (format!("mode {}\n", mode + 1), time, norm(&prepared.motions[mode].a));
-        Way { how, begun, stretches: order.into_iter().map(stretch).collect(), ended }
+        let stretch = |(mode, time): (usize, Rational)| {
+            (format!("mode {}\ntime {time}\n", mode + 1), time, norm(&prepared.motions[mode].a))
+        };
+        Way { begun, stretches: order.into_iter().map(stretch).collect(), ended }
     };
-    let how = "its modes for the times below";
     if let Some(until) = &system.until {
         let order = stretches(&system.switching, until);
-        return Ok(order.map(|order| vec![way(how.to_string(), order, "order given", String::new())]));
+        return Ok(order.map(|order| vec![way(order, "order given", String::new())]));
     }
     let (order, period) = match &system.switching {
         Switching::Periodic { order, period } => (order, period.clone()),
@@ -256,15 +302,14 @@ fn fixed(system: &System, progress: &dyn Progress) -> Result<Option<Vec<Way>>, U
         Err(_) => return Ok(None),
     };
     let Some(most) = found.into_iter().map(|(worst, _)| worst.hi).collect::<Option<Vec<_>>>() else { return Ok(None) };
-    let ended = |cycle: usize| format!("cycle {cycle}\n{}", sides(system, &most));
-    let how = |cycle: usize| format!("{how}, for ever in cycles of {cycle}");
+    let ended = |cycle: usize| format!("cycle {cycle}\n{}", sides(system, &most, &rational(101, 100)));
     let ways = lengths.into_iter().map(|length| match &order[..] {
-        [mode] => way(how(1), vec![(*mode, length)], "order given for ever", ended(1)),
+        [mode] => way(vec![(*mode, length)], "order given for ever", ended(1)),
         _ => {
             let cycles =
                 (length / (&period * rational(order.len() as i64, 1))).ceil().to_integer().to_usize().unwrap_or(1);
             let turns = (0..=cycles).flat_map(|_| order.iter().map(|&mode| (mode, period.clone())));
-            way(how(order.len()), turns.collect(), "order given for ever", ended(order.len()))
+            way(turns.collect(), "order given for ever", ended(order.len()))
         }
     });
     Ok(Some(ways.collect()))
@@ -276,10 +321,9 @@ fn memories(motions: &[Motion]) -> Vec<Rational> {
     [6.0, 12.0].into_iter().filter_map(|digits| Rational::from_float((digits / -slowest * 8.0).ceil() / 8.0)).collect()
 }
 
-/// A box somewhat larger than the greatest values of the states in both signs.
-fn sides(system: &System, most: &[Rational]) -> String {
-    let side =
-        |pair: &[Rational]| pair.iter().max().map_or(Rational::ONE, |x| x * rational(101, 100) + rational(1, 1 << 20));
+/// A box larger by a factor than the greatest values of the states in both signs.
+fn sides(system: &System, most: &[Rational], factor: &Rational) -> String {
+    let side = |pair: &[Rational]| pair.iter().max().map_or(Rational::ONE, |x| x * factor + rational(1, 1 << 20));
     let mut text = String::new();
     matrix(&mut text, "box", &[most.chunks(2).take(system.states.len()).map(side).collect()]);
     text
@@ -315,16 +359,14 @@ fn any(system: &System, rows: &Rows, progress: &dyn Progress) -> Result<Vec<Way>
     let (found, shape) = comparison(system, rows, progress)?;
     let norm = norm(&found.mean().a);
     let edges = found.edges(system.states.len());
-    let (times, begun, how, ended) = match &system.until {
-        Some(until) => {
-            (vec![until.clone()], "order any", "any measurable choice of its modes up to the time below", String::new())
-        }
+    let (times, begun, ended) = match &system.until {
+        Some(until) => (vec![until.clone()], "order any", String::new()),
         None => {
             let Some(most) = found.bounds(&prepared.sides(), progress)? else {
                 return Err(Unbounded::Unfit("the states are not proved to stay bounded"));
             };
             let times = memories(std::slice::from_ref(found.mean()));
-            (times, "order any for ever", "any measurable choice of its modes", sides(system, &most))
+            (times, "order any for ever", sides(system, &most, &rational(101, 100)))
         }
     };
     let way = |time: &Rational, more: Rational| {
@@ -340,14 +382,89 @@ fn any(system: &System, rows: &Rows, progress: &dyn Progress) -> Result<Vec<Way>
                 matrix(&mut text, "edge", &edges);
             }
         }
-        Way {
-            how: how.to_string(),
-            begun: format!("{begun}\n"),
-            stretches: vec![(text, time.clone(), norm.clone())],
-            ended: ended.clone(),
-        }
+        text += &format!("time {time}\n");
+        Way { begun: format!("{begun}\n"), stretches: vec![(text, time.clone(), norm.clone())], ended: ended.clone() }
     };
     Ok(times.iter().flat_map(|time| [rational(1001, 1000), rational(101, 100)].map(|more| way(time, more))).collect())
+}
+
+/// Switches at free instants, within windows or after durations that are allowed; none where these are not the question, or where states are not known to stay bounded.
+fn free(system: &System, progress: &dyn Progress) -> Result<Option<Vec<Way>>, Unbounded> {
+    if !matches!(system.switching, Switching::Windows { .. } | Switching::Dwell { .. }) {
+        return Ok(None);
+    }
+    let prepared = Prepared::new(system);
+    let found = match worst_of(system, &prepared, None, &prepared.sides(), DIGITS_OF_BOX, progress) {
+        Ok(found) => found,
+        Err(ReachError::Cancelled(cancelled)) => return Err(cancelled.into()),
+        Err(_) => return Ok(None),
+    };
+    let Some(most) = found.into_iter().map(|(worst, _)| worst.hi).collect::<Option<Vec<_>>>() else { return Ok(None) };
+    // Where time ends, so far that the box is not needed.
+    let times = match (&system.until, &system.switching) {
+        (None, _) => memories(&prepared.motions),
+        (Some(until), Switching::Dwell { .. }) => vec![until * rational(9, 8)],
+        (Some(until), _) => vec![until.clone()],
+    };
+    let norms: Vec<Rational> = prepared.motions.iter().map(|motion| norm(&motion.a)).collect();
+    let begun = |factor: &Rational| format!("order free\n{}", sides(system, &most, factor));
+    let mut ways = Vec::new();
+    for time in &times {
+        for factor in [rational(101, 100), rational(11, 10)] {
+            match &system.switching {
+                Switching::Windows { order, windows } => {
+                    ways.push(windows_of(order, windows, (&system.until, time), &norms, begun(&factor)));
+                }
+                Switching::Dwell { stays, .. } => {
+                    let legs = [2, 3, 5, 8].map(|legs| dwell_of(stays, time, legs, &norms, begun(&factor)));
+                    ways.extend(legs);
+                }
+                _ => {}
+            }
+        }
+    }
+    Ok(Some(ways))
+}
+
+/// The pieces of time between and in windows, the last one of a given length where time does not end.
+fn windows_of(
+    order: &[usize],
+    windows: &[Range],
+    (until, last): (&Option<Rational>, &Rational),
+    norms: &[Rational],
+    mut begun: String,
+) -> Way {
+    let mut ends: Vec<(Rational, Rational)> = Vec::new();
+    for (pair, window) in order.windows(2).zip(windows) {
+        ends.push((norms[pair[0]].clone(), window.lo.clone()));
+        ends.push((norms[pair[0]].clone().max(norms[pair[1]].clone()), window.hi.clone()));
+    }
+    let end = windows.last().map_or(Rational::ZERO, |window| window.hi.clone()) + last;
+    if until.is_none() {
+        begun += &format!("last {last}\n");
+    }
+    let end = until.clone().unwrap_or(end);
+    ends.push((order.last().map_or(Rational::ONE, |&mode| norms[mode].clone()), end.clone()));
+    let mut now = Rational::ZERO;
+    let mut stretches = Vec::new();
+    for (norm, to) in ends {
+        let to = to.min(end.clone());
+        if to > now {
+            stretches.push((String::new(), &to - &now, norm));
+            now = to;
+        }
+    }
+    Way { begun, stretches, ended: String::new() }
+}
+
+/// Legs of each mode, followed back for a time and for so many of them.
+fn dwell_of(stays: &[Stay], back: &Rational, legs: usize, norms: &[Rational], begun: String) -> Way {
+    let stretch = |(stay, norm): (&Stay, &Rational)| {
+        let time = stay.most.clone().unwrap_or(back.clone()).min(back.clone());
+        (format!("time {time}\n"), time, norm.clone())
+    };
+    let begun = format!("{begun}back {back}\nlegs {legs}\n");
+    Way { begun, stretches: stays.iter().zip(norms).map(stretch).collect(), ended: String::new() }
 }
 
 /// The rows of all conditions that hold at all times, each once, turned so that they are bounded from above.

@@ -64,10 +64,15 @@ impl System {
     }
 }
 
-/// Too many states are refused before the matrices are read, which of a large file are all but its first lines.
+/// Too many states are refused before the matrices are read, which of a large file are all but a few lines, wherever the section stands.
 fn of_few_states(text: &str) -> Read<()> {
-    let Some((head, _)) = text.split_once("\n[[mode]]") else { return Ok(()) };
-    let Ok(source) = Source::parse(head) else { return Ok(()) };
+    let is_header = |line: &str, header: &str| line.trim_start().starts_with(header);
+    let Some(before) = text.split_inclusive('\n').position(|line| is_header(line, "[system]")) else { return Ok(()) };
+    let mut lines = text.split_inclusive('\n').skip(before);
+    // Empty lines before it, so that what is said names the right one.
+    let section = lines.next().into_iter().chain(lines.take_while(|line| !is_header(line, "[[")));
+    let head: String = std::iter::repeat_n("\n", before).chain(section).collect();
+    let Ok(source) = Source::parse(&head) else { return Ok(()) };
     let Ok(Some(section)) = source.section("system") else { return Ok(()) };
     let count = section.get("states").and_then(|entry| entry.items("").map(|items| items.len()).ok());
     if count.is_some_and(|count| count > STATES) { states(&section).map(drop) } else { Ok(()) }

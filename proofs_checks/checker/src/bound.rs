@@ -20,11 +20,14 @@
 //!
 //! Numbers are integers over `2^96` with bounds of their errors; what is carried through all steps of a stretch has more bits.
 
+mod free;
+
 use crate::Refusal;
 use crate::budget::bits;
 use crate::matrix::Matrix;
 use crate::motion::{Stretch, step};
 use crate::read::Reader;
+use crate::switching::{Switching, Time};
 use crate::system::System;
 use num_bigint::{BigInt, Sign};
 
@@ -76,6 +79,16 @@ struct Sum {
     radius: BigInt,
 }
 
+impl Sum {
+    fn zero() -> Self {
+        Sum { middle: BigInt::from(0), radius: BigInt::from(0) }
+    }
+
+    fn plus(&self, more: &Sum) -> Sum {
+        Sum { middle: &self.middle + &more.middle, radius: &self.radius + &more.radius }
+    }
+}
+
 fn size(x: &BigInt) -> BigInt {
     BigInt::from(x.magnitude().clone())
 }
@@ -99,30 +112,77 @@ fn grown(x: BigInt) -> BigInt {
     up(x * 33, &BigInt::from(20))
 }
 
+/// A row of a matrix, with nothing of inputs that keep one value.
+fn row_of(rows: &Matrix, i: usize, order: usize) -> Matrix {
+    let entry = |j: usize| if j < rows.cols { rows.at(i, j).clone() } else { BigInt::from(0) };
+    Matrix::from_fn(1, order, rows.denominator.clone(), |_, j| entry(j))
+}
+
+fn unit(k: usize, order: usize) -> Matrix {
+    Matrix::from_fn(1, order, BigInt::from(1), |_, j| BigInt::from(j == k))
+}
+
 pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
     let system = System::read(reader)?;
+    let switching = Switching::read(reader, system.modes.len())?;
     let count = reader.count("rows", 1, MOST_ROWS)?;
     let rows = reader.matrix("row", count, system.states)?;
     let bounds = reader.matrix("bound", 1, count)?;
-    let (any, ever) = match reader.value("order")? {
+    let order = reader.value("order")?;
+    let own = match (order, &switching) {
+        ("free", Some(switching)) => {
+            free::check(reader, &system, switching, (&rows, &bounds))?;
+            None
+        }
+        _ => Some(stepped(reader, &system, order, switching.as_ref(), (&rows, &bounds))?),
+    };
+    let (modes, times) = match (own, &switching) {
+        (Some(own), None) => own,
+        (_, Some(Switching { until: None, .. })) => (ALLOWED.to_string(), "any time"),
+        _ => (ALLOWED.to_string(), "any time up to the last one"),
+    };
+    Ok(format!(
+        "no motion of the system of {} linear modes and {} states below, from a start and with inputs within their bounds and with {modes}, comes at {times} with any of the {count} rows to \
+         a value above its bound",
+        system.modes.len(),
+        system.states
+    ))
+}
+
+/// How a claim puts the orders of modes where the file says which are allowed.
+pub const ALLOWED: &str = "its modes as the switching below allows";
+
+/// Refuses unless no row comes above its bound; how the orders of modes and the times are put where the file does not say which are allowed.
+fn stepped(
+    reader: &mut Reader,
+    system: &System,
+    order: &str,
+    switching: Option<&Switching>,
+    (rows, bounds): (&Matrix, &Matrix),
+) -> Result<(String, &'static str), Refusal> {
+    let (any, ever) = match order {
         "given" => (false, false),
         "any" => (true, false),
         "given for ever" => (false, true),
         "any for ever" => (true, true),
-        _ => return Err(reader.refusal("`order given` or `order any` is expected, and `for ever` where it is so")),
+        _ => return Err(reader.refusal("`order given` or `order any` is expected, and `for ever` where it is so, or `order free` where it is said what is allowed")),
     };
-    let (flows, order, kept) = if any { disturbed(reader, &system)? } else { flows(reader, &system)? };
-    let start = start(reader, &system)?;
+    let (flows, order, kept) = if any { disturbed(reader, system)? } else { flows(reader, system)? };
+    let start = start(reader, system)?;
     let cycle = if ever && !any { reader.count("cycle", 1, order.len())? } else { order.len() };
     let repeats = order[cycle..].iter().zip(&order).all(|(later, earlier)| later == earlier);
     reader.require(repeats, "the stretches are not those of a cycle earlier")?;
-    let ever = if ever { Some(Ever::read(reader, &system, &start, cycle)?) } else { None };
+    if let Some(switching) = switching {
+        let time = |flow: &Flow| Time { numerator: flow.time.0.clone(), denominator: flow.time.1.clone() };
+        let list: Vec<(usize, Time)> = order.iter().map(|&k| (flows[k].mode, time(&flows[k]))).collect();
+        match &switching.until {
+            _ if !any => switching.is_fixed_as(reader, &list, ever.then_some(cycle))?,
+            Some(until) => reader.require(ever || until.is_at_most(&list[0].1), "the time ends too early")?,
+            None => reader.require(ever, "the time ends too early")?,
+        }
+    }
+    let ever = if ever { Some(Ever::read(reader, system, &start, cycle)?) } else { None };
     let n = start[0].entries.len();
-    let row = |i: usize| {
-        let entry = |j: usize| if j < system.states { rows.at(i, j).clone() } else { BigInt::from(0) };
-        Matrix::from_fn(1, n, rows.denominator.clone(), |_, j| entry(j))
-    };
-    let unit = |k: usize| Matrix::from_fn(1, n, BigInt::from(1), |_, j| BigInt::from(j == k));
     let states = match &ever {
         Some(ever) => ever.states.clone(),
         None => states(reader, &flows, &order, &start)?,
@@ -138,8 +198,8 @@ pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
         Ok(most + added)
     };
     let mut above = None;
-    for i in 0..count {
-        if largest(&row(i), false)? * &bounds.denominator > (bounds.at(0, i) << SCALE) {
+    for i in 0..rows.rows {
+        if largest(&row_of(rows, i, n), false)? * &bounds.denominator > (bounds.at(0, i) << SCALE) {
             above = above.or(Some(i + 1));
         }
     }
@@ -149,25 +209,19 @@ pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
     }
     let mut stays = true;
     for (k, limit) in ever.iter().flat_map(|ever| ever.limits.iter().enumerate()) {
-        stays &= largest(&unit(k), true)? < *limit;
+        stays &= largest(&unit(k, n), true)? < *limit;
     }
     reader.require(closed, "the disturbances are not shown to stay below their bounds")?;
     reader.require(stays, "the states are not shown to stay in the box")?;
     if let Some(i) = above {
         return Err(reader.refusal(format!("row {i} is not shown to stay within its bound")));
     }
-    let (modes, times) = match (any, ever.is_some()) {
+    Ok(match (any, ever.is_some()) {
         (false, false) => ("its modes for the times below".to_string(), "any of these times"),
         (true, false) => ("any measurable choice of its modes up to the time below".to_string(), "any of these times"),
         (false, true) => (format!("its modes for the times below, for ever in cycles of {cycle}"), "any time"),
         (true, true) => ("any measurable choice of its modes".to_string(), "any time"),
-    };
-    Ok(format!(
-        "no motion of the system of {} linear modes and {} states below, from a start and with inputs within their bounds and with {modes}, comes at {times} with any of the {count} rows to \
-         a value above its bound",
-        system.modes.len(),
-        system.states
-    ))
+    })
 }
 
 /// What is known where time does not end.
@@ -206,7 +260,7 @@ fn states(reader: &mut Reader, flows: &[Flow], order: &[usize], start: &[Vector;
     let n = start[0].entries.len();
     let mut known = Vec::new();
     for k in 0..n {
-        let unit = Matrix::from_fn(1, n, BigInt::from(1), |_, j| BigInt::from(j == k));
+        let unit = unit(k, n);
         let most = nodes(reader, &unit, flows, order, (start, None), true)?;
         let (mut share, mut rest) = (BigInt::from(0), BigInt::from(0));
         for flow in flows {
@@ -405,13 +459,13 @@ fn nodes(
     for (k, &last) in order.iter().enumerate() {
         let flow = &flows[last];
         let costates = flow.costates(reader, row)?;
-        let sums = flow.sums(reader, &costates[0], true)?;
+        let sums = flow.sums(reader, &costates[0], flow.steps, true)?;
         for (i, (p, sum)) in costates.into_iter().zip(sums).enumerate() {
             let (mut p, mut sum) = (p, sum);
             for &earlier in order[..k].iter().rev() {
                 let flow = &flows[earlier];
-                for more in flow.sums(reader, &p, false)? {
-                    sum = Sum { middle: sum.middle + more.middle, radius: sum.radius + more.radius };
+                for more in flow.sums(reader, &p, flow.steps, false)? {
+                    sum = sum.plus(&more);
                 }
                 p = flow.whole.applied(reader, &p, SCALE)?;
             }
@@ -525,8 +579,7 @@ impl Flow {
         // Columns of e^(A time): rows of its transpose.
         let (mut rows, mut error) = (Vec::new(), BigInt::from(0));
         for j in 0..n {
-            let unit = Matrix::from_fn(1, n, BigInt::from(1), |_, i| BigInt::from(i == j));
-            if let Some(column) = carried(reader, fixed(&unit, fine), &turned)?.pop() {
+            if let Some(column) = carried(reader, fixed(&self::unit(j, n), fine), &turned)?.pop() {
                 error = error.max(column.error);
                 rows.push(column.entries);
             }
@@ -602,11 +655,11 @@ impl Flow {
         Ok(list)
     }
 
-    /// The integral over all of the stretch, or over the beginnings of it up to each node.
-    fn sums(&self, reader: &mut Reader, p: &Vector, each: bool) -> Result<Vec<Sum>, Refusal> {
+    /// The integral over so many steps, or over each number of steps up to that.
+    fn sums(&self, reader: &mut Reader, p: &Vector, steps: usize, each: bool) -> Result<Vec<Sum>, Refusal> {
         let n = p.entries.len();
         let longest = self.nodes.iter().flatten().map(|v| bits(&v.entries)).max().unwrap_or(0);
-        let products = (self.nodes.len() + 1) * (self.steps + 1) * n;
+        let products = (self.nodes.len() + 1) * (steps + 1) * n;
         reader.pay(products, bits(&p.entries), longest)?;
         let (h, width) = (self.length(), sizes(&p.entries));
         // p d and sum |p b| at a node.
@@ -620,16 +673,16 @@ impl Flow {
             sum
         };
         let mut sums = Vec::new();
-        let mut twice = Sum { middle: BigInt::from(0), radius: BigInt::from(0) };
+        let mut twice = Sum::zero();
         let mut before = at(0);
-        for i in 0..=self.steps {
+        for i in 0..=steps {
             if i > 0 {
                 let next = at(i);
                 twice.middle += &before.middle + &next.middle;
                 twice.radius += &before.radius + &next.radius;
                 before = next;
             }
-            if !each && i < self.steps {
+            if !each && i < steps {
                 continue;
             }
             // h/2 of the sum, and h^3/12 |p| of the bends.

@@ -4,8 +4,10 @@
 //! where `beta <= alpha rho/2`. With `P y = r` a row `r` is at most `rho sqrt(r y)` there (Cauchy and Schwarz). Norms are rounded up to multiples of `2^-96`; the rest is exact.
 
 use crate::Refusal;
+use crate::bound::ALLOWED;
 use crate::matrix::Matrix;
 use crate::read::{Fraction, Reader};
+use crate::switching::Switching;
 use crate::system::System;
 use num_bigint::{BigInt, Sign};
 
@@ -17,6 +19,7 @@ const SCALE: u64 = 96;
 pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
     let system = System::read(reader)?;
     let n = system.states;
+    let switching = Switching::read(reader, system.modes.len())?;
     let count = reader.count("rows", 1, MOST_ROWS)?;
     let rows = reader.matrix("row", count, n)?;
     let bounds = reader.matrix("bound", 1, count)?;
@@ -63,8 +66,13 @@ pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
         let stays = bound.sign() != Sign::Minus && low <= high;
         reader.require(stays, &format!("row {} is not shown to stay within its bound", i + 1))?;
     }
+    let (modes, times) = match &switching {
+        None => ("any measurable choice of its modes", "any time"),
+        Some(Switching { until: None, .. }) => (ALLOWED, "any time"),
+        Some(_) => (ALLOWED, "any time up to the last one"),
+    };
     Ok(format!(
-        "no motion of the system of {} linear modes and {n} states below, from a start and with inputs within their bounds and with any measurable choice of its modes, comes at any time with any of \
+        "no motion of the system of {} linear modes and {n} states below, from a start and with inputs within their bounds and with {modes}, comes at {times} with any of \
          the {count} rows to a value above its bound",
         system.modes.len()
     ))

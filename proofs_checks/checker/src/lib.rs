@@ -41,6 +41,7 @@ mod product;
 mod read;
 mod sos;
 mod statement;
+mod switching;
 mod system;
 
 use read::Reader;

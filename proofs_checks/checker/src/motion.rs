@@ -8,6 +8,7 @@ use crate::Refusal;
 use crate::budget::bits;
 use crate::matrix::Matrix;
 use crate::read::Reader;
+use crate::switching::{Switching, Time};
 use crate::system::System;
 use num_bigint::BigInt;
 
@@ -24,11 +25,15 @@ pub struct Stretch {
 pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
     let system = System::read(reader)?;
     let (n, modes) = (system.states, system.modes.len());
+    let switching = Switching::read(reader, modes)?;
     let row = reader.matrix("row", 1, n)?;
     let bound = reader.fraction("bound")?;
     let x = reader.matrix("start", 1, n)?;
     within(reader, &x, &system.start, "the start is not within its bounds")?;
-    let stretches = stretches(reader, &system)?;
+    let (stretches, order) = stretches(reader, &system)?;
+    if let Some(switching) = &switching {
+        switching.follow(reader, &order)?;
+    }
     let steps: usize = stretches.iter().map(|stretch| stretch.steps).sum();
     reader.require(steps <= MOST_STEPS, "the motion takes too many steps")?;
     let scale = 192 + steps as u64;
@@ -45,9 +50,10 @@ pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
     let size = row.entries.iter().map(|c| BigInt::from(c.magnitude().clone())).sum::<BigInt>() * error;
     let reached = (value - size) * &bound.denominator > ((&bound.numerator * &row.denominator) << scale);
     reader.require(reached, "the motion does not come beyond the bound")?;
+    let allowed = if switching.is_some() { ", as the switching below allows" } else { "" };
     Ok(format!(
         "a motion of the system of {modes} linear modes and {n} states below, from its start, with its inputs within their bounds and its modes for the times \
-         below, ends with row x > {}",
+         below{allowed}, ends with row x > {}",
         bound.text
     ))
 }
@@ -64,13 +70,19 @@ fn within(reader: &mut Reader, x: &Matrix, [least, most]: &[Matrix; 2], reason: 
     reader.require(ordered(least, x) && ordered(x, most), reason)
 }
 
-fn stretches(reader: &mut Reader, system: &System) -> Result<Vec<Stretch>, Refusal> {
+/// What follows each other, with the modes and their times.
+type Followed = (Vec<Stretch>, Vec<(usize, Time)>);
+
+fn stretches(reader: &mut Reader, system: &System) -> Result<Followed, Refusal> {
     let count = reader.count("stretches", 1, MOST_STEPS)?;
-    let (mut stretches, mut first): (Vec<Stretch>, Option<Matrix>) = (Vec::new(), None);
+    let (mut stretches, mut order, mut first): (Vec<Stretch>, Vec<(usize, Time)>, Option<Matrix>) =
+        (Vec::new(), Vec::new(), None);
     for _ in 0..count {
-        let mode = &system.modes[reader.count("mode", 1, system.modes.len())? - 1];
+        let index = reader.count("mode", 1, system.modes.len())? - 1;
+        let mode = &system.modes[index];
         let time = reader.fraction("time")?;
         reader.require(time.is_positive(), "a time is not positive")?;
+        order.push((index, Time { numerator: time.numerator.clone(), denominator: time.denominator.clone() }));
         let mut force = copy(&mode.c);
         if let (Some(limits), Some(b)) = (&system.limits, &mode.b) {
             let u = reader.matrix("u", 1, system.kept.len())?;
@@ -99,7 +111,7 @@ fn stretches(reader: &mut Reader, system: &System) -> Result<Vec<Stretch>, Refus
         let Some(steps) = steps else { return Err(reader.refusal("a stretch takes too many steps")) };
         stretches.push(Stretch { m, time: (time.numerator, time.denominator), steps });
     }
-    Ok(stretches)
+    Ok((stretches, order))
 }
 
 /// One step of the exponential series, where `|M| time <= steps/2`.

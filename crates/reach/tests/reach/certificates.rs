@@ -264,3 +264,64 @@ fn disturbances_of_two_states_are_bounded_together() {
     let flat: Vec<(usize, &str)> = (1..=8).map(|row| (row, "0 0 1 0 0 1 0 0 0")).collect();
     assert!(altered(&flat).contains("are parallel"));
 }
+
+const WINDOWS: &str = "kind = \"windows\"\norder = [\"a\", \"b\", \"a\"]\nwindows = [[1, 2], [3, 4]]";
+const DWELL: &str = "kind = \"dwell\"\nat_least = { a = 2, b = 1 }\nat_most = { b = 2 }";
+
+/// Nearer to the worst case than what any switching does, and never below what is attained.
+#[test]
+fn windows_are_bounded_by_what_they_allow() {
+    let text = SWITCHED.replace(PERIODIC, WINDOWS);
+    let certificate = bound_of(&asking(&text, &["x <= 11/20"])).expect("a proof");
+    assert!(certificate.contains("order free\n"), "{certificate}");
+    let found = decided(&asking(&text, &["x <= 11/20"]), 6);
+    let attained = found[0].decisive().lo.clone().expect("a witness");
+    let at = certificate.lines().position(|line| line.starts_with("bound over")).expect("a line");
+    let mut lines: Vec<String> = certificate.lines().map(str::to_string).collect();
+    let below = attained - rational(1, 1_000_000_000);
+    (lines[at], lines[at + 1]) = (format!("bound over {}", below.denom()), below.numer().to_string());
+    let refusal = check((lines.join("\n") + "\n").as_bytes()).expect_err("attained");
+    assert!(refusal.reason.contains("row 1 is not shown"), "{refusal:?}");
+    // Later windows than those that it is about.
+    let later = certificate.replace("window 3 4", "window 3 8");
+    assert!(check(later.as_bytes()).is_err());
+}
+
+/// A motion is followed only where its modes follow each other as the switching allows.
+#[test]
+fn orders_that_are_not_allowed_are_refused() {
+    for (switching, changes) in [
+        (WINDOWS, [("turns 1 2 1", "turns 2 1 2"), ("window 1 2", "window 0 1/100"), ("window 3 4", "window 7 8")]),
+        (DWELL, [("stay 2 none", "stay 0 1/100"), ("stay 2 none", "stay 8 none"), ("stay 1 2", "stay 0 1/100")]),
+        (PERIODIC, [("turns 1 2", "turns 2 1"), ("period 3/2", "period 1"), ("until 8", "until 1/100")]),
+    ] {
+        let good = written(&SWITCHED.replace(PERIODIC, switching));
+        assert!(good.contains("its modes for the times below, as the switching below allows"), "{good}");
+        for (from, to) in changes {
+            assert!(good.contains(from), "{from}: {good}");
+            let refusal = check(good.replace(from, to).as_bytes()).expect_err(to).reason;
+            assert!(refusal.contains("does not allow") || refusal.contains("last longer"), "{to}: {refusal}");
+        }
+    }
+}
+
+/// A bound by one order of modes says nothing where others are allowed.
+#[test]
+fn one_order_of_modes_is_no_bound_of_others() {
+    for text in [SWITCHED.to_string(), for_ever(SWITCHED)] {
+        let certificate = bound_of(&asking(&text, &["x <= 9"])).expect("a proof");
+        for (from, to) in [
+            ("switching periodic\nturns 1 2\nperiod 3/2\n", "switching any\n"),
+            ("switching periodic\nturns 1 2\nperiod 3/2\n", "switching dwell\nfirst any\nstay 0 none\nstay 0 none\n"),
+            ("turns 1 2\n", "turns 2 1\n"),
+            ("turns 1 2\n", "turns 1 2 2\n"),
+            ("period 3/2", "period 3/4"),
+        ] {
+            assert!(certificate.contains(from), "{from}: {certificate}");
+            assert!(check(certificate.replace(from, to).as_bytes()).is_err(), "{to}");
+        }
+    }
+    let certificate = bound_of(&asking(SWITCHED, &["x <= 9"])).expect("a proof");
+    let longer = certificate.replace("until 8", "until 9");
+    assert!(check(longer.as_bytes()).expect_err("longer").reason.contains("do not last as long"));
+}

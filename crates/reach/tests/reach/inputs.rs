@@ -116,4 +116,8 @@ fn too_many_states_are_refused_before_the_matrices_are_read() {
     let text = format!("[system]\nstates = [{}]\nstart = {{}}\n\n[[mode]]\nA = [[0, 1", names.join(", "));
     let error = System::read(&text).expect_err("too many").to_string();
     assert_eq!(error, "line 2: `system.states`: it must be a list of 1 to 200 names, not 3000");
+    // Wherever the section stands.
+    let text = format!("[[mode]]\nA = [[0, 1\n[system]\nstates = [{}]\nstart = {{}}\n", names.join(", "));
+    let error = System::read(&text).expect_err("too many states").to_string();
+    assert_eq!(error, "line 4: `system.states`: it must be a list of 1 to 200 names, not 3000");
 }
