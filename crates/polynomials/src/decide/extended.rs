@@ -315,8 +315,8 @@ impl Number for Extended {
         let (sin, cos) = self.floats().sin_cos()?;
         let clamped = |x: FloatInterval| Extended::between(x.lo().max(-1.0), x.hi().min(1.0)).and(self.defined);
         let (sin, cos) = (clamped(sin), clamped(cos));
-        // Within half a turn the sine has the sign of the angle, whatever rounding says.
-        const HALF: f64 = 3.14;
+        // Within half a turn, of which most is enough, the sine has the sign of the angle, whatever rounding says.
+        const HALF: f64 = 3.0;
         let sin = match (self.lo >= 0.0 && self.hi <= HALF, self.hi <= 0.0 && self.lo >= -HALF) {
             (true, _) => Extended { lo: sin.lo.max(0.0), ..sin },
             (_, true) => Extended { hi: sin.hi.min(0.0), ..sin },
