@@ -2,6 +2,7 @@
 
 use super::expression::{Said, Tree, above, at_least, c, decided, equal, lines, nano, other_than, sides, x, y, z};
 use arithmetic::{Rational, rational};
+use num_traits::ToPrimitive;
 use polynomials::Side;
 use polynomials::decide::{Decision, Effort};
 
@@ -336,14 +337,17 @@ fn small() -> Effort {
     Effort { boxes: 2000, ..Effort::default() }
 }
 
-/// The places of this file as floats.
+/// The places of this file as floats, and rational numbers and their square roots.
 fn near(place: &str) -> f64 {
+    let rational = |text: &str| text.parse::<Rational>().ok()?.to_f64();
+    let root = |text: &str| rational(text.strip_prefix("sqrt(")?.strip_suffix(')')?).map(f64::sqrt);
+    let signed = |text: &str| root(text).or_else(|| root(text.strip_prefix('-')?).map(|x| -x));
+    if let Some(x) = rational(place).or_else(|| signed(place)) {
+        return x;
+    }
     match place {
         "log(2)" => 2f64.ln(),
         "pi/2" => std::f64::consts::FRAC_PI_2,
-        "sqrt(2)" => 2f64.sqrt(),
-        "-sqrt(2)" => -2f64.sqrt(),
-        "sqrt(3)" => 3f64.sqrt(),
         "exp(-1)" => (-1f64).exp(),
         other => panic!("{other}"),
     }
