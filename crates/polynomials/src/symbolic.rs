@@ -212,6 +212,13 @@ impl Extension {
         alone && place.is_some_and(is_between)
     }
 
+    /// Whether it is pi, or what a logarithm was taken of as it stands.
+    fn is_known_positive(&self, polynomial: &Polynomial) -> bool {
+        let is_circle = |(monomial, c): (&Vec<u32>, &Rational)| self.is_circle(monomial) && c.is_positive();
+        self.with(|inner| inner.positive.contains(polynomial))
+            || polynomial.terms().len() == 1 && polynomial.terms().all(is_circle)
+    }
+
     /// The product of powers of divisors.
     fn product(&self, powers: &[u32]) -> Polynomial {
         let one = Multivariate::of(rational(1, 1));

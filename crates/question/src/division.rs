@@ -162,7 +162,7 @@ impl Division<'_> {
 
     /// Whether the property, one of numbers alone, holds on all of a box, with little effort.
     pub fn holds_where_attained(&self, whole: &Bindings) -> Result<bool, QuestionError> {
-        let effort = Effort { boxes: 64, squares: false, certified: false };
+        let effort = Effort { boxes: 64, squares: false, certified: false, conditions: false };
         let Some(clauses) = self.clauses(whole) else { return Ok(false) };
         let domain: Vec<Side> = whole.sides().into_iter().map(|(_, side)| side).collect();
         for clause in &clauses.list {
@@ -179,7 +179,7 @@ impl Division<'_> {
         let Some(clauses) = clauses(whole, None, &self.expression.node) else { return Ok(None) };
         let nowhere = [Rational::default()];
         let domain = [Side::point(Rational::default())];
-        let effort = Effort { boxes: 1, squares: false, certified: false };
+        let effort = Effort { boxes: 1, squares: false, certified: false, conditions: false };
         let has_value = clauses.conditions.iter().all(|own| is_true_at(std::slice::from_ref(own), &nowhere));
         let mut holds = true;
         for clause in &clauses.list {
@@ -227,7 +227,12 @@ impl Division<'_> {
             places.iter().zip(point).for_each(|(place, q)| bindings.set(*place, Value::Number(q.clone())));
             bindings
         };
-        let effort = Effort { boxes: self.most.min(MOST_SHARP), certified: self.is_certified(), ..Effort::default() };
+        let effort = Effort {
+            boxes: self.most.min(MOST_SHARP),
+            certified: self.is_certified(),
+            conditions: true,
+            ..Effort::default()
+        };
         let mut missing = Missing::default();
         let mut left: Option<Open> = None;
         let mut closed: Option<Spot> = None;

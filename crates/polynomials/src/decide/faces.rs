@@ -4,7 +4,7 @@
 use super::attained::at_share;
 use super::local::{Signs, at_point, seeded};
 use super::places::{free, simple};
-use super::{Decision, Effort, Proof, on_rest};
+use super::{Decision, Effort, Extended, Proof, on_rest};
 use crate::function::{Function, Literal, Side};
 use crate::symbolic::{Extension, Symbolic};
 use arithmetic::{Cancelled, Dual, Field, Progress, Rational, Ring, random, rational};
@@ -36,6 +36,10 @@ pub(super) fn decided<F: Function>(
     if !(2..=MOST).contains(&free.len()) || free.iter().any(|&k| domain[k].integer) {
         return Ok(None);
     }
+    // Along a line a function may change its sign where it has no value.
+    if !effort.conditions && !clause.iter().all(|literal| is_total(&literal.function, domain)) {
+        return Ok(None);
+    }
     let parallel = || parallel(clause, domain, &free).map(Lines::Parallel);
     let Some(lines) = parallel().or_else(|| are_homogeneous(clause, domain, &free).then_some(Lines::Rays)) else {
         return Ok(None);
@@ -64,6 +68,12 @@ pub(super) fn decided<F: Function>(
     proof.methods.sort_unstable();
     proof.methods.dedup();
     Ok(Some(Decision::Holds(proof)))
+}
+
+/// Whether a function has a value at all points of a domain.
+fn is_total<F: Function>(function: &F, domain: &[Side]) -> bool {
+    let hull: Vec<Extended> = domain.iter().map(|side| Extended::hull(side.lo.as_ref(), side.hi.as_ref())).collect();
+    function.value(&hull).is_ok_and(|value| value.defined && !value.is_empty())
 }
 
 /// What a literal is at a point, in floats.

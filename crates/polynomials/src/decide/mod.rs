@@ -128,11 +128,14 @@ pub struct Effort {
     pub squares: bool,
     /// Whether sums of squares come first, so that there is a certificate wherever there can be one.
     pub certified: bool,
+    /// Whether whoever asks also decides, by clauses with the same other literals, that every function has a value where it matters. Else what is concluded
+    /// from one point for others needs values at all points between.
+    pub conditions: bool,
 }
 
 impl Default for Effort {
     fn default() -> Self {
-        Effort { boxes: 20_000, squares: true, certified: false }
+        Effort { boxes: 20_000, squares: true, certified: false, conditions: false }
     }
 }
 

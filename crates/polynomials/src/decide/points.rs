@@ -25,7 +25,7 @@ const NEAR: f64 = 1e-7;
 const NEWTON: usize = 12;
 
 /// How far a literal is from being false, in floats: negative where it is false. `None` where the function has no value.
-fn slack<F: Function>(literal: &Literal<F>, x: &[f64]) -> Option<f64> {
+pub(super) fn slack<F: Function>(literal: &Literal<F>, x: &[f64]) -> Option<f64> {
     let value = literal.function.value(x).ok().filter(|v| v.is_finite())?;
     Some(match literal.compared {
         Compared::Positive | Compared::NotNegative => value,

@@ -231,7 +231,8 @@ impl Prover<'_> {
             zeros.retain(|zero| {
                 goal.target.value(zero).is_zero() && constraints.iter().all(|(p, _)| !p.value(zero).is_negative())
             });
-            let effort = Effort { boxes: BOXES.min(self.effort.boxes), squares: false, certified: false };
+            let effort =
+                Effort { boxes: BOXES.min(self.effort.boxes), squares: false, certified: false, conditions: false };
             let few = Effort { boxes: 128, ..effort };
             let order = if self.effort.squares { few } else { effort };
             if !self.effort.certified

@@ -12,8 +12,8 @@ use num_traits::Zero;
 /// More common parts are not looked at.
 const MOST_PARTS: usize = 6;
 
-/// A rewritten question takes this share of the boxes.
-const SHARE: u64 = 4;
+/// A rewritten question takes this share of the boxes: so many that it is rewritten once more at most on a side of the domain.
+const SHARE: u64 = 16;
 
 /// Boxes for the sign of a part.
 const FEW: u64 = 100;
@@ -74,7 +74,9 @@ pub(super) fn decided<F: Function>(
     if boxes < FIRST_BOXES || !is_asked || !clause.iter().all(|literal| literal.guarded) {
         return Ok(None);
     }
-    let effort = Effort { boxes, ..effort };
+    let given = Effort { boxes, ..effort };
+    // Literals may be left out, and with them what says where the others have a value.
+    let effort = Effort { conditions: false, ..given };
     let one_at_a_time = |rewritten: Vec<Rewritten>| -> Result<Option<Decision>, Cancelled> {
         for own in rewritten {
             let places = match on_rest(&own.clause, &own.domain, effort, progress)? {
@@ -105,7 +107,7 @@ pub(super) fn decided<F: Function>(
     if let Some(decision) = one_at_a_time(without_roots(clause, domain).into_iter().collect())? {
         return Ok(Some(decision));
     }
-    by_exponential(clause, domain, effort, progress)
+    by_exponential(clause, domain, given, progress)
 }
 
 /// The functions of a clause at these arguments, numbers where the domain has one only.
@@ -332,7 +334,7 @@ fn by_exponential<F: Function>(
     let values = functions(clause, &arguments, domain);
     let own = |(own, value): (&Literal<F>, Option<Symbolic>)| Some(literal(own, value?.known()?));
     let rewritten: Vec<_> = clause.iter().zip(values).filter_map(own).collect();
-    Ok(match on_rest(&rewritten, &sides, effort, progress)? {
+    Ok(match on_rest(&rewritten, &sides, Effort { conditions: false, ..effort }, progress)? {
         Decision::Holds(proof) => Some(Decision::Holds(Proof { zeros: Vec::new(), places: Vec::new(), ..proof })),
         Decision::Fails(at) => {
             let place = |(k, q): (usize, Rational)| match changed.contains(&k) {

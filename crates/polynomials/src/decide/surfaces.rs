@@ -2,6 +2,7 @@
 
 use super::local::Signs;
 use super::places::{Place, free, simple, truth};
+use super::points::slack;
 use super::reduction::polynomials;
 use crate::function::{Compared, Function, Literal, Side};
 use crate::multivariate::Multivariate;
@@ -58,15 +59,9 @@ impl<F: Function> Search<'_, F> {
         }
         x[self.surface.variable] = root;
         let others = self.clause.iter().enumerate().filter(|(k, _)| *k != self.surface.literal);
-        let own = |literal: &Literal<F>| {
-            let value = literal.function.value(&x[..]).ok().filter(|value| value.is_finite())?;
-            Some(match literal.compared {
-                Compared::Positive | Compared::NotNegative => value,
-                Compared::Zero => -value.abs(),
-                Compared::NotZero => value.abs(),
-            })
-        };
-        others.map(|(_, literal)| own(literal)).try_fold(f64::NEG_INFINITY, |most, own| own.map(|own| most.max(own)))
+        others
+            .map(|(_, literal)| slack(literal, &x))
+            .try_fold(f64::NEG_INFINITY, |most, own| own.map(|own| most.max(own)))
     }
 
     /// Downhill along each number, with smaller and smaller steps.

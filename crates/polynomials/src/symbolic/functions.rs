@@ -5,7 +5,7 @@ use crate::multivariate::Multivariate;
 use arithmetic::{ArithmeticError, Field, Number, Rational, Ring, rational};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{Signed as _, ToPrimitive, Zero};
+use num_traits::{One, Signed as _, ToPrimitive, Zero};
 
 /// More terms of a sum, or larger multiples, are not taken apart.
 const MOST_PARTS: usize = 4;
@@ -136,15 +136,9 @@ impl Symbolic {
         let (monomial, c) = terms.next().filter(|_| self.extension.arity == 0)?;
         let alone = terms.next().is_none() && monomial.iter().sum::<u32>() == 1 && c.numer() == BigInt::from(1);
         let of = |call: &&(Function, Fraction, usize)| call.0 == Function::Logarithm && call.2 + 1 == monomial.len();
-        let inside = self.extension.with(|inner| {
-            let (_, (inside, _), _) = inner.calls.iter().find(of).filter(|_| alone)?;
-            let is_known = inner.positive.contains(inside);
-            Some((inside.clone(), is_known))
-        });
-        let (inside, is_known) = inside?;
-        let is_circle = |(monomial, c): (&Vec<u32>, &Rational)| self.extension.is_circle(monomial) && c.is_positive();
-        let is_positive = is_known || inside.terms().len() == 1 && inside.terms().all(is_circle);
-        Some((c.denom().to_u64()?, inside)).filter(|_| is_positive)
+        let inside = self.extension.with(|inner| inner.calls.iter().find(of).map(|call| call.1.0.clone()));
+        let inside = inside.filter(|inside| alone && self.extension.is_known_positive(inside))?;
+        Some((c.denom().to_u64()?, inside))
     }
 
     /// The exponential of a sum, of however many terms.
@@ -172,9 +166,10 @@ impl Symbolic {
         let Some(quarters) = quarters.filter(|k| k.unsigned_abs() <= 4 * MOST_COUNT as u64) else { return Ok(None) };
         let argument = self.extension.with(|inner| {
             let own = |call: &&(Function, Fraction, usize)| call.0 == Function::Logarithm && call.2 == before.len();
-            inner.calls.iter().find(own).map(|(_, (f, _), _)| (f.clone(), inner.positive.contains(f)))
+            inner.calls.iter().find(own).map(|(_, (f, _), _)| f.clone())
         });
-        let Some((f, positive)) = argument.filter(|_| before.iter().all(|power| *power == 0)) else { return Ok(None) };
+        let argument = argument.map(|f| (self.extension.is_known_positive(&f), f));
+        let Some((positive, f)) = argument.filter(|_| before.iter().all(|power| *power == 0)) else { return Ok(None) };
         let f = self.extension.of(f);
         let size = if positive { f } else { f.size() };
         let root = match quarters % 4 {
@@ -452,6 +447,14 @@ impl Number for Symbolic {
             return Ok(root);
         }
         if let Some(root) = self.root_of_powers(2, false)? {
+            return Ok(root);
+        }
+        // `sqrt(pi/4) = sqrt(pi)/2`.
+        let is_product =
+            |(c, powers): &(Rational, Vec<(usize, i64)>)| !c.is_one() && powers.iter().all(|own| own.1 == 1);
+        if self.as_powers().is_some_and(|own| is_product(&own))
+            && let Some(root) = self.root_by_logarithms(2)?
+        {
             return Ok(root);
         }
         let meaning = Meaning::Root(self.fraction.0.clone(), self.denominator());

@@ -52,7 +52,7 @@ fn samples() -> Vec<Rational> {
 #[test]
 fn random_functions_get_no_wrong_answer_at_the_ends() {
     let mut stream = random::generator("polynomials", "ends", 0);
-    let effort = Effort { boxes: 120, squares: false, certified: false };
+    let effort = Effort { boxes: 120, squares: false, certified: false, conditions: false };
     let (mut holds, mut fails) = (0, 0);
     for number in 0..400 {
         let tree = drawn(&mut stream, 2 + number % 3);
@@ -122,7 +122,7 @@ fn random_functions_along_lines_get_no_wrong_answer() {
         };
         let domain =
             vec![Side::between(rational(-1, 1), rational(2, 1)), Side::between(rational(-2, 1), rational(1, 1))];
-        let effort = Effort { boxes: 600, squares: false, certified: false };
+        let effort = Effort { boxes: 600, squares: false, certified: false, conditions: false };
         let value = |x: i64, y: i64| {
             let at = [rational(x, 10), rational(y, 10)].map(|q| PreciseNumber::exact(q, 200));
             Of(tree.clone()).value(&at).ok().and_then(|value| value.sign())

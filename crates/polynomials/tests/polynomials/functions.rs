@@ -7,7 +7,7 @@ use polynomials::{Compared, Extension, Function, Literal, Side, Symbolic};
 fn decided(function: &Symbolic, compared: Compared, range: (i64, i64, i64)) -> Decision {
     let literal = Literal { function: function.clone(), compared, guarded: true };
     let side = Side::between(rational(range.0, range.2), rational(range.1, range.2));
-    decide(&[literal], &[side], Effort { boxes: 200, squares: false, certified: false }, &Unwatched)
+    decide(&[literal], &[side], Effort { boxes: 200, squares: false, certified: false, conditions: false }, &Unwatched)
         .expect("not stopped")
 }
 

@@ -22,7 +22,7 @@ fn the_number_of_threads_changes_nothing() {
         ),
     ];
     for (domain, clause) in questions {
-        let effort = Effort { boxes: 4000, squares: false, certified: false };
+        let effort = Effort { boxes: 4000, squares: false, certified: false, conditions: false };
         let of = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
             pool.install(|| format!("{:?}", decided(clause.clone(), &domain, effort)))

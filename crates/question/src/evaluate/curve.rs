@@ -72,7 +72,7 @@ impl OnPiece<'_, '_, '_> {
 
     /// One comparison at all times of the piece, where both sides have values.
     fn link(&self, left: &Node, relation: Relation, right: &Node) -> Result<bool, Cancelled> {
-        const EFFORT: Effort = Effort { boxes: 200, squares: false, certified: false };
+        const EFFORT: Effort = Effort { boxes: 200, squares: false, certified: false, conditions: false };
         // Functions are simplified, and then say nothing about where they have no value: what has an enclosure on the whole piece has values there.
         if self.enclosed.number(left).is_err() || self.enclosed.number(right).is_err() {
             return Ok(false);

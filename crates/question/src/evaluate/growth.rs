@@ -48,9 +48,9 @@ const MOST_IN_VAIN: usize = 12;
 /// The orders of expansions at the start.
 const MOST_ORDERS: usize = 3;
 
-const EVERYWHERE: Effort = Effort { boxes: 100, squares: true, certified: false };
-const NEARBY: Effort = Effort { boxes: 20, squares: false, certified: false };
-const AT_START: Effort = Effort { boxes: 2000, squares: true, certified: false };
+const EVERYWHERE: Effort = Effort { boxes: 100, squares: true, certified: false, conditions: false };
+const NEARBY: Effort = Effort { boxes: 20, squares: false, certified: false, conditions: false };
+const AT_START: Effort = Effort { boxes: 2000, squares: true, certified: false, conditions: false };
 
 /// The largest functions of which more is done than to enclose them.
 const MOST_TERMS: usize = 300;

@@ -105,6 +105,15 @@ fn what_nearly_has_a_common_part_is_not_said_to_hold() {
         (PLANE, "x = 0 or x^4 + y^2 > x^4/10^9 + x^6"),
         ("x = \"any\"", "x = 0 or exp(1/x) > 1/10^9"),
         ("x = \"any\"", "exp(-exp(-x)) > exp(-exp(-x - 1))/2"),
+        // A common part along which a function has no value at one place, and another sign beyond.
+        (
+            "x = \"[-1, 1]\"\ny = \"[0, 2]\"\nz = \"[-1, 1]\"",
+            "x = 0 or z = 0 or sqrt((x*z)^2)/(x*z) + exp(x*z)/exp(x*z) + (exp(y) - y - 2)^2 > 0",
+        ),
+        (
+            "x = \"[-1, 1]\"\ny = \"[0, 2]\"\nz = \"[-1, 1]\"",
+            "x = 0 or z = 0 or exp(x*z)*(sqrt((x*z)^2)/(x*z) + 1 + (exp(y) - y - 2)^2) >= exp(x*z)/10^9",
+        ),
     ] {
         assert_ne!(verdict(family, property), Verdict::Holds, "{property}");
     }
