@@ -141,11 +141,6 @@ impl Extension {
         (0..self.arity).map(|k| self.of(Multivariate::x(k))).collect()
     }
 
-    /// A polynomial in the arguments.
-    pub(crate) fn of_polynomial(&self, polynomial: Polynomial) -> Symbolic {
-        self.of(polynomial)
-    }
-
     /// Arguments with the degrees of roots of products in which they stand.
     pub(crate) fn degrees_of_roots(&self) -> Vec<(usize, u64)> {
         let calls = self.with(|inner| inner.calls.clone());

@@ -2,9 +2,10 @@
 //! which the lines leave it holds on all of it.
 
 use super::attained::at_share;
-use super::local::{Signs, at_point, seeded};
+use super::goals::held_at_points;
+use super::local::{Signs, at_point, enclosed_on, seeded};
 use super::places::{free, simple};
-use super::{Decision, Effort, Extended, Proof, on_rest};
+use super::{Decision, Effort, Proof, on_rest};
 use crate::function::{Function, Literal, Side};
 use crate::symbolic::{Extension, Symbolic};
 use arithmetic::{Cancelled, Dual, Field, Progress, Rational, Ring, random, rational};
@@ -37,7 +38,8 @@ pub(super) fn decided<F: Function>(
         return Ok(None);
     }
     // Along a line a function may change its sign where it has no value.
-    if !effort.conditions && !clause.iter().all(|literal| is_total(&literal.function, domain)) {
+    let is_total = |own: &Literal<F>| enclosed_on(&own.function, domain).is_some_and(|value| value.defined);
+    if !effort.conditions && !clause.iter().all(is_total) {
         return Ok(None);
     }
     let parallel = || parallel(clause, domain, &free).map(Lines::Parallel);
@@ -54,26 +56,12 @@ pub(super) fn decided<F: Function>(
     let mut proof = Proof::default();
     for face in &faces {
         match on_rest(clause, face, share, progress)? {
-            Decision::Holds(own) => {
-                proof.methods.extend(own.methods);
-                proof.zeros.extend(own.zeros);
-                proof.places.extend(own.places);
-                proof.certificates.extend(own.certificates);
-                proof.boxes += own.boxes;
-            }
+            Decision::Holds(own) => proof.add(own),
             Decision::Undecided(_) => return Ok(None),
             fails => return Ok(Some(fails)),
         }
     }
-    proof.methods.sort_unstable();
-    proof.methods.dedup();
     Ok(Some(Decision::Holds(proof)))
-}
-
-/// Whether a function has a value at all points of a domain.
-fn is_total<F: Function>(function: &F, domain: &[Side]) -> bool {
-    let hull: Vec<Extended> = domain.iter().map(|side| Extended::hull(side.lo.as_ref(), side.hi.as_ref())).collect();
-    function.value(&hull).is_ok_and(|value| value.defined && !value.is_empty())
 }
 
 /// What a literal is at a point, in floats.
@@ -158,12 +146,7 @@ fn derivative<F: Function>(
     domain: &[Side],
     along: impl Fn(&[Symbolic]) -> Vec<Dual<Symbolic>>,
 ) -> Option<Dual<Symbolic>> {
-    let mut x = Extension::new(domain.len()).arguments();
-    for (x, side) in x.iter_mut().zip(domain) {
-        if let Some(q) = side.as_point() {
-            *x = x.rational(q);
-        }
-    }
+    let x = held_at_points(&Extension::new(domain.len()).arguments(), domain);
     literal.function.value(&along(&x)).ok()
 }
 

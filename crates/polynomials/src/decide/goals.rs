@@ -18,6 +18,12 @@ pub(super) enum Outcome {
     Open(Vec<u32>),
 }
 
+/// Arguments, numbers where the domain has one only.
+pub(super) fn held_at_points(arguments: &[Symbolic], domain: &[Side]) -> Vec<Symbolic> {
+    let known = |(x, side): (&Symbolic, &Side)| side.as_point().map_or_else(|| x.clone(), |q| x.rational(q));
+    arguments.iter().zip(domain).map(known).collect()
+}
+
 /// Proves a clause, where it has that form.
 pub(super) fn prove<F: Function>(
     clause: &[Literal<F>],
@@ -28,8 +34,7 @@ pub(super) fn prove<F: Function>(
     let many = free(domain).len() > MANY;
     let symbolic = |grid: i64| {
         let extension = Extension::with_grid(domain.len(), grid);
-        let known = |(x, side): (Symbolic, &Side)| side.as_point().map_or_else(|| x.clone(), |q| x.rational(q));
-        let arguments: Vec<Symbolic> = extension.arguments().into_iter().zip(domain).map(known).collect();
+        let arguments = held_at_points(&extension.arguments(), domain);
         let values: Vec<Option<Symbolic>> =
             clause.iter().map(|literal| literal.function.value(&arguments).ok()).collect();
         (extension, values)

@@ -498,8 +498,14 @@ fn is_smooth(value: &Dual<Extended>) -> bool {
     value.value.defined && value.derivative.defined && !value.derivative.is_empty()
 }
 
-fn hull(side: &Side) -> Extended {
+pub(super) fn hull(side: &Side) -> Extended {
     Extended::hull(side.lo.as_ref(), side.hi.as_ref())
+}
+
+/// Encloses the values of a function on a domain, where it has some.
+pub(super) fn enclosed_on<F: Function>(function: &F, domain: &[Side]) -> Option<Extended> {
+    let boxed: Vec<Extended> = domain.iter().map(hull).collect();
+    function.value(&boxed).ok().filter(|value| !value.is_empty())
 }
 
 /// A point that moves with one of its numbers; twice, with two of them, for second derivatives.

@@ -84,6 +84,24 @@ pub struct Proof {
     pub boxes: u64,
 }
 
+impl Proof {
+    /// With what proves something else as well.
+    fn add(&mut self, other: Proof) {
+        self.methods.extend(other.methods);
+        self.methods.sort_unstable();
+        self.methods.dedup();
+        self.zeros.extend(other.zeros);
+        self.places.extend(other.places);
+        self.certificates.extend(other.certificates);
+        self.boxes += other.boxes;
+    }
+
+    /// Without points, which belong to other numbers.
+    fn without_points(self) -> Self {
+        Proof { zeros: Vec::new(), places: Vec::new(), ..self }
+    }
+}
+
 /// What was left open.
 #[derive(Debug, Clone)]
 pub struct Open {

@@ -1,7 +1,8 @@
 //! The same clause in other numbers: what its functions have in common as one number, exponentials in the place of logarithms, powers in the place of numbers under roots.
 
+use super::goals::held_at_points;
 use super::image::Image;
-use super::local::Signs;
+use super::local::{Signs, enclosed_on};
 use super::places::{Place, free, has_value, truth};
 use super::{Decision, Effort, Extended, FIRST_BOXES, Proof, on_rest};
 use crate::function::{Compared, Function, Literal, Side};
@@ -80,9 +81,7 @@ pub(super) fn decided<F: Function>(
     let one_at_a_time = |rewritten: Vec<Rewritten>| -> Result<Option<Decision>, Cancelled> {
         for own in rewritten {
             let places = match on_rest(&own.clause, &own.domain, effort, progress)? {
-                Decision::Holds(proof) => {
-                    return Ok(Some(Decision::Holds(Proof { zeros: Vec::new(), places: Vec::new(), ..proof })));
-                }
+                Decision::Holds(proof) => return Ok(Some(Decision::Holds(proof.without_points()))),
                 Decision::Fails(point) => point.into_iter().map(Place::of).collect(),
                 Decision::FailsAt(places) => places,
                 Decision::Undecided(_) => continue,
@@ -112,16 +111,18 @@ pub(super) fn decided<F: Function>(
 
 /// The functions of a clause at these arguments, numbers where the domain has one only.
 fn functions<F: Function>(clause: &[Literal<F>], arguments: &[Symbolic], domain: &[Side]) -> Vec<Option<Symbolic>> {
-    let known = |(x, side): (&Symbolic, &Side)| match side.as_point() {
-        Some(q) => x.rational(q),
-        None => x.clone(),
-    };
-    let arguments: Vec<Symbolic> = arguments.iter().zip(domain).map(known).collect();
+    let arguments = held_at_points(arguments, domain);
     clause.iter().map(|literal| literal.function.value(&arguments).ok()).collect()
 }
 
 fn literal<F>(own: &Literal<F>, function: Settled) -> Literal<Settled> {
     Literal { function, compared: own.compared, guarded: true }
+}
+
+/// The literals of which something is known at these arguments.
+fn at<F: Function>(clause: &[Literal<F>], arguments: &[Symbolic], domain: &[Side]) -> Vec<Literal<Settled>> {
+    let values = functions(clause, arguments, domain);
+    clause.iter().zip(values).filter_map(|(own, value)| Some(literal(own, value?.known()?))).collect()
 }
 
 /// `exp(f) >= 1` in the place of `f >= 0`, where `f` is a sum with multiples of logarithms.
@@ -164,8 +165,7 @@ fn by_parts<F: Function>(
 
 /// What a function is on a domain.
 pub(super) fn range<F: Function>(function: &F, domain: &[Side]) -> Option<Side> {
-    let hull: Vec<Extended> = domain.iter().map(|side| Extended::hull(side.lo.as_ref(), side.hi.as_ref())).collect();
-    let value = function.value(&hull).ok().filter(|value| !value.is_empty())?;
+    let value = enclosed_on(function, domain)?;
     Some(Side { lo: Rational::from_float(value.lo), hi: Rational::from_float(value.hi), integer: false })
 }
 
@@ -270,9 +270,7 @@ fn without_roots<F: Function>(clause: &[Literal<F>], domain: &[Side]) -> Option<
     extension.are_not_negative((0..arity).filter(is_not_negative).collect());
     let arguments: Vec<Symbolic> =
         extension.arguments().iter().zip(&powers).map(|(x, power)| x.power(*power)).collect();
-    let values = functions(clause, &arguments, domain);
-    let own = |(own, value): (&Literal<F>, Option<Symbolic>)| Some(literal(own, value?.known()?));
-    let mut rewritten: Vec<_> = clause.iter().zip(values).filter_map(own).collect();
+    let mut rewritten = at(clause, &arguments, domain);
     let mut sides = domain.to_vec();
     for k in changed {
         let (lo, hi) = (domain[k].lo.clone()?, domain[k].hi.clone());
@@ -331,11 +329,9 @@ fn by_exponential<F: Function>(
             integer: false,
         };
     }
-    let values = functions(clause, &arguments, domain);
-    let own = |(own, value): (&Literal<F>, Option<Symbolic>)| Some(literal(own, value?.known()?));
-    let rewritten: Vec<_> = clause.iter().zip(values).filter_map(own).collect();
+    let rewritten = at(clause, &arguments, domain);
     Ok(match on_rest(&rewritten, &sides, Effort { conditions: false, ..effort }, progress)? {
-        Decision::Holds(proof) => Some(Decision::Holds(Proof { zeros: Vec::new(), places: Vec::new(), ..proof })),
+        Decision::Holds(proof) => Some(Decision::Holds(proof.without_points())),
         Decision::Fails(at) => {
             let place = |(k, q): (usize, Rational)| match changed.contains(&k) {
                 true => Place::exponential(q),
@@ -377,16 +373,10 @@ fn by_summands<F: Function>(
             let rest = (summand.clone() - least).settled();
             let others: Vec<usize> = (0..domain.len()).filter(|k| !summand.depends_on().contains(k)).collect();
             match on_rest(&[literal(own, rest)], &held(domain, &others), effort, progress)? {
-                Decision::Holds(proof) => {
-                    all.methods.extend(proof.methods);
-                    all.certificates.extend(proof.certificates);
-                    all.boxes += proof.boxes;
-                }
+                Decision::Holds(proof) => all.add(proof.without_points()),
                 _ => continue 'literals,
             }
         }
-        all.methods.sort_unstable();
-        all.methods.dedup();
         all.places = vec![places];
         return Ok(Some(Decision::Holds(all)));
     }

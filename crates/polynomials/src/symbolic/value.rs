@@ -169,7 +169,7 @@ impl Symbolic {
                 let argument = Symbolic { fraction: argument.clone(), extension: self.extension.clone() };
                 sum + argument * self.extension.unit().integer(power)
             };
-            let zero = self.extension.of_polynomial(Polynomial::of(rational(0, 1)));
+            let zero = self.extension.of(Polynomial::of(rational(0, 1)));
             (powers.len() > 1).then(|| powers.into_iter().fold(zero, sum))
         };
         self.fraction.0.terms().filter_map(|(monomial, _)| exponent(monomial)).collect()
@@ -183,7 +183,7 @@ impl Symbolic {
         let mut groups: Vec<(Vec<usize>, Polynomial)> = Vec::new();
         for (monomial, c) in self.fraction.0.terms() {
             let term = Polynomial::from_terms([(monomial.clone(), c.clone())], &rational(0, 1));
-            let mut own = (self.extension.of_polynomial(term.clone()).depends_on(), term);
+            let mut own = (self.extension.of(term.clone()).depends_on(), term);
             let apart = |group: &(Vec<usize>, Polynomial)| !group.0.iter().any(|k| own.0.contains(k));
             let (rest, joined): (Vec<_>, Vec<_>) = groups.into_iter().partition(apart);
             groups = rest;
@@ -197,7 +197,7 @@ impl Symbolic {
         if let Some(first) = groups.first_mut() {
             first.1 = constants.into_iter().fold(first.1.clone(), |sum, (_, own)| sum + own);
         }
-        groups.into_iter().map(|(_, sum)| self.extension.of_polynomial(sum)).collect()
+        groups.into_iter().map(|(_, sum)| self.extension.of(sum)).collect()
     }
 
     /// How fast it changes where its arguments change at these rates, by the chain rule: at every point where it has a value and a derivative.
